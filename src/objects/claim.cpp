@@ -7,9 +7,8 @@
 namespace iog::objects {
 namespace {
 
-// Something was there when the track, by its speed, was not: where the part of it that is at
-// `place` now was then, its box has no part.
-// Does not count where a receding track hides the place at which the part should be now.
+// Whether a place was hit too early: a part of the track that was there then would be outside its
+// box now. Does not count if a receding track hides where that part would be.
 bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point place,
                      const FrameHit& hit) {
   if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {

@@ -10,10 +10,10 @@
 namespace iog::objects {
 namespace {
 
-// The oldest hit of a frame of 40 ms, and as much again.
+// Twice the age of the oldest hit in a frame of 40 ms, as a rate per second.
 constexpr std::int32_t kOldestHitsPerSecond = 12;
 
-// Where hits may lie that a track takes, before they are moved with its speed.
+// Where a track may take hits, before they are moved with its velocity.
 Bounds reach_of(const Track& track, const ClaimGate& gate) {
   const Velocity its = track.velocity();
   const std::int32_t faster = std::max(numeric::magnitude(its.x), numeric::magnitude(its.y));
