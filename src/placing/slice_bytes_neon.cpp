@@ -32,7 +32,7 @@ Columns write_half(const std::int8_t* indexes, std::int8_t* bytes) {
           .greatest = vmaxq_s8(vmaxq_s8(a, b), vmaxq_s8(c, d))};
 }
 
-// The sum of the lanes of each of eight rows.
+// All ones for each square of four columns with a known cell.
 uint16x4_t known_squares(int8x16_t bits) {
   const uint32x4_t squares = vreinterpretq_u32_s8(bits);
   return vmovn_u32(vtstq_u32(squares, squares));
