@@ -7,8 +7,9 @@
 namespace iog::objects {
 namespace {
 
-// Whether a place was hit too early: a part of the track that was there then would be outside its
-// box now. Does not count if a receding track hides where that part would be.
+// Whether something was at this place before the track can have been there. A part of the track
+// would have moved on with it since then, but the box does not reach that far. Does not count if a
+// receding track hides the place where that part would be now.
 bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point place,
                      const FrameHit& hit) {
   if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {

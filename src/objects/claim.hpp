@@ -1,4 +1,4 @@
-// Assigns hits in and around the box of a track to it.
+// Assigns hits to the tracks whose boxes they are in or near.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ namespace iog::objects {
 class Claim {
  public:
   // Sets the owner of each hit: the track with the nearest box among those in whose gate the hit
-  // lies. In a tie the lower slot wins. Standing hits go only to moving tracks, or to receding ones
-  // whose face may be standing. A track rejects and counts hits that contradict it. Returns the
-  // result of TileTracks::list().
+  // lies. In a tie the lower slot wins. Standing hits go only to moving tracks, or to receding
+  // tracks whose visible face may be classified as standing. A track rejects and counts hits that
+  // contradict it. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 

@@ -1,4 +1,4 @@
-// Clusters unclaimed hits of a frame: each hit is near to another hit of its cluster.
+// Clusters the unclaimed hits of a frame: each hit is near another hit of its cluster.
 //
 // Two hits are near if, on both axes, they are within the gap of one of them: 0.4 m plus a part
 // that grows with range, because beams fan out. Old hits are ignored. Cells are bits of a plane as

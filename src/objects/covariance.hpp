@@ -16,8 +16,7 @@ class Covariance {
  public:
   static constexpr std::int32_t kMost = 2'000'000'000;
 
-  // The share of an innovation that is added to place and speed, in units of 2^-16; speed per
-  // second. 0 <= place <= 2^16.
+  // Kalman gains in units of 2^-16; that of the speed is per second. 0 <= place <= 2^16.
   struct Gain {
     std::int32_t place = 0;
     std::int32_t speed = 0;

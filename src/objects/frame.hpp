@@ -11,7 +11,7 @@
 
 namespace iog::objects {
 
-// Most slices of a frame.
+// The largest number of slices in a frame.
 inline constexpr std::size_t kMostSlices = 32;
 
 struct Frame {

@@ -1,9 +1,9 @@
 // Sorts the hits of a frame, so the result does not depend on the order of arrival. The order is:
 // ring of tiles around the car, window slot, cell, slice.
 //
-// The nearest hits come first and so get limited room first. If there are more than kMostSeen,
-// whole rings are dropped, the farthest first. Of the rest, hits beyond kMostHits are dropped. Hits
-// outside the window or without a slice are rejected. All of these are counted.
+// The nearest hits come first, so they are kept when room is short. If there are more than
+// kMostSeen, whole rings are dropped, the farthest first. Of the rest, hits beyond kMostHits are
+// dropped. Hits outside the window or without a slice are rejected. All of these are counted.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Interface to the perception grid: a non-owning reference to any type that names cells, like
-// work::Crew.
+// Interface to the perception grid: a non-owning, type-erased reference to any type that names
+// cells (as work::Crew is for workers).
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// A hit while its frame is processed.
+// A hit of the current frame, with the state that tracking adds to it.
 #pragma once
 
 #include <cstdint>

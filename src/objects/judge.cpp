@@ -18,7 +18,7 @@ bool is_told(const Track& track) {
          seen.good >= seen.bad && track.speed() >= std::max(kToldSpeed, track.speed_deviation());
 }
 
-// It has long been like a car, and almost nothing speaks against it. A car that stays ahead of ours
+// It has long been like a car, and almost no evidence is against it. A car that stays ahead of ours
 // at a long distance leaves mostly places that are unknown to the grid. Rails and walls do not look
 // that short for that long.
 bool is_steady(const Track& track) {
@@ -108,8 +108,8 @@ void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   }
 }
 
-// Whether it is longer than any object, or moves and is too wide. Then it includes an object that
-// passes another one.
+// Whether it is longer than any object, or moves and is too wide. That happens when an object
+// passes another one and is taken for a part of it.
 bool is_no_thing(const Track& track) {
   const bool is_wide = track.moves() && track.has_heading() &&
                        track.box().sides[kAcross].length() > kNoThingAcrossMm;

@@ -121,8 +121,8 @@ void follow(const Ends& seen, Reference by, std::int32_t moved_mm, bool may_shri
   }
 }
 
-// The largest change of speed along a side by one measurement, mm/s. There is no limit for tracks
-// that are not moving, whose speed is that of what comes into view.
+// The largest change of speed along a side by one measurement, mm/s. Tracks that are not moving
+// have no limit: their speed may only reflect parts that come into view.
 std::int32_t most_change(const Track& track, Step step) {
   const bool has_grip = track.moves() && track.updates >= kGripFrom;
   return has_grip ? kGrip / 1000 * step.ms() : kMostSpeed;
@@ -146,8 +146,7 @@ void measure(Point car, Side side, const Ends& seen, Step step, Track& track) {
   follow(seen, its.by, static_cast<std::int32_t>(moved_mm), may_shrink, track.sides()[side]);
 }
 
-// Gives up all standing hits. A walker in front of a pole may have only standing hits, and keeps
-// them.
+// Gives up all standing hits. Not used for a walker in front of a pole, who may have no other hits.
 void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> hits) {
   for (const std::uint16_t number : numbers) {
     if (hits[number].stands) {
@@ -200,8 +199,8 @@ void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,
   }
 }
 
-// Measures both ends of a sure car with standing hits within its width, too: most of a long side
-// covers the same places for long.
+// Includes standing hits within the width of a sure car in both of its ends, because most of a long
+// side covers the same places for long.
 void take_standing_ends(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
                         const Box& box, Ends& ends) {
   ends.low = face_with_standing(kAlong, Reference::kLow, numbers, hits, ends.low, box);
@@ -218,7 +217,7 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
     track.seen.hits += hit.stands ? 0 : 1;
     track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
   }
-  if (track.seen.hits == 0) {  // unseen, and what is parked there is not a part of it
+  if (track.seen.hits == 0) {  // unseen; the standing hits belong to something parked
     if (longest_of(track.box().sides) >= kSmallMm || track.has_trail()) {
       leave_standing(numbers, hits);
     }

@@ -13,8 +13,8 @@ namespace {
 
 bool may_merge(const Track& track) { return track.is_there() && track.updates >= kMergeFrom; }
 
-// A corner of the younger box may be kMergeMm outside the older one, along both of its sides. Along
-// the axes of the frame that is at most 3/2 of it.
+// A corner of the younger box may be kMergeMm outside both sides of the older one. Then it is at
+// most 3/2 kMergeMm outside its bounds.
 constexpr std::int32_t kMergeReach = kMergeMm * 3 / 2;
 
 // The next track from `from` on that is younger than the first and near to it; count() if there is

@@ -47,7 +47,7 @@ class MovingBoxes {
   }
 
  private:
-  // kTailMm along both sides of a box reaches at most 3/2 of it along the axes of the frame.
+  // A point kTailMm outside both sides of a box is at most 3/2 kTailMm outside its bounds.
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 
   std::size_t count_ = 0;

@@ -18,7 +18,7 @@ namespace iog::objects {
 // fit a word.
 class OwnBeams {
  public:
-  static constexpr std::size_t kMost = 48;  // of more hits, every n-th is used
+  static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th is used
 
   // numbers: indices of the hits of the track.
   OwnBeams(Point car, std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits)

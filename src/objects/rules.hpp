@@ -105,7 +105,7 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// For a moving track; at 10 Hz, 0.7 m/s of deviation remain.
+// For a moving track: a scanner of 10 Hz leaves a deviation of 0.7 m/s.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
 // For a sure car, whose speed must also exceed one deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
@@ -155,7 +155,7 @@ inline constexpr std::int32_t kBadOverGood = 8;
 // the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// A box of a car's size for this many updates needs only this many good places.
+// A track with the box of a car for this many updates needs only this many good places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
@@ -175,9 +175,8 @@ inline constexpr std::int32_t kShortestRowMm = 500;
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
 inline constexpr std::int32_t kStreakSpeed = 15'000;  // no streak seems to move faster
-inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower than this,
-// And the grid classifies at least this share of their hits as moving.
-inline constexpr std::int32_t kGroupPercent = 75;
+inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower,
+inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
 // From here on, standing hits in a car's box are its own.

@@ -12,8 +12,8 @@
 
 namespace iog::objects {
 
-// Widens a deviation of the filter, mm/s: by 1 + kStatedAgeMs / age, and at least by kStatedNear if
-// the track is nearer than kStatedNearMm to the car.
+// Multiplies a deviation of the filter, mm/s, by 1 + kStatedAgeMs / age. Nearer to the car than
+// kStatedNearMm, the factor is at least kStatedNear.
 [[nodiscard]] inline std::uint32_t stated_deviation(std::uint32_t deviation, const Track& track,
                                                     std::uint64_t now_us, Point car) {
   const std::uint64_t age_ms =

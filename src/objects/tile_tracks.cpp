@@ -10,7 +10,7 @@
 namespace iog::objects {
 namespace {
 
-// Twice the age of the oldest hit in a frame of 40 ms, as a rate per second.
+// Hits of a frame of 40 ms are at most 1/25 s old. This allows about twice that age, 1/12 s.
 constexpr std::int32_t kOldestHitsPerSecond = 12;
 
 // Where a track may take hits, before they are moved with its velocity.
