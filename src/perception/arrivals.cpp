@@ -12,7 +12,7 @@ constexpr std::uint64_t kRun = (1U << (2 * kRadius + 1)) - 1;
 constexpr int kEnoughOnWellKnownGround = 2;
 constexpr int kEnough = 7;
 
-// Whether a hit is on remembered ground.
+// Whether a hit is on ground that was remembered.
 bool is_any_on(const window::Plane& hits, const window::Ground& ground) {
   std::uint32_t bits = 0;
   for (std::size_t y = 0; y < hits.size(); ++y) {

@@ -17,9 +17,9 @@ window::Plane cells_beside(const window::Window& window, std::size_t slot) {
       window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
 }
 
-// A tile without a seen cell has no dense cell, and one without a freed cell has no shut one. A
-// square of 5 by 5 cells around any cell always fits into the tile in some position, and nothing in
-// it is seen or freed.
+// A tile without a seen cell has no dense cell. A tile without a freed cell has no shut cell: each
+// of its cells lies in a square of 5 by 5 cells inside the tile, and the closing does not fill an
+// empty square.
 window::Plane cells_seen_around(const window::Window& window, std::size_t slot) {
   if (window::is_empty(window.tile(slot).found.seen)) {
     return window::Plane{};

@@ -1,10 +1,10 @@
 // Updates what is remembered of the ground after a frame.
 //
-// Within 3 by 3 cells of a standing cell nothing is remembered. Elsewhere a cell becomes dense if
-// all 5 by 5 cells around it are seen, and open if all 7 by 7 are shut. Shut cells are freed cells
-// without occupied ones, after gaps of up to four cells between beams are closed (dilation by 5 by
-// 5, then erosion by 5 by 5). A cell that is open again in a later period of 480 ms gets one more
-// tick, at most 3. No cell outside the window is shut; only the dilation extends there.
+// Nothing is remembered in the 3 by 3 cells around a standing cell. Elsewhere a cell becomes dense
+// if all 5 by 5 cells around it are seen, and open if all 7 by 7 are shut. Shut cells are the freed
+// cells after gaps of up to four cells between beams are closed (dilation by 5 by 5, then erosion
+// by 5 by 5), except occupied cells. A cell that is open again in a later period of 480 ms gets one
+// more tick, at most 3. No cell outside the window is shut; only the dilation extends there.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // Fewest and most tiles that one core takes at once, if there are several.
+  // Fewest and most tiles that one core takes at once, if several cores share the work.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;
 

@@ -30,8 +30,8 @@ class Opening {
  public:
   explicit Opening(const Rules& rules = {}) : looks_over_things_(rules.looks_over_things) {}
 
-  // The steps for one slot. They may be repeated, and may run for several slots at once. find():
-  // for a slot with evidence, whose bits are given. Call before any tile changes.
+  // The steps for one slot. They may be repeated, and may run for several slots at once. Call
+  // find() before any tile changes, for a slot with evidence. `bits` are those of its evidence.
   void find(const window::Window& window, const placing::EvidenceBits& bits, std::size_t slot);
   // Call before the tile takes in the evidence.
   void leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const;

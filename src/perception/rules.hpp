@@ -24,9 +24,9 @@ inline constexpr std::uint32_t kGroupCycles = 500;
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
-// How many cells away, at most, along either axis a tall hit must be for a hit to count as moved.
-// The larger value is for sensors whose hits must also be tall above the highest ground nearby, so
-// fewer hits are tall (ground/ground.hpp).
+// A hit counts as moved only near a tall hit: at most this many cells away along either axis. The
+// larger distance is for sensors whose hits must also be tall above the highest ground nearby
+// (ground/ground.hpp), because fewer of their hits are tall.
 inline constexpr int kTallWithin = 3;
 inline constexpr int kTallOverGroundWithin = 8;
 
@@ -36,10 +36,11 @@ struct Rules {
   // Masses by index, in static storage. Without it all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
-  // Only low beams open ground (perception/opening.hpp), because a sensor specifies `low` and
-  // `tall`.
+  // Whether only low beams open ground (perception/opening.hpp): true if a sensor specifies low_mm
+  // and tall_mm.
   bool is_opened_from_below = false;
-  // Then only low beams free occupied cells, because a sensor is high enough to look over objects.
+  // Whether, in that case, only low beams free occupied cells: true if a sensor is high enough to
+  // look over objects.
   bool looks_over_things = true;
   // kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;

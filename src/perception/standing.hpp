@@ -28,8 +28,8 @@ struct StandingCounts {
 
 // Counts a known tile. The outermost two rows and columns are left out, because cells near them may
 // belong to another tile. hit, crossed: cells with hits, and cells that beams crossed. Where only
-// low beams open ground (perception/opening.hpp), `crossed` has only low beams, because others pass
-// over standing objects.
+// low beams open ground (perception/opening.hpp), `crossed` counts only low beams, because others
+// pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed);
 

@@ -9,8 +9,8 @@
 namespace iog::perception {
 
 // End of a frame by the clock of the poses, us: the end of its last slice, or the newest pose if
-// none of its packets has a time. So a pause of all senders is no pause for the window. A scanner's
-// clock that is ahead or behind can neither advance the window's time nor hold it back.
+// none of its packets has a time. So the window's time stands still while all senders pause. A
+// scanner's clock that is ahead or behind can neither advance the window's time nor hold it back.
 // source_now_us: the present time of the poses' clock (pose::Source::source_time()).
 [[nodiscard]] std::uint64_t end_of_frame(std::optional<std::uint64_t> slices_end_us,
                                          std::uint64_t source_now_us, std::uint64_t newest_pose_us);

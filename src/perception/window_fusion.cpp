@@ -146,7 +146,7 @@ Budget WindowFusion::budget() const {
       .without_hits = rules_.group_budget - std::min(with_hits, rules_.group_budget)};
 }
 
-// One core spends the budget in order. Several cores get a share of it for each slot.
+// One core spends the budget in order. For several cores, each slot gets its share in advance.
 void WindowFusion::update_tiles(const work::Crew& crew, work::Beside beside) {
   const TileUpdate update(clock_, rules_.assignment);
   Budget budget = this->budget();

@@ -159,8 +159,8 @@ class WindowFusion {
   }
 
  private:
-  // Fewest and most tiles that one core takes at once, if there are several. The largest number
-  // also sets the size of the undo log.
+  // Fewest and most tiles that one core takes at once, if several cores share the work. The largest
+  // number also sets the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
