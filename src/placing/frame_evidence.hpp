@@ -42,7 +42,7 @@ class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // Most slices per call: those of a frame of 40 ms, each of 8 ms or a part of it.
+  // The largest number of slices per call: those of a frame of 40 ms, each of 8 ms or a part of it.
   static constexpr std::size_t kMostAtOnce = 6;
 
   // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must stay

@@ -1,5 +1,5 @@
-// Visits the 8 by 8 blocks of a window tile near which the slice grid may be known. The image of a
-// point eight steps away equals eight additions of one step, exactly.
+// Visits the 8 by 8 blocks of a window tile near which the slice grid may be known. Eight steps
+// equal eight additions of one step exactly.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
 // Calls visit(first, low, high, evidence) for each such block. `first` is the image of the centre
-// of its first cell in the grid, low ... high are the cells that contain the images of all its
-// cells, and `evidence` is that of the first cell. Returns false if there is no such block.
+// of its first cell in the grid. `low` and `high` bound the images of all its cells. `evidence` is
+// that of the first cell. Returns false if there is no such block.
 //
 // The evidence of a band is prefetched first. Otherwise its cache lines would be loaded one by one
 // between the lookups.

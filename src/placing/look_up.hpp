@@ -18,8 +18,8 @@ namespace iog::placing {
 //
 // A run follows the axis of the window that is closer to the grid's x axis. Seven steps of at most
 // 2^16 plus a fraction are less than eight cells, so a run covers at most eight columns of the
-// grid. Across, a step is at most 2^16 / sqrt(2) plus a half. Seven of these are less than five
-// cells, so a run covers at most six rows.
+// grid. Across the run, a step is at most 2^16 / sqrt(2) plus a half. Seven of these are less than
+// five cells, so a run covers at most six rows.
 //
 // The offset of a cell from the lowest column and row of its run is the whole part of its steps,
 // plus one if the fractions of both add up to a whole. This is exact.
@@ -65,9 +65,9 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
   }
 }
 
-// Joins the free space that the cells of a tile find into its evidence (placing/slice_byte.hpp).
-// The centre of the first cell is at `first` in the grid; the others follow by `steps`. Returns
-// false if nothing near the tile is known.
+// Joins free space from the slice grid into the evidence of a tile (placing/slice_byte.hpp). The
+// centre of its first cell is at `first` in the grid; the others follow by `steps`. Returns false
+// if nothing near the tile is known.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -96,7 +96,7 @@ class SliceCells {
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // One before, two after.
+  // One byte before those of the grid, and two after them.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {
