@@ -37,7 +37,7 @@ enum class Cause : std::uint8_t {
   kJump,          // too far from the prediction: the window is unknown
   kRestart,       // a new run of the sender: the window is unknown
   kContradicted,  // beams go through standing objects all around: the window is unknown
-  kDrifting,      // poses arrive later and later, packets are timed by arrival: unknown
+  kDrifting,      // growing delay, with packets timed by arrival: the window is unknown
 };
 inline constexpr std::size_t kCauseCount = 8;
 

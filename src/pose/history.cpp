@@ -95,8 +95,8 @@ Fate History::take_candidate(const Entry& candidate, std::uint64_t arrival_us) {
   return Fate::kUsed;
 }
 
-// Within one run, the previous sequence counts as lost: it was silent, or lies long ago by its own
-// clock.
+// Within one run, the previous sequence counts as lost: either it was silent, or by its own clock
+// it is long past.
 void History::begin_course() {
   const Message& first = candidates_[0].message;
   const bool is_of_present_run = runs_.is_present(first.run);
@@ -149,9 +149,10 @@ void History::append(Entry next) {
   unbroken_ = is_believed ? std::min(unbroken_ + 1, kHistoryMessages) : 0;
 }
 
-// The mean of both motions predicts braking and the start of a bend, so many small residuals add up
-// only for a slow shift. A source that derives its speed from its own positions hides half of a
-// jump in the speed. So a single step is also compared with the motion known before it.
+// Predicting with the mean of both motions covers braking and the start of a bend. Small residuals
+// then add up only if the poses shift slowly. If a source derives its speed from its own positions,
+// the prediction already contains half of a jump. So a single step is also compared with the motion
+// known before it.
 bool History::is_jump_to(const Entry& next) const {
   const Message& before = entry(0).message;
   const std::uint64_t elapsed_us = next.message.clock_us - before.clock_us;

@@ -53,12 +53,11 @@ class History {
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
   // Reports the present time by the clock of the source: the end of the newest slice, or
-  // source_time() of now. Detects here that the source is lost; otherwise its next message shows
-  // it.
+  // source_time() of now. Detects a lost source, which otherwise only its next message would show.
   void pass(std::uint64_t now_us);
 
-  // Reports the present time by the target's clock, when only the arrival of the newest message
-  // tells how much time has passed.
+  // Reports the present time by the target's clock, for when nothing else tells how much time has
+  // passed since the newest message.
   void pass_silence(std::uint64_t target_us);
 
   // Reports that registered data contradicts itself, so the poses were wrong. The source may be
@@ -83,8 +82,9 @@ class History {
   // Whether a message of this run differs from the first one by a jump in place or heading.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
-  // Valid for kLost and kContradicted (since the last message before the break), and for kJump,
-  // kRestart and kDrifting (since the first message after it). The other causes belong to slices.
+  // How often each break occurred, and when it last did. kLost and kContradicted begin with the
+  // last message before the break; kJump, kRestart and kDrifting with the first message after it.
+  // The other causes concern slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }

@@ -26,14 +26,14 @@ inline constexpr std::uint64_t kLostUs = 1'000'000;
 inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
 // Messages of one run must be at least this far apart by their own clock; closer ones are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
-// This many messages cover more than one second, which is needed.
+// This many messages always cover more than the required second.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
 // Another run, or another clock, is accepted after this many of its messages in a row.
 inline constexpr std::size_t kConfirmations = 3;
 
-// A pose less certain than this registers nothing: 150 mm, or as much at kReachMm.
+// Slices are not registered with a pose less certain than this: 150 mm, or as much at kReachMm.
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 

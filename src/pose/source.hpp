@@ -67,10 +67,10 @@ class Source {
 
   // Datagrams by outcome, since start.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Slices by cause for having no pose, since start; kNone: slices with a pose.
+  // Slices since start, by their cause for having no pose; kNone: with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
   // How often each cause began, and when it last did. For kLate and kImprecise that is the middle
-  // of the first slice of a row that it kept from registration; for the others see History.
+  // of the first slice in a series without a pose; for the others see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -9,7 +9,7 @@
 
 namespace iog::pose {
 
-// Encodes an unknown map transform: all zeros, including the standard deviations.
+// Stands for an unknown map transform: all zeros, including the standard deviations.
 inline constexpr MapTransform kNoMap{.sigma = {.position_mm = 0, .heading_10urad = 0}};
 
 void write(const Pose& pose, wire::ByteWriter& out);                        // 12 bytes
