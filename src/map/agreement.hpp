@@ -1,9 +1,9 @@
 // Detects a map that contradicts the sensors: beams do not pass through houses.
 //
-// Counts the free cells that only a building can cover according to the map, even after the blur,
-// so they are deeper inside than the errors of map and poses. In simulated drives there are none
-// with the right map or with houses 25 cm off, and up to 8 % with a map that is 7 m off
-// (docs/map.md has the figures). Standing cells on roads are no evidence, because cars park there.
+// Counts free cells that are so deep inside buildings that only a building is possible there even
+// after the blur, which covers the errors of map and poses. In simulated drives there are none with
+// the right map or with houses 25 cm off, and up to 8 % with a map that is 7 m off (docs/map.md has
+// the figures). Standing cells on roads are no evidence, because cars park there.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ inline constexpr std::uint32_t kRoundFrames = 16;
 
 class Agreement {
  public:
-  // A round contradicts the map if more than this share of free cells is inside buildings, and
-  // agrees with it below a much lower share.
+  // A round contradicts the map if more than 1/kContradictingShare of the free cells are inside
+  // buildings. It agrees if at most 1/kAgreeingShare are.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
   static constexpr std::uint32_t kFewestFree = 5'000;  // rounds with fewer cells are not judged

@@ -47,7 +47,7 @@ struct DeliveryReport {
   Refusal last_refusal = Refusal::kNone;          // reason for the last refusal
 };
 
-// Holds 8.4 MB, so it belongs into static memory.
+// Holds 8.4 MB, so it belongs in static memory.
 class Delivery {
  public:
   // description.is_valid() must hold. replayer_ipv4 may also send in the name of the source; 0:

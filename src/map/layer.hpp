@@ -59,8 +59,8 @@ class Layer {
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call instead in a frame that is no frame of the window. Updates only the report, so a pause of
-  // all senders does not affect when tiles are drawn.
+  // Call instead of work() when the window has no frame. Updates only the report, so a pause of all
+  // senders does not affect when tiles are drawn.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 

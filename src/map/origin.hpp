@@ -1,5 +1,5 @@
-// A hash that names the origin of a map. Two maps, or a map and a pose, share a plane if it is
-// equal.
+// A hash that identifies the origin of a map. Two maps, or a map and a pose, share a plane if their
+// hashes are equal.
 #pragma once
 
 #include <cstdint>

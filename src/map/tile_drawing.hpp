@@ -1,9 +1,9 @@
 // Draws one tile of the window from a block: the classes that each of its cells may have.
 //
 // A cell's own classes are those of all features that hold its centre, or intermediate space if
-// there are none. Outside the extent of the block, any class is possible. A cell may have the own
-// classes of all cells within the radius. A drawing can be suspended, and has no result before it
-// is complete.
+// there are none. Outside the extent of the block, any class is possible. A cell may have every
+// class that a cell within the radius has as its own. A drawing can be suspended, and has no result
+// before it is complete.
 #pragma once
 
 #include <cstdint>

@@ -67,8 +67,8 @@ TilePlace::TilePlace(const pose::Pose& local_frame, window::TileNumber tile) {
   reach_q30_ = numeric::magnitude(cos) + numeric::magnitude(sin);
 }
 
-// Not inline: in loops of its callers the compiler would keep coefficients as 64 bits, and multiply
-// them as such.
+// Not inline: in loops of its callers the compiler would keep the coefficients in 64 bits, and use
+// 64-bit multiplications.
 FinePoint TilePlace::fine(PointCm point) const {
   const std::int64_t x = std::int64_t{cos_} * point.x + std::int64_t{sin_} * point.y + x_;
   const std::int64_t y = std::int64_t{cos_} * point.y - std::int64_t{sin_} * point.x + y_;
@@ -101,7 +101,7 @@ BoxCm TilePlace::box(std::int32_t cells_around) const {
 }
 
 // A corner c moves by d + (R' - R) c. In 2^-30 mm: |c| < 2^30 mm and |d| < 2^31 mm, so each of the
-// three terms is at most 2^61. Near movements are below 2^8 mm, 2^18 after the shift.
+// three terms is at most 2^61. Small movements are below 2^8 mm, 2^18 after the shift.
 bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to) {
   constexpr int kDropped = 20;
   constexpr std::int64_t kCell = geometry::kCellMm * (kOne >> kDropped);
