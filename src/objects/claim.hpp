@@ -13,10 +13,10 @@ namespace iog::objects {
 
 class Claim {
  public:
-  // Sets the owner of each hit: the track with the nearest box among those in whose gate the hit
-  // lies. In a tie the lower slot wins. Standing hits go only to moving tracks, or to receding
-  // tracks whose visible face may be classified as standing. A track rejects and counts hits that
-  // contradict it. Returns the result of TileTracks::list().
+  // Sets the owner of each hit: a track in whose gate the hit lies. If there are several, the track
+  // with the nearest box wins; in a tie, the lower slot. Standing hits go only to moving tracks, or
+  // to receding tracks whose visible face may be classified as standing. A track rejects and counts
+  // hits that contradict it. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 

@@ -33,7 +33,7 @@ class Covariance {
   // Predicts one step with a process noise of `wander`, in mm/s per root second.
   void predict(Step step, std::int32_t wander);
 
-  // Updates for a measurement of the place. 0 < variance < 2^31.
+  // Updates the covariance for a measurement of the place. 0 < variance < 2^31.
   Gain measure(std::int32_t variance);
 
  private:

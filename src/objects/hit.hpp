@@ -15,7 +15,7 @@ using placing::Hit;
 // Marks a hit without a track or cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-// Fits one line of the level 1 cache.
+// Fits into one line of the level 1 cache.
 struct alignas(32) FrameHit {
   geometry::Cell cell{};
   Point moved{};  // position at the end of the frame, moved with the velocity of its owner

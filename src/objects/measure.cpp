@@ -13,7 +13,7 @@ namespace {
 
 enum class Reference : std::uint8_t { kLow, kHigh, kBoth };
 
-// An innovation of the place along one side, and the edge that it was measured by.
+// An innovation of the place along one side, with the edge that it is based on.
 struct Measurement {
   Reference by = Reference::kBoth;
   std::int32_t innovation_mm = 0;

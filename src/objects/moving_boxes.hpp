@@ -27,8 +27,8 @@ class MovingBoxes {
   }
   void clear() { count_ = 0; }
 
-  // Which of the asked cells of a row have their centre at most kTailMm outside a box. Bit i is the
-  // cell i to the right of `first`. `asked` must not be 0.
+  // Which of the cells `asked` in a row have their centre at most kTailMm outside a box. Bit i is
+  // the cell i to the right of `first`. `asked` must not be 0.
   [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
     const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
                      .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};

@@ -1,7 +1,7 @@
 // All parameters of tracking (docs/objects.md).
 //
-// Lengths are in mm, speeds in mm/s and times in ms, unless a name says otherwise. They belong to
-// the algorithm and are the same for all cars.
+// Lengths are in mm, speeds in mm/s and times in ms, unless a name says otherwise. The values
+// belong to the algorithm and are the same for all cars.
 #pragma once
 
 #include <cstddef>
@@ -126,7 +126,7 @@ inline constexpr std::int32_t kMergeReachMm = 20'000;
 // Whether the grid confirms the motion of a track.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-// Less than an epoch, to allow for varying ends of frames.
+// Less than an epoch, because frames do not end at regular times.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
 inline constexpr std::int32_t kShownMostMs = 700;
@@ -179,7 +179,7 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side ar
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// From here on, standing hits in a car's box are its own.
+// From this confidence on, standing hits in a car's box are its own.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::uint32_t kMovesFrom = 4;  // updates
 inline constexpr std::int32_t kStopSpeed = 300;

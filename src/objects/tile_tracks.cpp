@@ -13,7 +13,7 @@ namespace {
 // Hits of a frame of 40 ms are at most 1/25 s old. This allows about twice that age, 1/12 s.
 constexpr std::int32_t kOldestHitsPerSecond = 12;
 
-// Where a track may take hits, before they are moved with its velocity.
+// Bounds of the hits that a track may take, before they are moved with its velocity.
 Bounds reach_of(const Track& track, const ClaimGate& gate) {
   const Velocity its = track.velocity();
   const std::int32_t faster = std::max(numeric::magnitude(its.x), numeric::magnitude(its.y));
