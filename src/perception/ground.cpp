@@ -3,7 +3,7 @@
 namespace iog::perception {
 namespace {
 
-// Whether a cell that is not beside a standing one lacks the bit.
+// Whether the bit is missing in a cell that is not beside a standing one.
 bool is_lacking(const window::Plane& plane, const window::Plane& beside) {
   std::uint32_t bits = 0;
   for (std::size_t y = 0; y < plane.size(); ++y) {

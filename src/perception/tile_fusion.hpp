@@ -121,7 +121,7 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Refers to the bytes in place, because a copy would not be in the cache yet when it is needed.
+// Returns a reference, because a copy would not be in the cache yet when it is needed.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);

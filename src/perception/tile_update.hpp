@@ -15,9 +15,9 @@
 
 namespace iog::perception {
 
-// Evidence of this many frames ago or more counts as long ago. Frames are at least 4 ms apart, so
-// it is more than 100 ms old, which has the same effect. Every group is refreshed often enough to
-// notice this before the clock reuses the slot.
+// Evidence counts as long ago from this many frames on. Frames are at least 4 ms apart, so it is
+// more than 100 ms old, which has the same effect. Groups are refreshed often enough that this is
+// detected before the clock reuses the slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // The bits of a group's cells in a plane.
@@ -31,8 +31,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // For the frame that has just ended by the clock. Without an assignment all hits have the same
-  // mass. Both arguments must outlive this object.
+  // Updates tiles for the frame that has just ended by the clock. Without an assignment all hits
+  // have the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {

@@ -117,7 +117,7 @@ class WindowFusion {
   // Counts of the current frame so far.
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
-  // The hits of the frame if objects are tracked, and the number of hits without room.
+  // The hits of the frame if objects are tracked, and the number of hits dropped for lack of room.
   [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
   // See MovingNames. Only if objects are tracked.
@@ -164,7 +164,7 @@ class WindowFusion {
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
-  // Undo log of a run of tiles, as far as the run has come.
+  // Undo log of a run of tiles. It covers the tiles that the run has reached.
   struct TilesBefore {
     std::size_t begun = 0;
     std::array<TileBefore, kUpdated.longest> tiles{};
