@@ -10,7 +10,7 @@
 // of its negative ones. One byte holds both (placing/slice_byte.hpp): a positive byte sums hits
 // only, and the first hit erases the free index. Slices may come in any order: saturated sums of
 // one sign do not depend on it, and the extra bit of a free cell is set if any slice sets it.
-// Whether a hit was tall is stored in another bit per cell. All is stored by window slot, 1.1 MB.
+// Whether a hit was tall is stored in another bit per cell. All of this takes 1.1 MB.
 //
 // Several cores add slices by regions of the window. The core with a region gathers into its tiles
 // and searches the slices for hits in it. A single core handles the whole window as one region.
@@ -104,7 +104,7 @@ class FrameEvidence {
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // The undo log of a region. The cells of a tile that was not touched were 0.
+  // The undo log of a region. If a tile was not touched, its cells were 0 and are not stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -112,7 +112,7 @@ class FrameEvidence {
     std::array<window::Plane, kRegionTiles> tall{};
   };
 
-  // A slice with its transforms while it is added.
+  // A slice that is being added, with its transforms.
   struct Adding {
     Adding(const PlacedCells& slice_of, const window::Area& its_area)
         : slice(slice_of.cells),

@@ -37,7 +37,7 @@ static_assert(kMostIndex == kBeside - 1);
 }
 
 // Joins the free index of one more slice into a cell's evidence: indexes are added, and a set bit
-// stays set. Evidence above 0 counts hits and does not change, and hits in `found` are ignored.
+// stays set. Evidence above 0 counts hits and stays as it is. Hits in `found` are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
   if (evidence > 0 || found >= 0) {
     return evidence;
