@@ -26,7 +26,7 @@
 
 namespace iog::pose {
 
-// The pose at a time, or the cause for having none.
+// The pose at a time, or the reason why there is none.
 struct Placed {
   Cause cause = Cause::kLost;
   // Valid if the cause is kNone. Otherwise the pose is zero, and its deviations are unknown.
@@ -36,7 +36,7 @@ struct Placed {
   friend constexpr bool operator==(const Placed&, const Placed&) = default;
 };
 
-// How often a cause began, and when it last did.
+// How often a cause began, and when it began last.
 struct Tally {
   std::uint32_t times = 0;
   std::uint64_t since_us = 0;
@@ -76,7 +76,7 @@ class History {
   // Empty if there is no message of the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Increases with each break. Data registered in another epoch is unknown now.
+  // Increases with each break. Data registered in an earlier epoch is unknown now.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
   // Whether a message of this run differs from the first one by a jump in place or heading.

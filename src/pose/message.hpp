@@ -33,7 +33,7 @@ struct Sigma {
   friend constexpr bool operator==(const Sigma&, const Sigma&) = default;
 };
 
-// The local frame in the plane of the map.
+// The transform of the local frame into the plane of the map.
 struct MapTransform {
   std::uint64_t origin = 0;  // identifies the origin of the map's plane
   Pose local_frame{};

@@ -19,13 +19,13 @@ struct Motion {
 // arc, which is one part in ten thousand too long at 0.5 rad/s and 100 ms.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
-// Linear interpolation between two poses at elapsed_us of span_us. The heading takes the shorter
-// way; of two equal ways, clockwise. 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6, |x|, |y| <=
-// 10^9 mm. Coordinates are rounded to the nearest integer; ties round up.
+// Linear interpolation between two poses at elapsed_us of span_us. The heading turns the shorter
+// way round; if both are equally long, clockwise. 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6,
+// |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer; ties round up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 
-// Difference of two poses by coordinate, with the heading by the shorter way.
+// Difference of two poses by coordinate. Headings differ by the shorter way round.
 struct Residual {
   std::int64_t x_mm = 0;
   std::int64_t y_mm = 0;

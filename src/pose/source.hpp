@@ -62,14 +62,15 @@ class Source {
   // See History. Does not count.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // The pose of a slice, or the cause for having none, which is counted. Call once per slice.
+  // Returns the pose of a slice, or counts and returns the reason why it has none. Call once per
+  // slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
   // Datagrams by outcome, since start.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Slices since start, by their cause for having no pose; kNone: with a pose.
+  // Slices since start, by the reason why they have no pose; kNone: with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // How often each cause began, and when it last did. For kLate and kImprecise that is the middle
+  // How often each cause began, and when it began last. For kLate and kImprecise that is the middle
   // of the first slice in a series without a pose; for the others see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
