@@ -1,9 +1,9 @@
 // Detects a map that contradicts the sensors: beams do not pass through houses.
 //
-// Counts free cells that are so deep inside buildings that only a building is possible there even
-// after the blur, which covers the errors of map and poses. In simulated drives there are none with
-// the right map or with houses 25 cm off, and up to 8 % with a map that is 7 m off (docs/map.md has
-// the figures). Standing cells on roads are no evidence, because cars park there.
+// Counts free cells deep inside buildings. Only a building is possible there even after the blur,
+// which covers the errors of map and poses. In simulated drives there are none with the right map
+// or with houses 25 cm off, and up to 8 % with a map that is 7 m off (docs/map.md has the figures).
+// Standing cells on roads are no evidence, because cars park there.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,11 @@ inline constexpr std::uint32_t kRoundFrames = 16;
 class Agreement {
  public:
   // A round contradicts the map if more than 1/kContradictingShare of the free cells are inside
-  // buildings. It agrees if at most 1/kAgreeingShare are.
+  // buildings. A round agrees with it if at most 1/kAgreeingShare of them are.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
   static constexpr std::uint32_t kFewestFree = 5'000;  // rounds with fewer cells are not judged
-  // 5 m2, as of a wall that is drawn too far out.
+  // 5 m2, because a wall may be drawn too far out.
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
   static constexpr std::uint32_t kAgreeingRounds = 16;  // 10 s at 25 frames a second

@@ -66,7 +66,7 @@ struct Tables {
   std::size_t features_at = 0;  // of the first feature
 };
 
-// check() in steps, for callers that cannot do it at once.
+// Runs check() in steps, for callers that cannot run it at once.
 class Check {
  public:
   // The bytes must outlive the check and must not change meanwhile.

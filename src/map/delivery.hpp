@@ -69,8 +69,8 @@ class Delivery {
   // The block must outlive this object. It is checked at once; a refusal is counted like any other.
   void begin_with(std::span<const std::uint8_t> block);
 
-  // Call once per frame. Continues the check by about kCheckBytesPerFrame. Only this call can put
-  // another block into use.
+  // Call once per frame. Continues the check over about kCheckBytesPerFrame bytes. Only this call
+  // can put another block into use.
   void work();
 
   // The block in use, valid until the next work(); null if there is none.
@@ -92,7 +92,7 @@ class Delivery {
   void put(const Chunk& chunk);
   // The bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // The result of the check, or kDamaged if the block does not have the name in its chunks.
+  // The result of the check; kDamaged if the block's CRC differs from the one in its chunks.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 

@@ -32,9 +32,9 @@ class TileDrawing {
   }
 
   // Continues until the budget is used up or the drawing is complete; returns whether it is
-  // complete. Costs one for each entry of the block's index, and one for each edge of a feature
-  // whose box reaches the tile's rows and columns. An edge that crosses costs kWorkPerCrossing
-  // instead, or the rest of the budget.
+  // complete. An entry of the block's index costs 1. So does an edge of a feature whose box reaches
+  // the tile's rows and columns. If the edge crosses a row, it costs kWorkPerCrossing instead, or
+  // the rest of the budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
   // Valid only when the drawing is complete.

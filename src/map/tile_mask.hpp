@@ -1,11 +1,11 @@
-// The map's classes of the cells of a tile.
+// Which classes the map allows in the cells of a tile.
 #pragma once
 
 #include "window/tile.hpp"
 
 namespace iog::map {
 
-// For each class of the map, the cells that may have it. Each cell has at least one.
+// For each class of the map, the cells that may have it. Each cell may have at least one.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};
