@@ -1,5 +1,5 @@
-// Counts of a round are those of the window's cells at most, 2^20, and their products with a share
-// 2^30.
+// Ranges: the counts of a round are at most the cells of the window, 2^20, and their products with
+// a share 2^30.
 #include "map/agreement.hpp"
 
 #include <bit>

@@ -1,9 +1,9 @@
-// Whether a map agrees with what the sensors see: beams do not pass through houses.
+// Detects a map that contradicts the sensors: beams do not pass through houses.
 //
-// The free cells that count are those that the map has only inside of a building, even after the
-// blur: deeper inside than map and poses may be wrong. Simulated drives have none of them with the
-// right map or with houses 25 cm off, and up to 8 % with a map that is 7 m off (docs/map.md has the
-// figures). Standing cells on roads say nothing, because cars park there.
+// Counts free cells deep inside buildings. Only a building is possible there even after the blur,
+// which covers the errors of map and poses. In simulated drives there are none with the right map
+// or with houses 25 cm off, and up to 8 % with a map that is 7 m off (docs/map.md has the figures).
+// Standing cells on roads are no evidence, because cars park there.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace iog::map {
 
-// A round: the frames in which each tile is examined once.
+// A round is the number of frames in which each tile is examined once.
 inline constexpr std::uint32_t kRoundFrames = 16;
 
 // The cells that can only be building.
@@ -21,20 +21,22 @@ inline constexpr std::uint32_t kRoundFrames = 16;
 
 class Agreement {
  public:
-  // One share of free cells contradicts a map, and a much lower one agrees with it.
+  // A round contradicts the map if more than 1/kContradictingShare of the free cells are inside
+  // buildings. A round agrees with it if at most 1/kAgreeingShare of them are.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  static constexpr std::uint32_t kFewestFree = 5'000;  // fewer cells are not judged
-  static constexpr std::uint32_t kFewestInside = 500;  // 5 m2, a wall that was drawn too far out
+  static constexpr std::uint32_t kFewestFree = 5'000;  // rounds with fewer cells are not judged
+  // 5 m2, because a wall may be drawn too far out.
+  static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
   static constexpr std::uint32_t kAgreeingRounds = 16;  // 10 s at 25 frames a second
 
-  // Adds a tile's latest state in the round. inside: its inside_buildings().
+  // Adds the latest state of a tile in this round. inside: inside_buildings() of the tile.
   void add(const window::Plane& free, const window::Plane& inside);
   void end_round();
 
-  // True from kContradictingRounds contradicting rounds in a row until kAgreeingRounds agreeing
-  // ones in a row.
+  // Becomes true after kContradictingRounds contradicting rounds in a row, and false after
+  // kAgreeingRounds agreeing ones in a row.
   [[nodiscard]] bool is_contradicted() const { return is_contradicted_; }
 
  private:

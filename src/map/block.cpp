@@ -19,12 +19,12 @@ std::size_t end_of_text(const Words& block) {
   return kHeaderBytes + (std::size_t{attribution_bytes(block)} + 3) / 4 * 4;
 }
 
-// The end of a table of `count` numbers, or beyond the bytes if it does not fit.
+// The end of a table of `count` numbers, or size + 1 if it does not fit.
 std::size_t end_of_table(std::size_t at, std::uint32_t count, std::size_t size) {
   return at <= size && count <= (size - at) / 4 ? at + 4 * std::size_t{count} : size + 1;
 }
 
-// Of a sound header and text. features_at is beyond the bytes if a table is.
+// Header and text must be valid. features_at is beyond the bytes if a table does not fit.
 Tables tables_of(const Words& block) {
   const std::size_t size = block.bytes().size();
   const BoxCm extent = block.box(32);
@@ -96,7 +96,7 @@ Refusal check_header(const Words& block) {
   return is_padded && block.u16(62) == 0 ? Refusal::kNone : Refusal::kNotZero;
 }
 
-// The rings of a feature, whose header lies in its bytes.
+// Checks the rings of a feature. Its header must be within the bytes.
 Refusal check_rings(const Words& feature) {
   const std::size_t size = feature.bytes().size();
   std::size_t at = kFeatureHeaderBytes;
@@ -116,8 +116,8 @@ Refusal check_rings(const Words& feature) {
   return is_full ? Refusal::kNone : Refusal::kWrongRing;
 }
 
-// Rings that check_rings() has passed. Coordinates are 64 bits wide: those of a foreign block may
-// run anywhere, 2^31 + 65,535 * 2^15 at most. Empty if one is beyond all limits.
+// The box of rings that check_rings() has passed; empty if a point is beyond kMaxCoordinateCm.
+// Coordinates need 64 bits here, because those of a foreign block may reach 2^31 + 65,535 * 2^15.
 std::optional<BoxCm> box_of_rings(const Words& feature) {
   BoxCm box{{INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN}};
   std::size_t at = kFeatureHeaderBytes;
@@ -163,8 +163,8 @@ Refusal check_feature(const Words& feature, const BoxCm& extent) {
   return *box == feature.box(8) ? Refusal::kNone : Refusal::kWrongBox;
 }
 
-// The feature of a number, of which the one before ends at `at`. Where it ends itself is written
-// there.
+// Checks the feature with this number. `at` must be the end of the previous feature, and is set to
+// the end of this one.
 Refusal check_next_feature(const Words& block, const Tables& tables, std::uint32_t number,
                            std::size_t& at) {
   const std::size_t size = block.bytes().size();
@@ -180,7 +180,7 @@ Refusal check_next_feature(const Words& block, const Tables& tables, std::uint32
   return check_feature(feature, tables.extent);
 }
 
-// Does a bucket name features that meet it, each once, by their numbers?
+// Whether a bucket lists only features that overlap it, each once, in the order of their numbers.
 bool is_bucket(const Words& block, const Tables& tables, std::uint32_t bucket) {
   const std::size_t at = tables.starts_at + 4 * std::size_t{bucket};
   const std::uint32_t row = bucket / tables.buckets.columns();
@@ -200,7 +200,7 @@ bool is_bucket(const Words& block, const Tables& tables, std::uint32_t bucket) {
   return true;
 }
 
-// How many entries a bucket has; empty if they are not part of the table.
+// The number of entries of a bucket; empty if they are outside the table.
 std::optional<std::uint32_t> entries_of_bucket(const Words& block, const Tables& tables,
                                                std::uint32_t bucket) {
   const std::size_t at = tables.starts_at + 4 * std::size_t{bucket};
@@ -213,7 +213,7 @@ std::optional<std::uint32_t> entries_of_bucket(const Words& block, const Tables&
   return end - begin;
 }
 
-// How many buckets the feature of a number meets.
+// The number of buckets that a feature overlaps.
 std::uint32_t buckets_met(const Words& block, const Tables& tables, std::uint32_t number) {
   const std::uint32_t offset = block.u32(tables.offsets_at + 4 * std::size_t{number});
   return Buckets::of(block.box(offset + 8), tables.extent).count();
@@ -245,7 +245,7 @@ bool Check::advance(std::size_t budget) {
   return stage_ == Stage::kEnded;
 }
 
-// What the step has cost, never nothing.
+// Returns the cost of the step, at least 1.
 std::size_t Check::step(std::size_t budget) {
   switch (stage_) {
     case Stage::kCrc:
@@ -298,9 +298,9 @@ std::size_t Check::check_next_of_features() {
   return at_ - begin + 1;
 }
 
-// Each bucket names only features that meet it, none twice; so if there are as many entries as
-// features meet buckets, none is missing. 2^20 entries at most, counted in 64 bits because the
-// features' own sum has no such bound.
+// Each bucket lists only features that overlap it, none twice. So no entry is missing if there are
+// as many entries as overlaps of features and buckets. There are at most 2^20 entries. The sum over
+// the features has no such bound, so it is counted in 64 bits.
 std::size_t Check::check_next_of_buckets() {
   const Words block(std::as_bytes(bytes_));
   if (number_ == tables_.buckets.count()) {

@@ -1,8 +1,8 @@
-// A map as it comes to the target: buildings and roads as polygons, found by buckets. Byte by byte
-// in docs/spec.md, section 6.
+// A map block: buildings and roads as polygons, with an index of buckets. docs/spec.md, section 6,
+// describes each byte.
 //
-// Nothing of a block is believed before check() has passed it whole. What a Block reads afterwards
-// needs no further test, as long as the bytes stay as they are.
+// A block is untrusted until check() has passed all of it. After that, a Block reads it without
+// further checks, as long as the bytes do not change.
 #pragma once
 
 #include <algorithm>
@@ -27,56 +27,56 @@ inline constexpr std::uint32_t kMaxAccuracyMm = 65'535;
 
 enum class Source : std::uint8_t { kOpenStreetMap = 1, kSurveyed = 2 };
 
-// Why a block is not taken. The values are those of docs/spec.md, section 6.4.
+// Why a block is refused. The values are those of docs/spec.md, section 6.4.
 enum class Refusal : std::uint8_t {
-  kNone,             // the whole block is sound
+  kNone,             // the whole block is valid
   kTooShort,         // shorter than a header
   kTooLong,          // longer than kMaxBlockBytes
   kNotABlock,        // another magic number
   kWrongVersion,     // another version
-  kWrongLength,      // not as long as it says
+  kWrongLength,      // the stated length differs from the actual one
   kDamaged,          // wrong CRC
-  kNotZero,          // something that has to be zero is not
-  kWrongSource,      // no such source, or a belief of 0
-  kWrongOrigin,      // no such latitude or longitude
+  kNotZero,          // a field that must be zero is not
+  kWrongSource,      // unknown source, or a confidence of 0
+  kWrongOrigin,      // impossible latitude or longitude
   kWrongExtent,      // empty, or beyond kMaxCoordinateCm
   kWrongAccuracy,    // 0, or above kMaxAccuracyMm
-  kWrongText,        // an attribution that is missing, too long, or controls a terminal
-  kWrongCounts,      // tables that do not fit in the block
-  kWrongOffsets,     // features that do not lie end to end, or not to the block's end
-  kWrongKind,        // a feature that is no building and no road
-  kTooManyVertices,  // a feature of more than kMaxFeatureVertices
-  kWrongRing,        // a ring under three vertices, or rings that do not fill their feature
-  kWrongBox,         // a box that is not that of the feature's vertices
-  kOutside,          // a feature that reaches beyond the extent
-  kWrongIndex,       // a feature that is not in exactly the buckets that its box meets
+  kWrongText,        // attribution missing, too long, or with control characters
+  kWrongCounts,      // tables that do not fit into the block
+  kWrongOffsets,     // features that are not contiguous up to the end of the block
+  kWrongKind,        // a feature that is neither a building nor a road
+  kTooManyVertices,  // a feature with more than kMaxFeatureVertices
+  kWrongRing,        // a ring of fewer than three vertices, or rings that do not fill their feature
+  kWrongBox,         // a box that does not match the vertices
+  kOutside,          // a feature that extends beyond the extent
+  kWrongIndex,       // a feature that is not in exactly the buckets that its box overlaps
 };
 inline constexpr std::size_t kRefusalCount = 21;
 
 [[nodiscard]] Refusal check(std::span<const std::uint8_t> bytes);
 
-// Where a block's tables are, counted from its first byte.
+// Offsets of a block's tables from its first byte.
 struct Tables {
   BoxCm extent;                 // of the block
-  Buckets buckets;              // of all of it
-  std::uint32_t features = 0;   // their number
-  std::size_t starts_at = 0;    // of each bucket's entries, one more for the end
-  std::size_t entries_at = 0;   // numbers of features
-  std::size_t offsets_at = 0;   // of the features
-  std::size_t features_at = 0;  // the first one
+  Buckets buckets;              // of the whole extent
+  std::uint32_t features = 0;   // number of features
+  std::size_t starts_at = 0;    // of the entries of each bucket, plus one for the end
+  std::size_t entries_at = 0;   // of the numbers of features
+  std::size_t offsets_at = 0;   // of the offsets of features
+  std::size_t features_at = 0;  // of the first feature
 };
 
-// The same in pieces, where there is no time for all of it at once.
+// Runs check() in steps, for callers that cannot run it at once.
 class Check {
  public:
-  // The bytes outlive the check, and do not change meanwhile.
+  // The bytes must outlive the check and must not change meanwhile.
   explicit Check(std::span<const std::uint8_t> bytes);
 
-  // Goes on for what about so many bytes cost. A feature and a bucket are not divided: one of
-  // them may be more than the budget. Whether the check has ended.
+  // Continues for about the cost of `budget` bytes. Features and buckets are not divided, so one of
+  // them may exceed the budget. Returns whether the check has ended.
   bool advance(std::size_t budget);
 
-  // Once it has ended.
+  // Valid once the check has ended.
   [[nodiscard]] Refusal verdict() const { return verdict_; }
 
  private:
@@ -94,18 +94,18 @@ class Check {
   Stage stage_ = Stage::kEnded;
   Refusal verdict_ = Refusal::kNone;
   checksum::Crc32 crc_;
-  std::size_t at_ = 0;          // the first byte that is not checked yet
-  std::uint32_t number_ = 0;    // the first feature or bucket
-  std::uint64_t meetings_ = 0;  // of features and buckets
-  Tables tables_;               // once the header is sound
+  std::size_t at_ = 0;          // first unchecked byte
+  std::uint32_t number_ = 0;    // first unchecked feature or bucket
+  std::uint64_t meetings_ = 0;  // overlaps of features and buckets
+  Tables tables_;               // valid after the header was checked
 };
 
-// Where in a block is what. Offsets are from its first byte.
+// Layout of a block. Offsets are from its first byte.
 inline constexpr std::size_t kHeaderBytes = 64;
 inline constexpr std::uint32_t kMagic = 0x494F474D;  // "IOGM"
 inline constexpr std::uint16_t kVersion = 1;
 
-// A block that check() has passed.
+// Reads a block that check() has passed.
 class Block {
  public:
   explicit Block(std::span<const std::uint8_t> checked);
@@ -118,25 +118,25 @@ class Block {
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
   // Seconds since 1970, UTC; 0 if unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // 95 of 100 vertices are less than this from where they belong.
+  // 95 of 100 vertices are closer than this to their true place.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
-  [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // names the map
+  [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
   [[nodiscard]] std::uint32_t size_bytes() const { return words_.u32(8); }
   [[nodiscard]] std::uint32_t feature_count() const { return tables_.features; }
   [[nodiscard]] std::string_view attribution() const;  // UTF-8
 
-  // By number, below feature_count().
+  // number: below feature_count().
   [[nodiscard]] Feature feature(std::uint32_t number) const {
     return Feature(
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
-  // visit(const Feature&) for each feature whose box meets this one, once; bucket by bucket, row by
-  // row, by their numbers.
+  // Calls visit(const Feature&) once for each feature whose box overlaps this one, in the order of
+  // buckets, row by row, and of numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
-  // The index: which entries a bucket has, first and behind the last, and the feature of one.
+  // Access to the index: the range of entries of a bucket, and the feature of an entry.
   struct Entries {
     std::uint32_t next = 0;
     std::uint32_t end = 0;
@@ -150,7 +150,7 @@ class Block {
     return feature(words_.u32(tables_.entries_at + 4 * std::size_t{entry}));
   }
 
-  // Where its bytes are.
+  // The bytes of the block.
   [[nodiscard]] const std::byte* data() const { return words_.bytes().data(); }
 
  private:
@@ -158,8 +158,8 @@ class Block {
   Tables tables_;
 };
 
-// Looks for the features of a block whose box meets another one, entry by entry of the index, so
-// that it can be left and gone on with. The block's bytes outlive it.
+// Iterates over the features of a block whose box overlaps a given one, entry by entry of the
+// index, so it can be suspended. The bytes of the block must outlive it.
 class FeatureWalk {
  public:
   FeatureWalk(const Block& block, const BoxCm& box) : block_(block), box_(box) {
@@ -174,8 +174,9 @@ class FeatureWalk {
 
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  // Looks at one entry, or leaves a bucket. A feature stands in all buckets that its box meets; it
-  // is found in the first of them that is asked for. Not once it is over.
+  // Examines one entry, or moves on to the next bucket. A feature is listed in all buckets that its
+  // box overlaps; it is returned in the first of these that is visited. Must not be called when
+  // is_over().
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {
       leave_bucket();

@@ -1,7 +1,10 @@
-// A disc is its columns: k cells to the side it is h(k) = floor(sqrt(r^2 - k^2)) high, and h grows
-// as k falls. Let V(h) be the union over the h rows above and below. Then
-//     A(r) = V(h(r)),  A(k) = A(k + 1), one cell wider on both sides, and V(h(k))
-// ends with A(0), the union over the disc: what enters at k is widened k times. V grows along.
+// A disc is handled by columns. The column k cells to the side has this height, which grows as k
+// falls:
+//     h(k) = floor(sqrt(r^2 - k^2))
+// Let V(h) be the union over h rows above and below. Then
+//     A(r) = V(h(r)),  A(k) = A(k + 1) widened by one cell on both sides, united with V(h(k))
+// leads to A(0), the union over the disc: what is added at k is widened k times. V is extended step
+// by step.
 #include "map/blur.hpp"
 
 #include <algorithm>
@@ -20,7 +23,7 @@ static_assert(kHalo == window::kColumnMargin, "what RowPair takes for the middle
 
 using Heights = std::array<std::uint8_t, kHalo + 1>;
 
-// By radius the heights of a disc's columns.
+// The heights of the columns of a disc, by radius.
 consteval std::array<Heights, kHalo + 1> heights_of_discs() {
   std::array<Heights, kHalo + 1> discs{};
   for (std::size_t radius = 0; radius < discs.size(); ++radius) {
@@ -44,7 +47,7 @@ window::Plane filled(std::uint32_t row) {
 
 RowPair wider(RowPair rows) { return rows.bit_or(rows.up<1>()).bit_or(rows.down<1>()); }
 
-// Two rows of the result; `middle` are those of the source.
+// Two rows of the result. `middle`: the same two rows of the source.
 RowPair over_disc(const std::uint64_t* middle, std::size_t radius) {
   const Heights& heights = kHeights[radius];
   RowPair tall = RowPair::load(middle);

@@ -1,4 +1,4 @@
-// What is possible in a cell because it is the case near by: the union over a disc.
+// Blurs a bit plane: the union over a disc.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace iog::map {
 
-// The tile's cells that have one of `bits` within so many cells, centre to centre, 0 ... kHalo.
-// Only the rows that are so far away are looked at.
+// The cells of the tile with a set bit within `radius` cells, from centre to centre. radius: 0 ...
+// kHalo. Only rows within the radius are read.
 [[nodiscard]] window::Plane blurred(const FrameBits& bits, std::int32_t radius);
 
 }  // namespace iog::map

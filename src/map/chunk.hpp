@@ -1,8 +1,8 @@
-// A chunk of a map block on its way to the target: SOME/IP and E2E headers as around every message
+// A chunk of a map block in transmission: SOME/IP and E2E headers as in every message
 // (protection/protected_message.hpp), then 20 bytes of header and up to 1280 bytes of the block,
-// big endian, byte by byte in docs/spec.md, section 7.1.
+// big endian. docs/spec.md, section 7.1, describes each byte.
 //
-// Sender and target share this file: what one writes the other reads.
+// Sender and target share this file, so both use the same format.
 #pragma once
 
 #include <array>
@@ -18,22 +18,22 @@ namespace iog::map {
 
 inline constexpr std::uint16_t kMapPort = 15011;  // UDP
 
-// Only the checks of the whole message are of use: chunks may come in any order.
+// Only the checks of a single message matter here, because chunks may come in any order.
 inline constexpr protection::Channel kMapChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8004, .interface_version = 1},
     .data_id = 0x494F4704,
     .max_delta_counter = 1};
 
-inline constexpr std::uint32_t kChunkBytes = 1280;  // of a chunk, the last may be shorter
+inline constexpr std::uint32_t kChunkBytes = 1280;  // of a chunk; the last one may be shorter
 inline constexpr std::size_t kMaxChunks = (kMaxBlockBytes + kChunkBytes - 1) / kChunkBytes;
 
 inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Which block a chunk is of. Two blocks that differ in either are two.
+// Identifies the block of a chunk. Blocks that differ in either member are different.
 struct BlockName {
-  std::uint32_t crc = 0;    // as the block itself says it
+  std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
   friend constexpr bool operator==(const BlockName&, const BlockName&) = default;
 };
@@ -45,20 +45,20 @@ struct BlockName {
 struct Chunk {
   BlockName block{};
   std::uint32_t offset = 0;            // a multiple of kChunkBytes
-  std::span<const std::byte> bytes{};  // kChunkBytes of them, in a block's last chunk what is left
+  std::span<const std::byte> bytes{};  // kChunkBytes, or fewer in the last chunk
   [[nodiscard]] constexpr std::size_t number() const { return offset / kChunkBytes; }
 };
 
-// The chunk of this number, which is below chunk_count(). block: all of its bytes, at most
-// kMaxBlockBytes and not none.
+// Returns the chunk with this number, which must be below chunk_count(). block: all of its bytes,
+// at least one and at most kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 
-// Numbers a sender's messages from their first.
+// Encodes and numbers the messages of a sender.
 class ChunkEncoder {
  public:
-  // The whole message, valid until the next one. At most kChunkBytes of the block. Fields are
-  // written as they are; the decoder judges them.
+  // Returns the whole message, valid until the next call. The chunk has at most kChunkBytes. Fields
+  // are written unchecked; the decoder checks them.
   [[nodiscard]] std::span<const std::byte> encode(const Chunk& chunk);
 
  private:
@@ -67,11 +67,11 @@ class ChunkEncoder {
 };
 
 struct DecodedChunk {
-  Fate fate = Fate::kTooShort;  // kTaken: a sound chunk, else why it is not one
-  Chunk chunk{};                // of a sound one alone; views the datagram
+  Fate fate = Fate::kTooShort;  // kTaken for a valid chunk, otherwise the reason for its rejection
+  Chunk chunk{};                // only if the chunk is valid; refers to the datagram
 };
 
-// Any bytes may come. kTaken, kTooShort ... kOutOfRange.
+// Accepts any bytes. The outcome is kTaken or kTooShort ... kOutOfRange.
 [[nodiscard]] DecodedChunk decode_chunk(std::span<const std::byte> datagram);
 
 }  // namespace iog::map

@@ -100,7 +100,7 @@ void Delivery::work() {
   report_.chunks_there = 0;
 }
 
-// A sound block under another name would be delivered again and again.
+// Refuses a valid block under another name, which would otherwise be delivered again and again.
 Refusal Delivery::verdict() const {
   const Refusal refusal = check_->verdict();
   const bool has_its_name =

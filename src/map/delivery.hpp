@@ -1,15 +1,15 @@
-// How a map block reaches the target: in chunks, into the one of two buffers that is not in use.
+// Receives map blocks in chunks, into the unused one of two buffers.
 //
-// Chunks may come in any order, more than once, and with gaps. A block is complete when every chunk
-// of it is there. Then it is checked whole, a bounded piece a frame, and in use from the frame in
-// which the check ends, or refused: then the block before stays in use, and nothing of the new one
-// is kept.
+// Chunks may come in any order, more than once, and with gaps. When all chunks of a block have
+// arrived, the whole block is checked, a bounded part in each frame. A valid block is used from the
+// frame in which the check ends. Otherwise the previous block stays in use, and the new one is
+// dropped.
 //
-// One block is delivered at a time, so that a chunk that is late or forged stops nobody. Another
-// one takes over when nothing new of the present one has come for kPatienceUs.
+// Only one block is delivered at a time, so a late or forged chunk cannot interrupt it. Another
+// block may start when nothing new of the present one has come for kPatienceUs.
 //
-// The CRC finds what a network spoils; it is no authentication. Whoever can send in the name of the
-// described address can replace the map.
+// The CRC detects damage by a network; it is no authentication. Anyone who can send in the name of
+// the configured address can replace the map.
 #pragma once
 
 #include <array>
@@ -29,50 +29,51 @@ namespace iog::map {
 
 inline constexpr std::uint64_t kPatienceUs = 1'000'000;
 
-// The check goes over a block about twice: one of 4 MiB takes 33 frames and more.
+// The check reads a block about twice, so 4 MiB take at least 33 frames.
 inline constexpr std::size_t kCheckBytesPerFrame = 262'144;
 
 enum class DeliveryState : std::uint8_t {
-  kIdle,       // nothing is being delivered
-  kReceiving,  // chunks are missing
-  kChecking,   // all chunks are there
+  kIdle,       // no delivery
+  kReceiving,  // some chunks are missing
+  kChecking,   // all chunks have arrived
 };
 
 struct DeliveryReport {
   DeliveryState state = DeliveryState::kIdle;
   BlockName incoming{};                           // unless kIdle
-  std::uint32_t chunks_there = 0;                 // of it
-  std::array<std::uint32_t, kFateCount> fates{};  // datagrams by what became of them, since start
+  std::uint32_t chunks_there = 0;                 // of the incoming block
+  std::array<std::uint32_t, kFateCount> fates{};  // datagrams by outcome, since start
   std::uint32_t blocks_refused = 0;               // since start
-  Refusal last_refusal = Refusal::kNone;          // why the last of them was
+  Refusal last_refusal = Refusal::kNone;          // reason for the last refusal
 };
 
-// Holds 8.4 MB: belongs into static memory.
+// Holds 8.4 MB, so it belongs in static memory.
 class Delivery {
  public:
-  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: none.
+  // description.is_valid() must hold. replayer_ipv4 may also send in the name of the source; 0:
+  // none.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 
-  // Whether a datagram to this port is of maps.
+  // Whether this port receives maps.
   [[nodiscard]] bool listens_to(std::uint16_t udp_port) const {
     return udp_port == description_.udp_port;
   }
 
-  // A datagram that came to the maps' port. Any bytes may come. Times do not fall.
+  // Processes a datagram on the map port. Accepts any bytes. Arrival times must not decrease.
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
-  // Before the first frame: a block that was there at the start, such as one in the image. It
-  // outlives the delivery. All of it is checked now; a refusal is counted as any other.
+  // Call before the first frame with a block that exists at the start, such as one in the image.
+  // The block must outlive this object. It is checked at once; a refusal is counted like any other.
   void begin_with(std::span<const std::uint8_t> block);
 
-  // Once a frame, and only then another block comes into use: a piece of the check of about
-  // kCheckBytesPerFrame.
+  // Call once per frame. Continues the check over about kCheckBytesPerFrame bytes. Only this call
+  // can put another block into use.
   void work();
 
-  // The block in use, valid until the next work(); nullptr: there is none.
+  // The block in use, valid until the next work(); null if there is none.
   [[nodiscard]] const Block* in_use() const { return in_use_ ? &*in_use_ : nullptr; }
 
   [[nodiscard]] const DeliveryReport& report() const { return report_; }
@@ -89,9 +90,9 @@ class Delivery {
   [[nodiscard]] bool is_in_use(const BlockName& block) const;
   void begin(const BlockName& block);
   void put(const Chunk& chunk);
-  // The bytes that have come of the block that is being delivered.
+  // The bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // That of the chunks' name, or what its bytes say.
+  // The result of the check; kDamaged if the block's CRC differs from the one in its chunks.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 
@@ -99,10 +100,10 @@ class Delivery {
   std::uint32_t replayer_ipv4_;
   DeliveryReport report_;
   std::optional<Block> in_use_;
-  std::optional<Check> check_;     // of the incoming block, while it goes on
-  std::uint64_t taken_us_ = 0;     // when something new of the incoming block came last
-  std::bitset<kMaxChunks> there_;  // by number, of the incoming block
-  std::size_t idle_ = 0;           // the buffer that is not in use
+  std::optional<Check> check_;     // of the incoming block, during the check
+  std::uint64_t taken_us_ = 0;     // when a new chunk of the incoming block last arrived
+  std::bitset<kMaxChunks> there_;  // chunks of the incoming block, by number
+  std::size_t idle_ = 0;           // the unused buffer
   alignas(32) std::array<Buffer, 2> buffers_{};
 };
 

@@ -1,4 +1,4 @@
-// What becomes of a datagram on the maps' port. The values are those of docs/spec.md, section 7.2.
+// Outcomes of datagrams on the map port. The values are those of docs/spec.md, section 7.2.
 #pragma once
 
 #include <cstddef>
@@ -6,20 +6,20 @@
 
 namespace iog::map {
 
-// Each datagram has one of these fates. All but the first are drops: they change nothing.
+// The outcome of a datagram. All but the first are drops, which change nothing.
 enum class Fate : std::uint8_t {
-  kTaken,         // its bytes are in place
-  kRepeated,      // its bytes were in place before
-  kInUse,         // of the block that is in use
+  kTaken,         // its bytes were stored
+  kRepeated,      // its bytes were already stored
+  kInUse,         // of the block in use
   kOtherBlock,    // another block is being delivered
-  kStranger,      // not from the sender that the description names
+  kStranger,      // not from the sender in the description
   kTooShort,      // shorter than a message without bytes of a block
-  kNotOurs,       // another SOME/IP, service, event or message type
-  kWrongVersion,  // of the interface, or of the content
-  kDamaged,       // wrong CRC, data id or length of what the CRC covers
-  kWrongLength,   // the content, or its piece of the block, is not as long as it says
-  kNotZero,       // something that has to be zero is not
-  kOutOfRange,    // no block is so long, or none of its chunks begins there
+  kNotOurs,       // another SOME/IP service, event or message type
+  kWrongVersion,  // of the interface or of the content
+  kDamaged,       // wrong CRC, data id, or length covered by the CRC
+  kWrongLength,   // the content, or its part of the block, does not have its stated length
+  kNotZero,       // a field that must be zero is not
+  kOutOfRange,    // no block has this length, or no chunk starts there
 };
 inline constexpr std::size_t kFateCount = 12;
 

@@ -1,4 +1,4 @@
-// One feature of a block. Byte by byte in docs/spec.md, section 6.3.
+// One feature of a block. docs/spec.md, section 6.3, describes each byte.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
 inline constexpr std::size_t kFeatureHeaderBytes = 24;
 inline constexpr std::size_t kRingHeaderBytes = 12;
 
-// The bits of the map's classes (decision/decision.hpp). What is neither is intermediate space.
+// Bits of the map's classes (decision/decision.hpp). Everything else is intermediate space.
 enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
 
-// A building, or a piece of a road: the inside of its rings by the even-odd rule.
+// A building or a piece of a road: the inside of its rings by the even-odd rule.
 class Feature {
  public:
   explicit Feature(std::span<const std::byte> checked) : words_{checked} {}
@@ -27,7 +27,8 @@ class Feature {
   [[nodiscard]] std::uint32_t edge_count() const { return words_.u32(4); }
   [[nodiscard]] BoxCm box() const { return words_.box(8); }
 
-  // visit(PointCm from, PointCm to) for each edge of all rings, the one that closes a ring last.
+  // Calls visit(PointCm from, PointCm to) for each edge of all rings. The closing edge of a ring
+  // comes last.
   template <typename Visit>
   void for_each_edge(Visit&& visit) const;
 
@@ -42,7 +43,7 @@ struct Edge {
   PointCm to;
 };
 
-// The edges of a feature one by one, so that it can be left and gone on with.
+// Iterates over the edges of a feature, so it can be suspended.
 class EdgeWalk {
  public:
   explicit EdgeWalk(const Feature& feature)
@@ -52,7 +53,7 @@ class EdgeWalk {
 
   [[nodiscard]] bool is_over() const { return rings_ == 0; }
 
-  // Not once it is over.
+  // Must not be called when is_over().
   [[nodiscard]] Edge next() {
     const PointCm from = from_;
     if (deltas_ == 0) {
@@ -78,7 +79,7 @@ class EdgeWalk {
   }
 
   Words words_;
-  std::uint32_t rings_;  // not yet over
+  std::uint32_t rings_;  // remaining rings
   std::uint32_t deltas_ = 0;
   std::size_t at_;
   PointCm first_{};

@@ -82,8 +82,8 @@ void Layer::begin(Cause cause) {
   report_.cause = cause;
 }
 
-// While nothing changes, no tile needs to be looked at. What is done was not stale in the frame
-// before: while the transform and the blur stay, it is not now.
+// If nothing changes, no tile needs a check. A finished tile was not stale in the previous frame,
+// and stays valid while the transform and the blur do.
 void Layer::find_stale(const Block& block, perception::WindowFusion& window) {
   const window::Area area = window.view().area();
   const bool is_other_map = !is_in_use_ || block.crc() != crc_;
@@ -140,8 +140,8 @@ void Layer::withdraw_all(perception::WindowFusion& window) {
   is_in_use_ = false;
 }
 
-// Uses the cells as they were before the frame. Names are revoked at once; to restore them, each
-// tile is drawn anew.
+// Uses the cells as they were before the frame. If the map is contradicted, its classes are revoked
+// at once. To restore them, each tile is drawn again.
 void Layer::judge(perception::WindowFusion& window) {
   const window::WindowView view = window.view();
   for (std::size_t slot = frame_ % kRoundFrames; slot < window::kSlotCount; slot += kRoundFrames) {
@@ -184,7 +184,7 @@ void Layer::draw_waiting(const Block& block, perception::WindowFusion& window) {
   }
 }
 
-// The frame since which those tiles wait that have waited longest; frames wrap.
+// The frame in which the longest waiting tiles began to wait. Frame numbers wrap.
 std::uint32_t Layer::oldest() const {
   std::uint32_t most = 0;
   for (std::size_t slot = waiting_.first_from(0); slot < window::kSlotCount;
@@ -194,7 +194,7 @@ std::uint32_t Layer::oldest() const {
   return frame_ - most;
 }
 
-// The tile that is unfinished is the first that waits, because no other can get before it.
+// An unfinished tile is always the first that waits, because no other tile can overtake it.
 void Layer::draw(const Block& block, std::size_t slot, perception::WindowFusion& window) {
   if (!unfinished_ || unfinished_->slot != slot) {
     const TilePlace place(now_.local_frame, area_.tile_at(slot));

@@ -1,18 +1,17 @@
-// The map's layer of the window: which tiles are drawn, which wait, and which have to be drawn
+// The map layer of the window: decides which tiles are drawn, which wait, and which must be drawn
 // again.
 //
-// A tile waits from the frame in which it enters the window, in which there is another map, in
-// which the transform has moved one of its corners by more than a cell since it was drawn, or in
-// which the blur is wider than the one it was drawn with. A narrower one changes nothing: what is
-// drawn says less than it might, and nothing wrong. While a tile waits, anything is possible in it.
-// The one that began to wait first is drawn first, of those that began in one frame that of the
-// lowest slot.
+// A tile starts to wait when it enters the window, when the map changes, when the transform has
+// moved one of its corners by more than a cell since it was drawn, or when the blur becomes wider
+// than the one it was drawn with. A narrower blur has no effect: the tile says less than it could,
+// but nothing wrong. While a tile waits, its cells may have any class. The tile that has waited
+// longest is drawn first; among equals, that with the lowest slot.
 //
-// A map that the sensors contradict (map/agreement.hpp) is still drawn, to find when it agrees
-// again, but rules nothing out.
+// If the sensors contradict the map (map/agreement.hpp), it is still drawn, to detect when it
+// agrees again, but rules nothing out.
 //
-// A frame has a budget of work, in edges: kWorkPerFrame. What is not done waits, also in the middle
-// of a tile; a tile is shown when it is whole.
+// A frame has a budget of work in edges: kWorkPerFrame. Remaining work waits, even in the middle of
+// a tile. A tile takes effect only when it is complete.
 #pragma once
 
 #include <algorithm>
@@ -32,18 +31,18 @@
 
 namespace iog::map {
 
-// In edges that are looked at. An edge that crosses the tile is as much as kWorkPerCrossing of
-// them, an entry of the block's index as one, and the other work on a tile as the constants say.
+// Work is counted in examined edges. An edge that crosses the tile costs kWorkPerCrossing, an entry
+// of the block's index one, and other work on a tile as below.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 
-// The radius of the blur in cells, rounded up: the map's accuracy, two deviations of the transform
-// at 50 m, and the diagonal of a cell. At most 2^18.
+// The radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two deviations
+// of the transform at 50 m, and the diagonal of a cell. At most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
                                                   const pose::Sigma& sigma) {
   constexpr std::uint32_t kCell = geometry::kCellMm;
-  // 2 * 50 m * 10 urad is a millimetre.
+  // 2 * 50 m * 10 urad is 1 mm.
   const std::uint32_t mm =
       accuracy_mm + 2U * sigma.position_mm + sigma.heading_10urad + kCell * 14 / 10;
   return (mm + kCell - 1) / kCell;
@@ -55,28 +54,28 @@ class Layer {
   Layer(const Layer&) = delete;
   Layer& operator=(const Layer&) = delete;
 
-  // Once a frame, after the window has followed the vehicle. block: the active one, or null; its
-  // bytes stay until another call. transform: that of the newest pose, if it has one.
+  // Call once per frame, after the window has followed the vehicle. block: the block in use, or
+  // null; its bytes must stay until the next call. transform: that of the newest pose, if any.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Instead, in a frame that is none of the window's: only the report says what there is. So a
-  // pause of all who send leaves no trace in what is drawn when.
+  // Call instead of work() when the window has no frame. Updates only the report, so a pause of all
+  // senders does not affect when tiles are drawn.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
-  // Of the last frame.
+  // The report of the last frame.
   [[nodiscard]] const LayerReport& report() const { return report_; }
 
  private:
   enum class State : std::uint8_t {
-    kIdle,     // there is a cause, or there was never a map
+    kIdle,     // a cause prevents drawing, or there was never a map
     kWaiting,  // to be drawn
     kDrawn,
     kOutside,
   };
 
-  // By what a tile is drawn.
+  // The inputs that a tile is drawn with.
   struct Basis {
     pose::Pose local_frame{};
     std::uint8_t radius = 0;
@@ -112,26 +111,26 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // By slot, each apart from the others: a frame that looks at all states reads nothing else.
+  // Stored by slot in separate arrays, so scanning all states reads nothing else.
   std::array<State, window::kSlotCount> states_{};
-  std::array<std::uint32_t, window::kSlotCount> since_{};  // which frame a tile has waited
-  std::array<Basis, window::kSlotCount> bases_{};          // of a tile that is drawn or outside
-  std::array<window::Plane, window::kSlotCount> inside_buildings_{};  // of a tile that is drawn
+  std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
+  std::array<Basis, window::kSlotCount> bases_{};          // of drawn or outside tiles
+  std::array<window::Plane, window::kSlotCount> inside_buildings_{};  // of drawn tiles
   Agreement agreement_;
   SlotSet waiting_;
-  std::array<std::uint16_t, 4> counts_{window::kSlotCount};  // of slots by state
+  std::array<std::uint16_t, 4> counts_{window::kSlotCount};  // slots by state
   std::optional<Unfinished> unfinished_;
   window::TileRuledOut ruled_out_{};
   LayerReport report_;
   std::uint32_t frame_ = 0;
-  std::uint32_t budget_ = 0;  // of work that this frame still has
+  std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
   // Of the last frame without a cause:
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;
   const std::byte* data_ = nullptr;
-  bool is_in_use_ = false;  // whether there was one
+  bool is_in_use_ = false;  // whether there was such a frame
 };
 
 }  // namespace iog::map

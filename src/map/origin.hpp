@@ -1,4 +1,5 @@
-// The name of a map's origin: two maps, or a map and a pose, are of one plane if it is the same.
+// A hash that identifies the origin of a map. Two maps, or a map and a pose, share a plane if their
+// hashes are equal.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,8 @@
 
 namespace iog::map {
 
-// FNV-1a, 64 bits (Fowler, Noll, Vo), over latitude and longitude in 1e-9 degrees: 16 bytes, big
-// endian, the latitude first.
+// FNV-1a, 64 bits (Fowler, Noll, Vo), of latitude and longitude in 1e-9 degrees: 16 bytes, big
+// endian, latitude first.
 [[nodiscard]] constexpr std::uint64_t origin_name(std::int64_t latitude, std::int64_t longitude) {
   constexpr std::uint64_t kOffsetBasis = 0xCBF29CE484222325;
   constexpr std::uint64_t kPrime = 0x00000100000001B3;

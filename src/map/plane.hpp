@@ -1,5 +1,5 @@
-// Places in the plane of a map: the local tangent plane (east, north) of WGS 84 at its origin, in
-// centimetres from there.
+// Points in the plane of a map: the local tangent plane (east, north) of WGS 84 at its origin, in
+// centimetres from the origin.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct PointCm {
   friend constexpr bool operator==(const PointCm&, const PointCm&) = default;
 };
 
-// low <= p <= high, both coordinates.
+// Contains points with low <= p <= high in both coordinates.
 struct BoxCm {
   PointCm low;
   PointCm high;
@@ -27,8 +27,8 @@ struct BoxCm {
   friend constexpr bool operator==(const BoxCm&, const BoxCm&) = default;
 };
 
-// No coordinate of a map is farther from its origin: 84 km, where the plane is metres off the
-// earth. Differences fit in 25 bits with their sign, products of two in 49.
+// The largest coordinate of a map: 84 km from its origin, where the plane is metres off the earth.
+// Signed differences fit into 25 bits, products of two into 49.
 inline constexpr std::int32_t kMaxCoordinateCm = 1 << 23;
 
 }  // namespace iog::map

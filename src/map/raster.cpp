@@ -1,14 +1,15 @@
-// Where an edge from L to H, L below, crosses the row whose centres are at y, it is at
-// x = Lx + (y - Ly) dx / dy. The first centre at or to the right of it is that of column
-//     c = ceil((x - kFine/2) / kFine) = ceil(N / (kFine dy)),  N = (Lx - kFine/2) dy + (y - Ly) dx,
-// and that is ceil(M / dy) with M = ceil(N / kFine), because dy is an integer. From row to row N
-// grows by kFine dx, so M by dx, exactly: one division finds the first row's column, and one the
-// step, as in Bresenham's line.
+// An edge from L to H, with L below, crosses the row whose centres are at y at
+//     x = Lx + (y - Ly) dx / dy.
+// The first centre at or to the right of it is in column
+//     c = ceil((x - kFine/2) / kFine) = ceil(N / (kFine dy)),  N = (Lx - kFine/2) dy + (y - Ly) dx.
+// That equals ceil(M / dy) with M = ceil(N / kFine), because dy is an integer. From row to row N
+// grows by kFine dx, so M grows by exactly dx. One division gives the column of the first row, and
+// one the step, as in Bresenham's line algorithm.
 //
 // Widths: coordinates and differences are below 2^30.2 (map/tile_place.cpp), so N is below 2^61.4
-// and M below 2^53.4. A column is that of a point between the ends, and the step of an edge that
-// crosses two rows is a difference of two of them: both below 2^24, so that the biased quotients
-// are not negative and below 2^25, and the biased dividends below 2^54.9.
+// and M below 2^53.4. A column belongs to a point between the ends. The step of an edge that
+// crosses two rows is a difference of two columns. Both are below 2^24, so the biased quotients are
+// not negative and below 2^25, and the biased dividends below 2^54.9.
 #include "map/raster.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ namespace {
 
 constexpr std::int32_t kHalf = kFine / 2;
 
-// The cells of this column and of all behind it.
+// The cells of a column and of all columns to its right.
 constexpr auto kCellsFrom = [] {
   std::array<std::uint64_t, kFrameSide + 1> cells{};
   for (std::size_t column = 0; column < kFrameSide; ++column) {
@@ -42,8 +43,8 @@ struct CeilDivision {
   std::uint32_t rest;
 };
 
-// The quotient is within +-2^24. The biased one is rounded down, so that no sign matters; the rest
-// is exact in the lower words.
+// The quotient is within +-2^24. A bias makes it positive, so it is rounded down for both signs.
+// The rest is exact in the lower words.
 CeilDivision divided(std::int64_t dividend, std::uint32_t divisor, const numeric::Divisor& by) {
   constexpr std::uint32_t kBias = 1U << 24;
   const std::int64_t biased = dividend + (std::int64_t{divisor} * kBias + (divisor - 1));
@@ -52,7 +53,7 @@ CeilDivision divided(std::int64_t dividend, std::uint32_t divisor, const numeric
           quotient * divisor - static_cast<std::uint32_t>(dividend)};
 }
 
-// Most edges are steeper than the diagonal: a column or none from row to row.
+// Most edges are steeper than the diagonal: they step by one column or none from row to row.
 CeilDivision step_of(std::int32_t dx, std::uint32_t dy, const numeric::Divisor& by_dy) {
   const auto size = static_cast<std::uint32_t>(dx < 0 ? -dx : dx);
   if (size < dy) {

@@ -1,10 +1,10 @@
-// Polygons to bits: which cells of a tile's frame have their centre inside.
+// Rasterises polygons: finds the cells of a tile's frame whose centre is inside.
 //
-// A row is a word, the lowest y first; bit i is the cell of column i. A centre is inside where the
-// edges cross its row an odd number of times at or to the left of it: the even-odd rule. An edge
-// crosses the rows from its lower end, included, to its upper end, excluded. So borders are half
-// open: polygons that share an edge share no cell and leave none out. Vertices are in fine units,
-// whose rounding is all that is not exact (map/tile_place.hpp).
+// A row is a word, the lowest y first; bit i is the cell of column i. By the even-odd rule, a
+// centre is inside if the edges cross its row an odd number of times at or to the left of it. An
+// edge crosses the rows from its lower end (included) to its upper end (excluded). So borders are
+// half open: polygons that share an edge share no cell and leave no gap. The only inexact step is
+// the rounding of vertices to fine units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace iog::map {
 
-// A bit for each cell of a tile's frame.
+// One bit for each cell of a tile's frame.
 struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The rows, and the columns, in which a tile asks for cells that lie so far away.
+// The range of rows, and of columns, within a distance of the tile.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive
@@ -32,32 +32,34 @@ struct RowRange {
   }
 };
 
-// Takes all edges of a polygon in any order, then gives its inside.
+// Takes the edges of a polygon in any order, then returns its inside.
 class Raster {
  public:
-  // Forgets what was taken. Only these rows will be right, and in them only such columns.
+  // Discards all edges. Results are valid only for these rows, and for the columns of the same
+  // range.
   void clear(RowRange rows);
 
-  // The rows that an edge between these heights crosses. If there are none it need not be added.
+  // The rows that an edge between these heights crosses. If there are none, it need not be added.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
   }
 
-  // Whether a polygon within the box can have a cell that will be right.
+  // Whether a polygon in this box can have a cell in the valid range.
   [[nodiscard]] bool reaches(const FineBox& box) const {
     return !crossed(box.low.y, box.high.y).is_empty() && first_from(box.low.x) < wanted_.end &&
            first_from(box.high.x) > wanted_.first;
   }
 
-  // Differences of coordinates are below 2^30.2. rows: those that the edge crosses, not none.
+  // Differences of coordinates must be below 2^30.2. rows: those that the edge crosses, at least
+  // one.
   void add_edge(RowRange rows, FinePoint from, FinePoint to);
 
-  // Adds the inside to `bits`, and is clear for the next polygon.
+  // Adds the inside to `bits`, and clears the raster for the next polygon.
   void add_to(FrameBits& bits);
 
  private:
-  // The first row, or column, whose centre is not below.
+  // The first row or column whose centre is not below `fine`.
   [[nodiscard]] static std::int32_t first_from(std::int32_t fine) {
     return (fine + kFine / 2 - 1) >> kFineBits;
   }

@@ -1,4 +1,4 @@
-// The senders of maps: part of a vehicle's description.
+// Describes the sender of maps, as a part of the vehicle description.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace iog::map {
 
 struct SourceDescription {
-  std::uint32_t source_ipv4 = 0;      // the sender's address, 0: any
-  std::uint16_t udp_port = kMapPort;  // where its messages arrive
+  std::uint32_t source_ipv4 = 0;      // address of the sender; 0: any
+  std::uint16_t udp_port = kMapPort;  // port that receives its messages
 
   [[nodiscard]] constexpr bool is_valid() const { return udp_port != 0; }
 };

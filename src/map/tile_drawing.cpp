@@ -57,7 +57,7 @@ void TileDrawing::take_edges(std::uint32_t& budget) {
   }
 }
 
-// The cells whose centre is not in the extent.
+// The cells whose centre is outside the extent.
 FrameBits TileDrawing::outside() {
   FrameBits bits;
   if (is_inside_) {

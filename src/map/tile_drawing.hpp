@@ -1,8 +1,9 @@
-// One tile of the window, drawn from a block: what each of its cells can be.
+// Draws one tile of the window from a block: the classes that each of its cells may have.
 //
-// A cell's own classes are those of the features that hold its centre, all of them, or intermediate
-// space; outside of the block's extent it can be anything. A cell can be what any cell within the
-// radius is by itself. A drawing can be left and gone on with, and is nothing before it is whole.
+// A cell's own classes are those of all features that hold its centre, or intermediate space if
+// there are none. Outside the extent of the block, any class is possible. A cell may have every
+// class that a cell within the radius has as its own. A drawing can be suspended, and has no result
+// before it is complete.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +16,28 @@
 
 namespace iog::map {
 
-// An edge that crosses a row of the frame is as much work as so many that do not.
+// Cost of an edge that crosses a row of the frame, relative to one that does not.
 inline constexpr std::uint32_t kWorkPerCrossing = 8;
 
 class TileDrawing {
  public:
-  // The block's bytes outlive it. The tile is not outside. radius: in cells, 0 ... kHalo.
+  // The bytes of the block must outlive the drawing. The tile must not be outside. radius: in
+  // cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 
-  // Whether no cell within the radius is in the extent: all of the tile can be anything.
+  // Whether no cell within the radius is in the extent, so the whole tile may have any class.
   [[nodiscard]] static bool is_outside(const Block& block, const TilePlace& place,
                                        std::int32_t radius) {
     return !place.box(radius).meets(block.extent());
   }
 
-  // Goes on until the budget is used up or the drawing is whole; returns whether it is. Takes one
-  // from the budget for each entry of the block's index and for each edge of a feature whose box
-  // reaches the tile's rows and columns, and kWorkPerCrossing, or what is left, for each edge that
-  // crosses.
+  // Continues until the budget is used up or the drawing is complete; returns whether it is
+  // complete. An entry of the block's index costs 1. So does an edge of a feature whose box reaches
+  // the tile's rows and columns. If the edge crosses a row, it costs kWorkPerCrossing instead, or
+  // the rest of the budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
-  // Of a drawing that is whole.
+  // Valid only when the drawing is complete.
   [[nodiscard]] TileMask mask();
 
  private:
@@ -45,10 +47,10 @@ class TileDrawing {
   TilePlace place_;
   std::int32_t radius_;
   BoxCm extent_;
-  bool is_inside_;  // in the extent, with all that is near
+  bool is_inside_;  // the tile with its surroundings is in the extent
   FeatureWalk features_;
-  std::optional<EdgeWalk> edges_;  // of the feature that is being drawn
-  Kind kind_ = Kind::kBuilding;    // its
+  std::optional<EdgeWalk> edges_;  // of the current feature
+  Kind kind_ = Kind::kBuilding;    // of the current feature
   Raster raster_;
   FrameBits buildings_{};
   FrameBits roads_{};

@@ -10,7 +10,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the first byte is the lowest");
 
-// Bit i of eight in bit 0 of byte i.
+// Spreads eight bits to bytes: bit i becomes bit 0 of byte i.
 consteval std::array<std::uint64_t, 256> bytes_of_bits() {
   std::array<std::uint64_t, 256> bytes{};
   for (std::size_t bits = 0; bits < bytes.size(); ++bits) {

@@ -1,11 +1,11 @@
-// What the map says of a tile's cells.
+// Which classes the map allows in the cells of a tile.
 #pragma once
 
 #include "window/tile.hpp"
 
 namespace iog::map {
 
-// By class of the map, in which cells it is possible. A cell has at least one.
+// For each class of the map, the cells that may have it. Each cell may have at least one.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};
@@ -13,7 +13,7 @@ struct TileMask {
   friend bool operator==(const TileMask&, const TileMask&) = default;
 };
 
-// The same as decision::decide() takes it.
+// Converts a mask to the form that decision::decide() takes.
 void rule_out(const TileMask& mask, window::TileRuledOut& to);
 
 }  // namespace iog::map

@@ -1,17 +1,20 @@
-// Widths. Let a local frame be at (X, Y) with heading h. A point p of the plane is at R(-h) (p - X)
-// in the local frame.
+// Widths. Let the local frame be at P = (X, Y) in the plane with heading h. A point p of the plane
+// is at R(-h) (p - P) in the local frame.
 //
-// Coefficients: 256 fine units a cell and 2^25 a unit make 2^33 * 10 / kCellMm of a centimetre, at
-// most 2^30.7. They are rounded to the nearest, 2^-26 fine units a centimetre: 0.25 fine units at
-// the border of the largest map, 84 km away, and a hundredth of that at 1 km. The sine's table is
-// within 2^-21: 0.5 mm a kilometre.
+// Coefficients: with 256 fine units per cell and 2^25 per unit, 1 cm is 2^33 * 10 / kCellMm, at
+// most 2^30.7. They are rounded to the nearest, 2^-26 fine units per centimetre: 0.25 fine units at
+// the border of the largest map, 84 km away, and a hundredth of that at 1 km. The sine table is
+// accurate to 2^-21: 0.5 mm per kilometre.
+//
 // Products with 2^23 cm: below 2^53.7, two of them below 2^54.7.
-// The origin: |cos X + sin Y| <= sqrt(2) 10^9 * 2^30 < 2^60.4, by 200 / kCellMm <= 4 below 2^62.4;
-// after the division by 25 below 2^57.8. A tile's corner is within 2^31 mm, 2^58.4 at 50 mm. The
-// sum is below 2^60.
-// A tile that meets the map is within its extent, and so are vertices: no two of these are farther
-// apart than sqrt(2) 2^24 cm, 2^22.2 cells of 50 mm. So fine coordinates and their differences are
-// below 2^30.2.
+//
+// The origin: |cos X + sin Y| <= sqrt(2) 10^9 * 2^30 < 2^60.4, times 200 / kCellMm <= 4 below
+// 2^62.4, and after the division by 25 below 2^57.8. A tile's corner is within 2^31 mm, 2^58.4 at
+// 50 mm. The sum is below 2^60.
+//
+// Fine coordinates: a tile that overlaps the map is within its extent, and so are vertices. No two
+// of these are farther apart than sqrt(2) 2^24 cm, 2^22.2 cells of 50 mm. So fine coordinates and
+// their differences are below 2^30.2.
 #include "map/tile_place.hpp"
 
 #include "numeric/division.hpp"
@@ -26,13 +29,14 @@ static_assert(geometry::kCellMm == 50 || geometry::kCellMm == 100 || geometry::k
 constexpr std::int64_t kTileMm = std::int64_t{window::kTileSide} * geometry::kCellMm;
 constexpr std::int64_t kOne = std::int64_t{1} << numeric::kSineFractionBits;
 
-// 2^33 * 10 / kCellMm of 2^-30.
+// Scales by 2^33 * 10 / kCellMm / 2^30.
 std::int32_t coefficient(std::int32_t q30) {
   return static_cast<std::int32_t>(
       numeric::div_nearest<std::int64_t>(std::int64_t{q30} * 80, geometry::kCellMm));
 }
 
-// Minus so many 2^-30 mm in 2^-25 fine units, rounded down: by 2^-30 * 2^33 / kCellMm.
+// Negates, and converts from 2^-30 mm to 2^-25 fine units by the factor 2^-30 * 2^33 / kCellMm,
+// rounded down.
 std::int64_t offset(std::int64_t q30_mm) {
   return numeric::div_floor<std::int64_t>(-q30_mm * (200 / geometry::kCellMm), 25);
 }
@@ -57,13 +61,14 @@ TilePlace::TilePlace(const pose::Pose& local_frame, window::TileNumber tile) {
   const std::int64_t y_mm = tile.b * kTileMm + kTileMm / 2;
   middle_x_mm_ = local_frame.x_mm + ((cos * x_mm - sin * y_mm) >> numeric::kSineFractionBits);
   middle_y_mm_ = local_frame.y_mm + ((sin * x_mm + cos * y_mm) >> numeric::kSineFractionBits);
-  // The table's rotations are not quite orthogonal: 2^-20 of the way to the tile, once more.
+  // Rotations from the table are not quite orthogonal, which doubles the error of 2^-20 of the
+  // distance to the tile.
   slack_mm_ = 20 + ((numeric::magnitude(x_mm) + numeric::magnitude(y_mm)) >> 19);
   reach_q30_ = numeric::magnitude(cos) + numeric::magnitude(sin);
 }
 
-// Not part of its callers: in their loops the compiler keeps coefficients as 64 bits, and
-// multiplies such.
+// Not inline: in loops of its callers the compiler would keep the coefficients in 64 bits, and use
+// 64-bit multiplications.
 FinePoint TilePlace::fine(PointCm point) const {
   const std::int64_t x = std::int64_t{cos_} * point.x + std::int64_t{sin_} * point.y + x_;
   const std::int64_t y = std::int64_t{cos_} * point.y - std::int64_t{sin_} * point.x + y_;
@@ -96,7 +101,7 @@ BoxCm TilePlace::box(std::int32_t cells_around) const {
 }
 
 // A corner c moves by d + (R' - R) c. In 2^-30 mm: |c| < 2^30 mm and |d| < 2^31 mm, so each of the
-// three terms is at most 2^61. What is not far is below 2^8 mm, 2^18 after the shift.
+// three terms is at most 2^61. Small movements are below 2^8 mm, 2^18 after the shift.
 bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to) {
   constexpr int kDropped = 20;
   constexpr std::int64_t kCell = geometry::kCellMm * (kOne >> kDropped);

@@ -1,4 +1,4 @@
-// Numbers of a block's bytes, big endian, at offsets that are checked before.
+// Reads big-endian numbers from the bytes of a block. The caller must have checked the offsets.
 #pragma once
 
 #include <cstddef>

@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
 
-// How far before and behind something that moves nothing else drives: a part of it that is seen
-// there belongs to it, whatever hides what lies between.
+// The distance before and behind a moving track in which no other object drives. A part that is
+// seen there belongs to the track, even if the part between is hidden.
 std::int32_t headway_mm(const Track& track) {
   return track.moves() && track.has_heading() ? track.speed() / 1000 * kHeadwayMs : 0;
 }
 
-// How far a cluster is out of the box of a track that may grow by it, by the axis on which it is
-// farther; else kNowhere. Along the track its headway is no distance.
+// Distance of a cluster outside the box, on the axis on which it is farther out. The headway along
+// the track does not count. kNowhere if the track may not grow by the cluster.
 std::int32_t distance_of(const Track& track, const Cluster& cluster) {
   const Box& box = track.box();
   Sides together = box.sides;
@@ -54,7 +54,7 @@ std::int32_t distance_of(const Track& track, const Cluster& cluster) {
 
 bool may_grow(const Track& track) { return track.is_there() && track.updates >= kClaimsFrom; }
 
-// Its slot; kMostTracks: none.
+// Returns a slot; kMostTracks if there is none.
 std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, std::span<const Track> tracks,
                        const PlacedTracks& growing) {
   std::size_t nearest = kMostTracks;
@@ -77,8 +77,8 @@ std::size_t nearest_to(const Cluster& cluster, std::int32_t reach_mm, std::span<
   return nearest;
 }
 
-// How far the edges of a cluster lie from those of a track along one axis: an edge counts, not the
-// middle, because the other end may be hidden.
+// Distance between the edges of a cluster and of a track along one axis. Edges are compared instead
+// of centres, because one end may be hidden.
 std::int32_t edge_gap(Interval cluster, std::int32_t from, Interval track) {
   const std::int32_t low = numeric::magnitude(cluster.low - from - track.low);
   const std::int32_t high = numeric::magnitude(cluster.high - from - track.high);

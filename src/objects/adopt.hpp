@@ -1,4 +1,4 @@
-// Clusters become parts of tracks.
+// Assigns clusters to tracks.
 #pragma once
 
 #include <span>
@@ -10,14 +10,15 @@
 
 namespace iog::objects {
 
-// A cluster beside the box of a track is a part of it that was not seen before: of the tracks that
-// take hits, the nearest one that may grow by it.
+// Assigns each cluster beside a box to the nearest track that may grow by it: the cluster is a part
+// of the object that was hidden before. Only tracks that take hits are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
-// A track that takes no hits by itself yet takes the cluster whose edges lie nearest to its own.
+// Assigns to each track that is too young to take hits the cluster whose edges are nearest to its
+// own.
 void associate(std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
-// The hits of a cluster become the track's.
+// Assigns all hits of a cluster to a track.
 void own(const Track& track, std::size_t slot, std::size_t cluster, Clusters& clusters,
          std::span<FrameHit> hits);
 

@@ -7,9 +7,9 @@
 namespace iog::objects {
 namespace {
 
-// Something was there when the track, by its speed, was not: where the part of it that is at
-// `place` now was then, its box has no part.
-// Does not count where a receding track hides the place at which the part should be now.
+// Whether something was at this place before the track can have been there. A part of the track
+// would have moved on with it since then, but the box does not reach that far. Does not count if a
+// receding track hides the place where that part would be now.
 bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point place,
                      const FrameHit& hit) {
   if (hit.oldest_epoch < kContradictingEpochs || track.updates < kContradictedFrom) {

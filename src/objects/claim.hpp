@@ -1,4 +1,4 @@
-// Tracks take the hits in and around their boxes.
+// Assigns hits to the tracks whose boxes they are in or near.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace iog::objects {
 
 class Claim {
  public:
-  // Of each hit the owner: of the tracks within whose gate it lies that whose box is nearest, of
-  // equals that of the lower slot. A standing hit goes to a moving track, or to a receding one
-  // whose face may stand. A track that a hit contradicts does not take it, and records that.
-  // Returns what list() does.
+  // Sets the owner of each hit: a track in whose gate the hit lies. If there are several, the track
+  // with the nearest box wins; in a tie, the lower slot. Standing hits go only to moving tracks, or
+  // to receding tracks whose visible face may be classified as standing. A track rejects and counts
+  // hits that contradict it. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 
@@ -27,7 +27,7 @@ class Claim {
   TileTracks near_{};
 };
 
-// `track` takes a hit, which is moved to the frame's end by its speed.
+// Assigns a hit to `track`, and moves it to the end of the frame with the velocity of the track.
 void own(const Track& track, std::size_t slot, FrameHit& hit);
 
 }  // namespace iog::objects

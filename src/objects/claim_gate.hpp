@@ -1,4 +1,4 @@
-// How far out of its box a track takes hits in a frame.
+// The gate of a track: how far outside its box it takes hits.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace iog::objects {
 
 struct ClaimGate {
-  std::int32_t mm = 0;               // of hits that do not stand
-  std::int32_t speed_deviation = 0;  // the larger of both sides', mm/s
+  std::int32_t mm = 0;               // for hits that are not standing
+  std::int32_t speed_deviation = 0;  // the larger one of both axes, mm/s
 };
 using ClaimGates = std::array<ClaimGate, kMostTracks>;
 

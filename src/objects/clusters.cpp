@@ -60,7 +60,7 @@ void Clusters::grow(std::size_t seed, FrameHits& hits) {
   ++count_;
 }
 
-// All cells within the gap that still have their bits.
+// Takes all cells within the gap whose bits are still set.
 void Clusters::take_around(const FrameHit& hit, FrameHits& hits) {
   const std::int32_t cells = gap_mm(car_, hit.at()) / geometry::kCellMm;
   const geometry::Cell middle = in_window(hit);
@@ -82,7 +82,7 @@ void Clusters::take_around(const FrameHit& hit, FrameHits& hits) {
   }
 }
 
-// All hits of the cell that are fresh.
+// Takes all fresh hits of a cell.
 void Clusters::take_cell(geometry::Cell cell, FrameHits& hits) {
   const std::span<FrameHit> all = hits.all();
   const std::size_t first = hits.first_of(cell);
@@ -105,7 +105,7 @@ void Clusters::take_cell(geometry::Cell cell, FrameHits& hits) {
       ~(std::uint32_t{1} << (place.x % 32));
 }
 
-// What had no room.
+// Clears the bits of hits that found no cluster.
 void Clusters::clear(FrameHits& hits) {
   for (const FrameHit& hit : hits.all()) {
     if (!is_fresh(hit) || hit.cluster != kNobody) {

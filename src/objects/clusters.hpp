@@ -1,9 +1,9 @@
-// Clusters: hits of a frame that nobody has taken and that are near to each other, one hit to the
-// next.
+// Clusters the unclaimed hits of a frame: each hit is near another hit of its cluster.
 //
-// Two hits are near if they are within the gap of either along both axes: 0.4 m, and more with the
-// range, because beams fan out. Old hits are none. Cells are bits of a plane of the window: a
-// cluster grows by the bits around each of its cells, and every bit is found once.
+// Two hits are near if, on both axes, they are within the gap of one of them: 0.4 m plus a part
+// that grows with range, because beams fan out. Old hits are ignored. Cells are bits of a plane as
+// large as the window. A cluster grows by the bits around each of its cells, and each bit is found
+// once.
 #pragma once
 
 #include <array>
@@ -21,20 +21,20 @@ namespace iog::objects {
 struct Cluster {
   Bounds bounds{};  // of the centres of its cells
   std::uint32_t hits = 0;
-  std::int16_t owner = kNobody;  // the track of which it becomes a part
+  std::int16_t owner = kNobody;  // the track that it was assigned to
 };
 
-// The gap of what lies at a point.
+// The gap at a point, mm.
 [[nodiscard]] std::int32_t gap_mm(Point car, Point at);
 
 class Clusters {
  public:
-  // Gives each of those hits its cluster, in the order of hits. Returns how many hits found no room
-  // because there are more clusters than kMostClusters.
+  // Assigns a cluster to each fresh hit, in the order of hits. Returns how many hits have none
+  // because all kMostClusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 
   [[nodiscard]] std::span<Cluster> all() { return std::span(clusters_).first(count_); }
-  // The numbers of a cluster's hits.
+  // The numbers of the hits of a cluster.
   [[nodiscard]] std::span<const std::uint16_t> hits_of(std::size_t cluster) const {
     return hits_.of(cluster);
   }
@@ -51,10 +51,11 @@ class Clusters {
   void take_cell(geometry::Cell cell, FrameHits& hits);
   void clear(FrameHits& hits);
 
-  geometry::Cell first_{};  // the window's lowest cell
+  geometry::Cell first_{};  // lowest cell of the window
   Point car_{};
   std::array<std::array<std::uint32_t, kWords>, window::kCellsAcross> plane_{};
-  std::array<std::uint16_t, kMostHits> queue_{};  // the first hits of cells, as they are found
+  std::array<std::uint16_t, kMostHits>
+      queue_{};  // the first hit of each found cell, in the order of discovery
   std::size_t queued_ = 0;
   std::array<Cluster, kMostClusters> clusters_{};
   std::size_t count_ = 0;

@@ -1,5 +1,6 @@
-// Ranges. Entries are below 2^31, a gain of the place is at most 2^16, of the speed below 2^31: a
-// both of up to 2^31 over a sum of 1 and more is cut to that. So products stay below 2^62.
+// Ranges: entries are below 2^31 and the gain of the place is at most 2^16. The gain of the speed
+// is limited to below 2^31; without the limit, `both` up to 2^31 divided by a sum of 1 could exceed
+// it. So products stay below 2^62.
 #include "objects/covariance.hpp"
 
 #include <algorithm>

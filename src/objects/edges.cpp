@@ -1,5 +1,5 @@
-// Ranges. Places are within the window and a box, 2^18 mm, and hits are at most 2^12: sums are
-// below 2^30.
+// Ranges: places are within the window and a box, 2^18 mm. With at most 2^12 hits, sums are below
+// 2^30.
 #include "objects/edges.hpp"
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 namespace iog::objects {
 namespace {
 
-// What is known of one side's ends while hits are looked at.
+// Running sums for both ends of one side.
 struct Sums {
   Interval outermost{std::numeric_limits<std::int32_t>::max(),
                      -std::numeric_limits<std::int32_t>::max()};
-  Edge low{.hits = 0};  // from the outermost
+  Edge low{.hits = 0};  // relative to the outermost
   Edge high{.hits = 0};
 
   void add(std::int32_t place) {

@@ -1,4 +1,4 @@
-// Where the hits of a track end, along and across its box.
+// The ends of a track's hits, along and across its box.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace iog::objects {
 
-// The mean of the hits within kSlabMm of the outermost, and how many they are.
+// Mean position of the hits within kSlabMm of the outermost one, and their number.
 struct Edge {
-  std::int32_t mm = 0;  // from the box's point
+  std::int32_t mm = 0;  // from the reference point of the box
   std::int32_t hits = 1;
 };
 struct Ends {
@@ -21,11 +21,11 @@ struct Ends {
 };
 using Edges = std::array<Ends, 2>;  // by Side
 
-// Of hits, some of which may stand: those do not count. If none counts, the box's own.
+// The edges of the hits, ignoring standing ones. If none remain, the edges of the box.
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// The sides of a box that ends there, kThinnestMm thick at least.
+// The sides of a box with these edges, at least kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

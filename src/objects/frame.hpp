@@ -1,4 +1,4 @@
-// What a frame says to those who look for things in it.
+// The input of the tracker for one frame.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,17 @@
 
 namespace iog::objects {
 
-// Slices of a frame.
+// The largest number of slices in a frame.
 inline constexpr std::size_t kMostSlices = 32;
 
 struct Frame {
   std::uint64_t end_us = 0;  // the middle of its last slice, by the clock of the poses
-  Point car{};               // where the car was then
-  window::Area area{};       // where the window lies
-  // By slice from its middle to the frame's end, 0 ... 255 ms. Not more than kMostSlices.
+  Point car{};               // position of the car at that time
+  window::Area area{};       // position of the window
+  // For each slice the time from its middle to the end of the frame, 0 ... 255 ms. At most
+  // kMostSlices.
   std::span<const std::uint8_t> ages_ms{};
-  // In any order. Hits that are said twice count once.
+  // In any order. Duplicates count once.
   std::span<const Hit> hits{};
 };
 

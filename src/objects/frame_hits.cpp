@@ -18,7 +18,7 @@ static_assert(window::kSlotCount == 1U << kSlotBits && kSlotBits == 2 * kSideBit
 constexpr unsigned kSlotShift = kSliceBits + 2 * kSideBits;
 constexpr unsigned kRingShift = kSlotShift + kSlotBits;
 
-// Three digits are all of a key.
+// A key has three digits.
 constexpr unsigned kDigitBits = 10;
 constexpr std::uint32_t kDigits = 1U << kDigitBits;
 constexpr std::size_t kDigitsOfAKey = 3;
@@ -31,7 +31,8 @@ constexpr std::uint32_t digit_of(std::uint32_t key, std::size_t digit) {
 constexpr std::uint32_t kInTile = geometry::kTileSide - 1;
 constexpr std::uint32_t kInWindow = window::kCellsAcross - 1;
 
-// A coordinate of a cell of the window, by its lowest ten bits and the window's lowest.
+// A coordinate of a cell of the window, from its lowest ten bits and the lowest coordinate of the
+// window.
 constexpr std::int32_t coordinate(std::uint32_t low_bits, std::int32_t lowest) {
   const std::uint32_t from_lowest = (low_bits - static_cast<std::uint32_t>(lowest)) & kInWindow;
   return lowest + static_cast<std::int32_t>(from_lowest);
@@ -69,7 +70,7 @@ void FrameHits::begin(const Frame& frame) {
   }
 }
 
-// From the nearest on.
+// The number of rings that fit, counted from the nearest.
 std::uint32_t FrameHits::rings_that_fit(const Frame& frame) const {
   std::array<std::size_t, kRings> of_ring{};
   for (const Hit& hit : frame.hits) {
@@ -95,7 +96,8 @@ std::size_t FrameHits::collect(const Frame& frame, Left& left) {
     if (hit.slice >= slices || !window::kWindowCells.contains(at)) {
       ++wrong;
     } else {
-      // No branch that nobody can foresee: what is too far is overwritten by the next.
+      // No branch here, because it would be hard to predict: the next key overwrites one that is
+      // too far.
       const std::uint32_t ring = ring_of(at);
       *next = key_of(ring, hit.cell, hit.slice);
       next += ring < rings ? 1 : 0;
@@ -106,9 +108,9 @@ std::size_t FrameHits::collect(const Frame& frame, Left& left) {
   return count;
 }
 
-// By digits, the lowest first: each round keeps the order of the one before.
+// Radix sort, lowest digit first: each round keeps the order of the previous one.
 void FrameHits::sort(std::size_t count) {
-  std::array<std::array<std::uint16_t, kDigits>, kDigitsOfAKey> places{};  // how many, then where
+  std::array<std::array<std::uint16_t, kDigits>, kDigitsOfAKey> places{};  // counts, then places
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t digit = 0; digit < kDigitsOfAKey; ++digit) {
       ++places[digit][digit_of(other_[i], digit)];
@@ -127,7 +129,8 @@ void FrameHits::sort(std::size_t count) {
   one_round(2, other_, keys_);
 }
 
-// From the area's lowest. The difference is exact modulo 2^32, so what is outside stays outside.
+// Relative to the lowest cell of the area. The difference is exact modulo 2^32, so cells outside
+// the window stay outside.
 inline geometry::Cell FrameHits::in_window(geometry::Cell cell) const {
   const auto from = [](std::int32_t lowest_tile, std::int32_t at) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(at) -
@@ -150,7 +153,7 @@ inline FrameHits::Key FrameHits::key_of(std::uint32_t ring, geometry::Cell cell,
   return ring << kRingShift | slot << kSlotShift | in_tile << kSliceBits | slice;
 }
 
-// In its place: a copy would take as long as all the rest.
+// Written in place, because a copy would take as long as the rest of gather().
 inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) const {
   const Key slot = key >> kSlotShift;
   const Key in_tile = key >> kSliceBits;
@@ -170,7 +173,7 @@ inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) con
   hit.oldest_epoch = 0;
 }
 
-// In the order, cells of a row of a tile follow each other.
+// Relies on the order: cells of one row of a tile are adjacent.
 bool FrameHits::is_hit_around(geometry::Cell cell) const {
   for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
     for (std::int32_t x = cell.x - 1; x <= cell.x + 1;) {

@@ -1,4 +1,5 @@
-// What is asked of the perception grid, whoever keeps it: a reference, as work::Crew is.
+// Interface to the perception grid: a non-owning, type-erased reference to any type that names
+// cells (as work::Crew is for workers).
 #pragma once
 
 #include <concepts>
@@ -9,12 +10,12 @@
 namespace iog::objects {
 
 struct CellName {
-  Name name = Name::kUnknown;  // after the frame; kUnknown outside of the window
-  bool is_open = false;        // the ground was known to be open when the frame began
+  Name name = Name::kUnknown;  // after the frame; kUnknown outside the window
+  bool is_open = false;        // the ground was known to be open at the start of the frame
 };
 
-// look_at: a cell of the local frame. names_around: what the nine cells around one are called,
-// itself included.
+// look_at() names one cell of the local frame. names_around() returns the names of a cell and its
+// eight neighbours.
 template <typename T>
 concept Namer = requires(const T& its, geometry::Cell cell) {
   { its.look_at(cell) } -> std::same_as<CellName>;
@@ -23,7 +24,7 @@ concept Namer = requires(const T& its, geometry::Cell cell) {
 
 class GridNames {
  public:
-  // namer outlives this.
+  // namer must outlive this object.
   template <Namer T>
   explicit GridNames(const T& namer)
       : its_(&namer),

@@ -1,4 +1,4 @@
-// Hits by whom they belong to: of each group the numbers of its hits, in the order of the hits.
+// Groups hits by owner or cluster. Each group lists the numbers of its hits in order.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace iog::objects {
 template <std::size_t kGroups>
 class Grouped {
  public:
-  // group_of(hit): below kGroups, or kNobody.
+  // group_of(hit) must return a number below kGroups, or kNobody.
   template <typename GroupOf>
   void group(std::span<const FrameHit> hits, GroupOf&& group_of) {
     begin_.fill(0);
@@ -38,7 +38,8 @@ class Grouped {
   }
 
  private:
-  // Of group i from begin_[i] on; one more until all are in their places.
+  // Group i starts at begin_[i]. While group() places numbers, begin_[i + 1] is the next free index
+  // of group i.
   std::array<std::uint16_t, kGroups + 2> begin_{};
   std::array<std::uint16_t, kMostHits> of_{};
 };

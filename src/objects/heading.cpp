@@ -8,14 +8,14 @@
 namespace iog::objects {
 namespace {
 
-// As a unit vector. |x|, |y| < 2^17, so that products fit a word; length > 0.
+// As a unit vector. |x|, |y| < 2^17 keep products within a word; length > 0.
 Direction unit(std::int32_t x, std::int32_t y, std::int32_t length) {
   constexpr std::int32_t kOne = 1 << kDirectionBits;
   return {x * kOne / length, y * kOne / length};
 }
 static_assert(std::int64_t{kMostSpeed} << kDirectionBits <= INT32_MAX);
 
-// By so many deviations its speed is known before the box turns towards it.
+// The speed must exceed this many deviations before the box turns towards it.
 std::int32_t deviations_of(const Track& track) {
   return track.moves() ? kTurnMovingDeviations : kTurnDeviations;
 }

@@ -1,4 +1,4 @@
-// The box of a track turns towards its velocity, once that is sure.
+// Turns the box of a track towards its velocity once that is certain enough.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace iog::objects {
 
-// After a measurement. When the box turns for the first time it is taken anew from its hits. What
-// has wheels does not slide: its speed across fades.
+// Call after a measurement. The first turn rebuilds the box from the hits. The speed across the box
+// fades, because wheels do not slide.
 void turn(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits, Track& track);
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// A hit of a frame, as it is kept while the frame is worked on.
+// A hit of the current frame, with the state that tracking adds to it.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace iog::objects {
 
 using placing::Hit;
 
-// No track, no cluster.
+// Marks a hit without a track or cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-// A line of the level 1 cache.
+// Fits into one line of the level 1 cache.
 struct alignas(32) FrameHit {
   geometry::Cell cell{};
-  Point moved{};                   // to the frame's end, with the speed of its owner
-  std::int32_t age_ms = 0;         // from its slice's middle to the frame's end, 0 ... 255
-  std::int16_t owner = kNobody;    // a track's slot
-  std::int16_t cluster = kNobody;  // its number in the frame
-  Name name = Name::kUnknown;      // of its cell
+  Point moved{};  // position at the end of the frame, moved with the velocity of its owner
+  std::int32_t age_ms = 0;       // from the middle of its slice to the end of the frame, 0 ... 255
+  std::int16_t owner = kNobody;  // slot of a track
+  std::int16_t cluster = kNobody;  // number of a cluster in the frame
+  Name name = Name::kUnknown;      // class of its cell
   bool is_open = false;            // the ground was known to be open
-  bool stands = false;             // it, or what lies beside it, is known to stand
-  bool is_old = false;             // something was there for long
-  std::uint8_t oldest_epoch = 0;   // how many epochs ago something was hit there first; 0: never
+  bool stands = false;             // its cell or a neighbour is classified as standing
+  bool is_old = false;             // standing, or the place was hit long before
+  std::uint8_t oldest_epoch = 0;   // how many epochs ago the place was first hit; 0: not before
 
   // The cell's centre.
   [[nodiscard]] constexpr Point at() const { return centre_of(cell); }

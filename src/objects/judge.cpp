@@ -11,22 +11,22 @@ bool is_fast(const Track& track) {
   return track.speed() >= kMoveSpeed && track.speed() > kMoveDeviations * track.speed_deviation();
 }
 
-// The grid itself calls enough of its hits moving.
+// The grid classifies enough of its hits as moving.
 bool is_told(const Track& track) {
   const Seen& seen = track.seen;
   return seen.moving >= kToldHits && seen.moving * 100 >= kToldPercent * seen.hits &&
          seen.good >= seen.bad && track.speed() >= std::max(kToldSpeed, track.speed_deviation());
 }
 
-// It has long been like a car, and next to nothing speaks against it. Most of the places that it
-// leaves may be unknown to the grid: far away, where it keeps ahead of the car. A rail or a wall is
-// not so short for so long.
+// It has long been like a car, and almost no evidence is against it. A car that stays ahead of ours
+// at a long distance leaves mostly places that are unknown to the grid. Rails and walls do not look
+// that short for that long.
 bool is_steady(const Track& track) {
   return track.updates >= kSteadyFrom && track.is_like_a_car() && track.seen.good >= kSteadyHits &&
          track.seen.good >= kGoodOverBad * track.seen.bad;
 }
 
-// It is fast, or beams pass many places that it has left, and none of these is hit again.
+// It is fast; or beams pass many places that it has left, and none of them is hit again.
 bool is_clear(const Track& track) {
   const Seen& seen = track.seen;
   const bool has_left = seen.passed >= kClearHits && seen.kept == 0;
@@ -59,8 +59,8 @@ void stop(std::uint64_t since_us, Track& track) {
   track.rest();
 }
 
-// Since when it has hardly come any farther, whatever its speed is said to be: that of what stands
-// is often that of the hits which come and go. 0: it has.
+// Since when it has hardly moved; 0 if it has. Ignores the estimated speed: for a stationary
+// object, that often comes from hits that appear and disappear.
 std::uint64_t stays_since_us(std::uint64_t now_us, const Track& track) {
   constexpr std::uint64_t kStayUs = std::uint64_t{kStayMs} * 1000;
   const Snapshot* const then =
@@ -73,9 +73,9 @@ std::uint64_t stays_since_us(std::uint64_t now_us, const Track& track) {
   return way_mm * static_cast<std::int64_t>(kStayUs) < kStayMm * passed_us ? then->time_us : 0;
 }
 
-// It has stopped when it was slow for a while, when it has not come far, or when it is so slow that
-// nothing speaks for it any more. A track that loses its confidence while it has a speed never
-// moved, unless it left a trail.
+// A track has stopped if it was slow for a while, if it has hardly moved, or if it loses its
+// confidence at a low speed or with a trail. If it loses its confidence at a higher speed and has
+// no trail, it never moved.
 void judge_moving(std::uint64_t now_us, Track& track) {
   if (const std::uint64_t since_us = stays_since_us(now_us, track); since_us != 0) {
     stop(since_us, track);
@@ -95,7 +95,7 @@ void judge_moving(std::uint64_t now_us, Track& track) {
   }
 }
 
-// Most hits in the box of a moving track stand: it has parked, unless it leaves a trail.
+// A moving track has parked if most hits in its box are standing, unless it leaves a trail.
 void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   const Seen& seen = track.seen;
   const bool is_parked = !track.has_trail() && seen.standing >= kParkedHits &&
@@ -108,8 +108,8 @@ void judge_parked(std::uint64_t now_us, Step step, Track& track) {
   }
 }
 
-// Longer than any, or it moves and is wider: what moves past a thing has been taken for a part of
-// it.
+// Whether it is longer than any object, or moves and is too wide. That happens when an object
+// passes another one and is taken for a part of it.
 bool is_no_thing(const Track& track) {
   const bool is_wide = track.moves() && track.has_heading() &&
                        track.box().sides[kAcross].length() > kNoThingAcrossMm;

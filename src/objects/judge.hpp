@@ -1,4 +1,4 @@
-// Whether a track moves, stands, has stopped, or is not there any more.
+// Decides whether a track moves, stands, has stopped or ends.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace iog::objects {
 
-// Before the grid is asked: a track that nothing was seen of for long ends, and so does one that is
-// too long for a thing, or too wide for one that moves; one whose box holds what has stood for long
-// has stopped. False: there is nothing to judge in this frame.
+// First step, before the grid is queried. A track ends if it was unseen for too long, is too long
+// for any object, or moves and is too wide. It has stopped if its box has held mostly standing hits
+// for a while. Returns false if there is nothing left to judge in this frame.
 [[nodiscard]] bool is_judged(std::uint64_t now_us, Step step, Track& track);
 
-// After the grid was asked.
+// Second step, after the grid was queried.
 void judge(std::uint64_t now_us, Track& track);
 
 }  // namespace iog::objects

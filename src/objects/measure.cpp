@@ -13,7 +13,7 @@ namespace {
 
 enum class Reference : std::uint8_t { kLow, kHigh, kBoth };
 
-// An innovation of the place along one side, and by which edge it was measured.
+// An innovation of the place along one side, with the edge that it is based on.
 struct Measurement {
   Reference by = Reference::kBoth;
   std::int32_t innovation_mm = 0;
@@ -23,7 +23,7 @@ struct Measurement {
 
 constexpr std::int32_t square(std::int32_t value) { return value * value; }
 
-// A face that looks at the car.
+// Measures by a face that looks at the car.
 Measurement of_face(const Ends& seen, const Interval& box, Reference face) {
   const Edge& edge = face == Reference::kLow ? seen.low : seen.high;
   const std::int32_t expected = face == Reference::kLow ? box.low : box.high;
@@ -36,8 +36,7 @@ constexpr std::int32_t visible_variance(std::int32_t beams_mm) {
   return square(kEndMm) + square(beams_mm) / 4;
 }
 
-// The end that is farther away than a face. The face may be elsewhere, if it is where the view
-// ends.
+// Measures by the end opposite to the face. The face may be elsewhere if it is where the view ends.
 Measurement of_far_end(const Ends& seen, const Interval& box, Reference face, std::int32_t gate_mm,
                        std::int32_t beams_mm) {
   const std::int32_t low = seen.low.mm - box.low;
@@ -49,8 +48,8 @@ Measurement of_far_end(const Ends& seen, const Interval& box, Reference face, st
           .is_end_hidden = numeric::magnitude(is_high ? low : high) > gate_mm};
 }
 
-// Seen from the side: both ends, or the one that is where it may be. The other may be hidden, or
-// have just come into view.
+// Measures a side that is seen from beside: by both ends, or by the one that is nearer to its
+// expected place. The other end may be hidden, or have just come into view.
 Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
                     std::int32_t beams_mm, bool is_young) {
   const std::int32_t low = seen.low.mm - box.low;
@@ -66,13 +65,13 @@ Measurement of_ends(const Ends& seen, const Interval& box, std::int32_t gate_mm,
           .is_end_hidden = !is_young};
 }
 
-// How far a place is out of one side of a box: negative, it is within.
+// Distance of a place outside one side of a box; negative inside.
 constexpr std::int32_t out_of(const Interval& side, std::int32_t place) {
   return std::max(side.low - place, place - side.high);
 }
 
-// The car is before or behind it, but so far beside it that its whole side is seen, and so its far
-// end: its face is seen aslant, and may be where the view ends.
+// Whether the car is before or behind the box, but far enough beside it to see the whole side with
+// the far end. The face is then seen at an angle and may be where the view ends.
 bool is_seen_aslant(const Track& track, Side side, Point car) {
   const Box& box = track.box();
   if (side != kAlong || !track.moves() || !track.has_heading() || track.updates < kHiddenFrom) {
@@ -102,7 +101,8 @@ Measurement measurement_of(const Track& track, Side side, const Ends& seen, Poin
   return of_face(seen, its, face);
 }
 
-// Towards an edge that is seen: slowest where it was measured, quickly where the box grows.
+// Moves an edge towards where it is seen: slowly inwards, faster if it was measured, fastest
+// outwards.
 std::int32_t followed(std::int32_t edge, std::int32_t seen, bool is_measured, bool is_outward) {
   const std::int32_t off = seen - edge;
   return edge + off / (is_measured ? kFollowMeasured : is_outward ? kFollowOutward : kFollowInward);
@@ -121,8 +121,8 @@ void follow(const Ends& seen, Reference by, std::int32_t moved_mm, bool may_shri
   }
 }
 
-// By how much a measurement may change the speed along a side, mm/s. What is not believed to move
-// may have any speed: it is that of what comes into view.
+// The largest change of speed along a side by one measurement, mm/s. Tracks that are not moving
+// have no limit: their speed may only reflect parts that come into view.
 std::int32_t most_change(const Track& track, Step step) {
   const bool has_grip = track.moves() && track.updates >= kGripFrom;
   return has_grip ? kGrip / 1000 * step.ms() : kMostSpeed;
@@ -140,14 +140,13 @@ void measure(Point car, Side side, const Ends& seen, Step step, Track& track) {
   const Covariance::Gain gain = covariance.measure(its.variance);
   track.correct(side, gain, its.innovation_mm, most_change(track, step));
   const std::int64_t moved_mm = std::int64_t{gain.place} * its.innovation_mm >> 16;
-  // Standing hits may be its other side.
+  // Standing hits may be its other side, so the box keeps an ordinary width.
   const bool may_shrink = track.seen.standing == 0 || !track.is_sure_car() ||
                           track.sides()[side].length() > kOrdinaryWidthMm;
   follow(seen, its.by, static_cast<std::int32_t>(moved_mm), may_shrink, track.sides()[side]);
 }
 
-// What stands in its box is nobody's. A walker in front of a pole may have all of his hits called
-// standing, and keeps them.
+// Gives up all standing hits. Not used for a walker in front of a pole, who may have no other hits.
 void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> hits) {
   for (const std::uint16_t number : numbers) {
     if (hits[number].stands) {
@@ -156,10 +155,10 @@ void leave_standing(std::span<const std::uint16_t> numbers, std::span<FrameHit> 
   }
 }
 
-// The face that looks at the car, measured with standing hits, too: the face of a slowly receding
-// object is called standing, because the object was above that place for long. They count only in
-// the object's lane, so that standing things beside it do not widen it. If the object does stand,
-// they hold the face in place.
+// The edge of the face that looks at the car, including standing hits. The grid calls the rear of a
+// slowly receding object standing, because it covered each place for long. Only standing hits
+// within the width of the box count, so things beside the object do not widen it. If the object
+// does stand, these hits hold the face in place.
 Edge face_with_standing(Side side, Reference face, std::span<const std::uint16_t> numbers,
                         std::span<const FrameHit> hits, const Edge& edge, const Box& box) {
   const Side other = side == kAlong ? kAcross : kAlong;
@@ -200,8 +199,8 @@ void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,
   }
 }
 
-// Of what is surely a car both ends, measured with standing hits in its lane, too: most of its side
-// is above the same places for long.
+// Includes standing hits within the width of a sure car in both of its ends, because most of a long
+// side covers the same places for long.
 void take_standing_ends(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
                         const Box& box, Ends& ends) {
   ends.low = face_with_standing(kAlong, Reference::kLow, numbers, hits, ends.low, box);
@@ -218,7 +217,7 @@ void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::ui
     track.seen.hits += hit.stands ? 0 : 1;
     track.seen.moving += !hit.stands && hit.name == Name::kMoving ? 1 : 0;
   }
-  if (track.seen.hits == 0) {  // it was not seen, and what is parked there is not a part of it
+  if (track.seen.hits == 0) {  // unseen; the standing hits belong to something parked
     if (longest_of(track.box().sides) >= kSmallMm || track.has_trail()) {
       leave_standing(numbers, hits);
     }

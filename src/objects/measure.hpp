@@ -1,4 +1,4 @@
-// What a frame's hits say of the place, the speed and the box of a track.
+// Updates the place, speed and box of a track from the hits of a frame.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace iog::objects {
 
-// Counts the track's own hits and measures it, if one of them does not stand; else they are
-// nobody's, unless it is small. step: the frame's.
+// Counts the hits of the track. If at least one is not standing, measures the track. Otherwise its
+// hits become unclaimed, unless the track is small. step: time since the previous frame.
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
              std::span<FrameHit> hits, Track& track);
 

@@ -13,11 +13,12 @@ namespace {
 
 bool may_merge(const Track& track) { return track.is_there() && track.updates >= kMergeFrom; }
 
-// A corner of the younger one's box may be kMergeMm out of the older one's: along both sides of
-// that, so 3/2 of it along the axes of the world are enough.
+// A corner of the younger box may be kMergeMm outside both sides of the older one. Then it is at
+// most 3/2 kMergeMm outside its bounds.
 constexpr std::int32_t kMergeReach = kMergeMm * 3 / 2;
 
-// The next from `from` on that is younger than the first and near to it; count(): there is none.
+// The next track from `from` on that is younger than the first and near to it; count() if there is
+// none.
 std::size_t next_near(std::span<const Track> tracks, const PlacedTracks& all, std::size_t first,
                       std::size_t from) {
   const auto is_one = [&](std::size_t number) {
@@ -31,8 +32,9 @@ std::size_t next_near(std::span<const Track> tracks, const PlacedTracks& all, st
   return second;
 }
 
-// By how much their speeds may differ along an axis. Two cars that touch and drive apart touch for
-// a moment; of a car of which a side and a face are seen apart one is often measured wrong.
+// The largest difference of speed along an axis. It is larger for two moving cars: a side and a
+// face of one car are often seen apart, and one of them is then measured wrong. Two cars that touch
+// and drive apart touch only for a moment.
 std::int32_t most_apart(const Track& older, const Track& other) {
   const bool are_cars = older.moves() && other.moves() &&
                         longest_of(older.box().sides) >= kSmallMm &&
@@ -40,7 +42,7 @@ std::int32_t most_apart(const Track& older, const Track& other) {
   return are_cars ? kMergeMovingSpeed : kMergeSpeed;
 }
 
-// The sides that the older one's box would have; longer than kLongestMm if they are two things.
+// Whether both are one object. `together` receives the sides that the older box would have.
 bool are_one(const Track& older, const Track& other, Sides& together) {
   const Box& box = older.box();
   const Point at = other.box().at;
@@ -52,7 +54,7 @@ bool are_one(const Track& older, const Track& other, Sides& together) {
       numeric::magnitude(a.x - b.x) > most || numeric::magnitude(a.y - b.y) > most) {
     return false;
   }
-  // What stands does not become a part of what moves.
+  // A stationary track does not become a part of a moving one.
   if (older.moves() != other.moves() && other.speed() < kMoveSpeed) {
     return false;
   }
@@ -82,12 +84,13 @@ void take_over(Track& older, Track& other, const Sides& together) {
 }  // namespace
 
 void merge(std::span<Track> tracks, std::span<FrameHit> hits) {
-  std::array<std::int16_t, kMostTracks> now_of{};  // by slot, whose its hits are now
+  std::array<std::int16_t, kMostTracks> now_of{};  // by slot: the slot that now owns its hits
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     now_of[slot] = static_cast<std::int16_t>(slot);
   }
   bool is_any = false;
-  PlacedTracks all(tracks, kMergeReach / 2, may_merge);  // each has half of the reach
+  PlacedTracks all(tracks, kMergeReach / 2,
+                   may_merge);  // each side of a pair takes half of the reach
   for (std::size_t first = 0; first < all.count(); ++first) {
     const std::uint8_t slot = all.slot(first);
     for (std::size_t second = next_near(tracks, all, first, 0);

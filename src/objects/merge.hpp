@@ -1,4 +1,4 @@
-// Tracks that are of one thing become one.
+// Merges tracks of the same object.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace iog::objects {
 
-// Of two that lie beside each other, are as fast, and together are not larger than a thing, the one
-// that was born first stays, with the hits of both.
+// Two tracks are merged if they are close, have similar speeds and together are not too large for
+// one object. The older track remains, with the hits of both.
 void merge(std::span<Track> tracks, std::span<FrameHit> hits);
 
 }  // namespace iog::objects

@@ -7,21 +7,22 @@
 namespace iog::objects {
 namespace {
 
-// How long it takes to move so far that it shows.
+// The time after which motion at this speed is visible.
 std::uint64_t shown_after_us(const Track& track) {
   const std::int32_t ms = kShownWayMm * 1000 / std::max<std::int32_t>(track.speed(), 1);
   return static_cast<std::uint64_t>(std::clamp(ms, kShownLeastMs, kShownMostMs)) * 1000;
 }
 
-// What scanners see of a long thing goes along with the car: 0 < v e < 1.5 e^2.
+// Whether it travels with the car, 0 < v e < 1.5 e^2, as the visible part of a long object does.
 bool goes_with(Velocity car, Velocity its) {
   const std::int64_t square = std::int64_t{car.x} * car.x + std::int64_t{car.y} * car.y;
   const std::int64_t both = std::int64_t{its.x} * car.x + std::int64_t{its.y} * car.y;
   return both > 0 && 2 * both < 3 * square;
 }
 
-// What is occupied behind the thing itself may be a place that it has left: no beam gets there. Of
-// what goes with the car that is not believed.
+// Judges the cells of a snapshot that the track has left. An occupied cell that is hidden behind
+// the track may just not have been seen again, so it is neutral. It is bad for tracks that travel
+// with the car.
 void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNames& grid,
                 Track& track) {
   for (const geometry::Cell cell : then.all()) {
@@ -44,8 +45,9 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
   }
 }
 
-// For a receding track: the grid's names lag behind at the places that it has left, so the frame at
-// hand decides whether they are free. Places that are hit again are bad: something stands there.
+// Judges the places that a receding track has left. The grid's classes lag behind there, so this
+// frame decides whether they are free. Places that are hit again are bad, because something stands
+// there.
 void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t> numbers,
                  const FrameHits& hits, const GridNames& grid, Track& track) {
   const OwnBeams beams(car, numbers, hits.all());
@@ -67,7 +69,8 @@ void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t>
   }
 }
 
-// Hits that a receding object hid from the car when it was there say nothing: they were invisible.
+// Judges the hits at places that the track has reached. Hits that a receding track hid from the car
+// at the time of the snapshot count neither way.
 void weigh_reached(const Snapshot& then, Point car, bool open_counts,
                    std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
                    Track& track) {

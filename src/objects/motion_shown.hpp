@@ -1,8 +1,8 @@
-// Whether the grid agrees that a track has moved: places that it has left are free now, and places
-// that it has come to were open.
+// Whether the grid confirms the motion of a track: places that it has left are free now, and places
+// that it has reached were open.
 //
-// A filter alone believes that rails and walls move, because the part of them that is seen goes
-// along with the car. The grid has seen what was there before.
+// A filter alone is not enough. Rails and walls seem to move, because their visible part travels
+// with the car. The grid knows what was there before.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,17 @@
 
 namespace iog::objects {
 
-// Counts into track.seen the places of the youngest snapshot from which it is far enough away, and
-// those of its hits; of what recedes whether it leaves a trail.
+// Counts good, bad and neutral places into track.seen. Compares the track and its hits with the
+// youngest snapshot that is old enough to show motion. For a receding track, also updates the
+// trail.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
                   std::span<const std::uint16_t> numbers, const FrameHits& hits,
                   const GridNames& grid, Track& track);
 
-// Whether enough of them say so.
+// Whether enough places support the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);
 
-// Remembers where the track is, if it is time to.
+// Takes a snapshot of the track if one is due.
 void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
               std::span<const FrameHit> hits, Track& track);
 

@@ -1,4 +1,4 @@
-// Where things are that move, so that a cell is asked for those alone.
+// The boxes of moving tracks, for fast lookups by cell.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace iog::objects {
 
 class MovingBoxes {
  public:
-  // Takes the boxes of tracks that move in place of those before.
+  // Replaces the boxes with those of the moving tracks.
   void list(std::span<const Track> tracks) {
     count_ = 0;
     for (const Track& track : tracks) {
@@ -27,8 +27,8 @@ class MovingBoxes {
   }
   void clear() { count_ = 0; }
 
-  // Of cells in a row those whose centre is at most kTailMm out of one of them. Bit i is the cell i
-  // to the right of the first; one is asked for at least.
+  // Which of the cells `asked` in a row have their centre at most kTailMm outside a box. Bit i is
+  // the cell i to the right of `first`. `asked` must not be 0.
   [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
     const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
                      .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};
@@ -47,7 +47,7 @@ class MovingBoxes {
   }
 
  private:
-  // Along both sides of a box, so 3/2 of it along the axes of the world are enough.
+  // A point kTailMm outside both sides of a box is at most 3/2 kTailMm outside its bounds.
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 
   std::size_t count_ = 0;

@@ -1,4 +1,4 @@
-// What the grid calls a cell, as far as it matters here.
+// The classes of grid cells, reduced to what tracking needs.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ enum class Name : std::uint8_t { kUnknown, kFree, kMoving, kStanding, kOccupied 
   return Name::kUnknown;
 }
 
-// What some cells are called, by the classes that they have: bit i is of the class i.
+// The set of names of several cells. Bit i is set if one of them has class i.
 class Names {
  public:
   constexpr Names() = default;

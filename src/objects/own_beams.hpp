@@ -1,5 +1,5 @@
-// The beams that end on a track, seen from the car. The places that they passed are free now, among
-// them those that a receding object has left and no other beam reaches soon.
+// The beams from the car to the hits of a track. The places that they pass are free now. These
+// include places that a receding object has just left, which no other beam reaches for a while.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@
 
 namespace iog::objects {
 
-// Places are from the car, in units of 16 mm: below 2^14 in a window, so that products fit a word.
+// Places are relative to the car, in units of 16 mm. They are below 2^14 in a window, so products
+// fit a word.
 class OwnBeams {
  public:
-  static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th
+  static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th is used
 
-  // numbers: the indices of the track's hits.
+  // numbers: indices of the hits of the track.
   OwnBeams(Point car, std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits)
       : car_(car) {
     const std::size_t every = (numbers.size() + kMost - 1) / kMost;
@@ -29,8 +30,8 @@ class OwnBeams {
     }
   }
 
-  // Whether beams passed a place on both of its sides, close to it, and ended behind it. Beams that
-  // graze a wall pass a place on one side only.
+  // Whether beams pass close to a place on both sides and end behind it. Beams that graze a wall
+  // pass a place on one side only.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);
     const std::int32_t close =

@@ -12,7 +12,7 @@
 
 namespace iog::objects {
 
-// Within +-1.1 * 10^9 mm, so that a difference of two of one window fits a word.
+// Coordinates are within +-1.1 * 10^9 mm. The difference of two points of one window fits a word.
 struct Point {
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
@@ -31,12 +31,13 @@ struct Velocity {
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-// Where it is so many ms later, or earlier. |ms| <= 1024, so that products stay below 2^27.
+// The point moved with its velocity for `ms`, which may be negative. |ms| <= 1024 keeps products
+// below 2^27.
 [[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// How far away something is of a point, to a sixteenth: the longer side and 3/8 of the shorter.
+// Approximate distance, within 1/16: max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|).
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
@@ -44,7 +45,7 @@ struct Velocity {
   return std::max(dx, dy) + shorter / 2 - shorter / 8;
 }
 
-// A unit vector, in 2^-14.
+// A unit vector, in units of 2^-14.
 struct Direction {
   std::int32_t x = 1 << 14;
   std::int32_t y = 0;
@@ -52,7 +53,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// Along a box, and across it, turned by 90 degrees to the left.
+// The two axes of a box. kAcross is kAlong turned by 90 degrees to the left.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -76,20 +77,21 @@ using Sides = std::array<Interval, 2>;
   return std::max(sides[kAlong].length(), sides[kAcross].length());
 }
 
-// A rectangle around a point, which need not be its middle.
+// A rectangle around a reference point, which need not be its centre.
 struct Box {
   Point at{};
   Direction along{};
-  Sides sides{};  // mm from the point
+  Sides sides{};  // mm from the reference point
 
-  // Where a point is from this one, along or across, rounded down. The products have 64 bits.
+  // Coordinate of a point along one axis of the box, from the reference point, rounded down.
+  // Products have 64 bits.
   [[nodiscard]] constexpr std::int32_t place(Point point, Side side) const {
     const std::int64_t dx = point.x_mm - at.x_mm;
     const std::int64_t dy = point.y_mm - at.y_mm;
     const Direction axis = side_of(along, side);
     return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
   }
-  // How far a point is out of the box, by the axis on which it is farther; 0: it is inside.
+  // Distance of a point outside the box, on the axis on which it is farther out; 0 inside.
   [[nodiscard]] constexpr std::int32_t outside(Point point) const {
     std::int32_t most = 0;
     for (const Side side : kSides) {
@@ -98,10 +100,10 @@ struct Box {
     }
     return most;
   }
-  // Whether the straight way from one point to another leads through the box. Both are within 2^17
-  // mm of it, so that products of two words stay below 2^40.
+  // Whether the line between two points crosses the box. Both points must be within 2^17 mm of it,
+  // which keeps products of two words below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The latest entry and the first exit, as shares of the way.
+    // The last entry and the first exit, as fractions of the line.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;
@@ -127,7 +129,7 @@ struct Box {
     }
     return enters * leaves_of <= leaves * enters_of;
   }
-  // 0 ... 3: bit 0 for the end of the first side, bit 1 for that of the second.
+  // number: 0 ... 3. Bit 0 selects the high end along the box, bit 1 the high end across it.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
     const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;
@@ -136,8 +138,8 @@ struct Box {
   }
 };
 
-// What lies between two points of which one is lower in both coordinates. What is asked has one
-// answer from four signs, because nobody can foresee four branches.
+// A rectangle parallel to the axes. Tests combine four signs into one branch, because four separate
+// branches would be hard to predict.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};
   Point high{INT32_MIN, INT32_MIN};
@@ -160,7 +162,7 @@ struct Bounds {
     return {.low = {low.x_mm - mm, low.y_mm - mm}, .high = {high.x_mm + mm, high.y_mm + mm}};
   }
   [[nodiscard]] constexpr bool meets(const Bounds& other) const { return is_near(other, 0); }
-  // Whether a point of the other is at most so far from one of this, on both axes.
+  // Whether the rectangles are at most `mm` apart on both axes.
   [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
     return ((high.x_mm - other.low.x_mm + mm) | (other.high.x_mm - low.x_mm + mm) |
             (high.y_mm - other.low.y_mm + mm) | (other.high.y_mm - low.y_mm + mm)) >= 0;

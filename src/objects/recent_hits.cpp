@@ -5,8 +5,8 @@
 
 namespace iog::objects {
 
-// Together: the lowest byte. Three of four bytes that are read at once, unless they begin a row
-// anew.
+// The union of three cells in a row, in the lowest byte. Reads four bytes at once unless they cross
+// the end of a row.
 std::uint32_t RecentHits::three_from(std::int32_t x, std::int32_t y) const {
   const std::uint32_t first = place_of(x, y);
   if (first % kSide > kSide - sizeof(std::uint32_t)) {
@@ -23,7 +23,7 @@ int RecentHits::oldest(geometry::Cell cell) const {
   for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
     any |= three_from(cell.x - 1, y);
   }
-  // Turned so that bit i is of the epoch that follows the present one by i + 1, or is 7 - i old.
+  // Rotated so that bit i is of the epoch 7 - i before the current one.
   const auto turned =
       std::rotr(static_cast<std::uint8_t>(any), static_cast<int>((epoch_ + 1) % kEpochs));
   return turned == 0 ? 0 : kEpochs - 1 - std::countr_zero(turned);

@@ -1,7 +1,8 @@
-// Where hits were lately: by cell, a bit for each of the last eight epochs of 80 ms.
+// Remembers where hits were recently: one byte per cell, one bit for each of the last eight epochs
+// of 80 ms.
 //
-// Cells are counted modulo 1024 in both directions, which is the window's size. Of an epoch
-// kMostOfAnEpoch cells are remembered; more, the farthest of a frame, are not.
+// Cell coordinates are taken modulo 1024, the size of the window. An epoch remembers kMostOfAnEpoch
+// cells. If there are more, the farthest hits of a frame are not recorded.
 #pragma once
 
 #include <array>
@@ -19,12 +20,11 @@ class RecentHits {
   static constexpr int kEpochs = 8;
   static constexpr std::size_t kMostOfAnEpoch = 2 * kMostHits;
 
-  // How many epochs before the present one something was first hit in the nine cells around a cell,
-  // at most kEpochs - 1; 0: not before the present one. That of the newest add() is the present
-  // one.
+  // How many epochs ago one of the nine cells around `cell` was first hit, at most kEpochs - 1. 0:
+  // not before the current epoch, which is that of the last add().
   [[nodiscard]] int oldest(geometry::Cell cell) const;
 
-  // Ends a frame. Time does not go back but by forget().
+  // Adds the hits of a frame at its end. Time may run back only after forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
 
   void forget();

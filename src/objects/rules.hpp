@@ -1,7 +1,7 @@
-// Every number of the rules by which hits become things with a speed (docs/objects.md).
+// All parameters of tracking (docs/objects.md).
 //
-// Lengths are mm, speeds mm/s, times ms unless a name says otherwise. They are numbers of the rule,
-// not of a car.
+// Lengths are in mm, speeds in mm/s and times in ms, unless a name says otherwise. The values
+// belong to the algorithm and are the same for all cars.
 #pragma once
 
 #include <cstddef>
@@ -9,36 +9,38 @@
 
 namespace iog::objects {
 
-// What is held, and so what a frame can cost. What is beyond is left out, and counted.
+// Capacities, which bound the cost of a frame. Excess is dropped and counted.
 inline constexpr std::size_t kMostHits = 4096;
 inline constexpr std::size_t kMostTracks = 256;
 inline constexpr std::size_t kMostClusters = 256;
-inline constexpr std::size_t kMostTracksOfATile = 16;  // that may take hits there
-inline constexpr std::size_t kMostAsked = 16;          // tracks that are asked for a cluster
+inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile
+inline constexpr std::size_t kMostAsked = 16;          // tracks that a cluster is compared with
 
-// A longer time between two frames, or none, ends all tracks.
+// All tracks end if the time between two frames is longer than this, or not positive.
 inline constexpr std::int32_t kLongestStepMs = 200;
 
-// Of what was hit lately: epochs of 80 ms.
+// Recent hits are kept in epochs of 80 ms.
 inline constexpr std::uint64_t kEpochUs = 80'000;
 inline constexpr std::int32_t kEpochMs = 80;
-inline constexpr int kOldEpochs = 4;  // a place that was hit so long ago is old
+inline constexpr int kOldEpochs = 4;  // a place that was first hit this many epochs ago is old
 
-// How fast a thing may become: its speed wanders by so many mm/s in a second, times the root of it.
+// Process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-inline constexpr std::int32_t kWanderAcrossFast = 1200;  // from kWheelsSpeed on, in bends
+// From kWheelsSpeed on, because bends turn the velocity.
+inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
-inline constexpr std::int32_t kSmallMm = 1200;     // a walker is smaller,
-inline constexpr std::int32_t kSmallSpeed = 3000;  // and slower
+inline constexpr std::int32_t kSmallMm = 1200;     // upper limits of a walker's size
+inline constexpr std::int32_t kSmallSpeed = 3000;  // and speed
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// What moves has tyres or legs: from so many updates on its speed along a side changes by so many
-// mm/s in a second at most. Brakes and bends have 10 m/s^2.
+// Tyres and legs limit acceleration. From this many updates on, the speed of a moving track along a
+// side changes by at most kGrip mm/s per second. Braking and bends reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// Which hits a track takes: as far out of its box, and by so many deviations of its place.
+// The gate of a track: it takes hits up to this far outside its box, plus two deviations of its
+// place up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -47,53 +49,54 @@ inline constexpr std::int32_t kGateStandingMm = 250;
 inline constexpr std::int32_t kMostGateDeviationMm = 600;
 inline constexpr std::int32_t kMostGateDeviationSettledMm = 300;
 
-// A hit contradicts a track that was elsewhere when something was there before.
+// A hit contradicts a track if that place was hit before the track can have been there.
 inline constexpr std::uint32_t kContradictedFrom = 6;  // updates
 inline constexpr int kContradictingEpochs = 3;
 inline constexpr std::int32_t kStandingAgeMs = 800;
 inline constexpr std::int32_t kEpochSlackMs = 20;
 inline constexpr std::int32_t kContradictionMm = 150;
 
-// Hits of one thing are so near to each other.
+// Hits within this gap belong to one object.
 inline constexpr std::int32_t kGapMm = 400;
-inline constexpr std::int32_t kGapOfAMetre = 14;  // more, for each metre of range
+inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
-// A cluster beside a track is a part of it.
-inline constexpr std::int32_t kAttachMm = 300;  // more than the gap
-inline constexpr std::int32_t kHeadwayMs = 50;  // nothing follows what moves more closely
+// A cluster beside a track is attached to it.
+inline constexpr std::int32_t kAttachMm = 300;  // in addition to the gap
+inline constexpr std::int32_t kHeadwayMs = 50;  // nothing follows a moving object more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
 inline constexpr std::int32_t kWidestMm = 3400;
 inline constexpr std::int32_t kGrowthAlongMm = 4000;
 inline constexpr std::int32_t kGrowthAcrossMm = 2000;
-inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // while it has no heading
-inline constexpr std::uint32_t kSmallCluster = 8;        // hits, and one for each update
+inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // of a receding track without a heading
+inline constexpr std::uint32_t kSmallCluster = 8;        // hits; one more for each update
 
-// A young track takes the cluster whose edges lie so near.
+// A young track is associated with a cluster whose edges are within this distance.
 inline constexpr std::int32_t kAssociateMm = 600;
 inline constexpr std::int32_t kAssociateDeviations = 3;
 
-// A track is born of so many hits, at rest.
+// A new track has at least this many hits and starts at rest.
 inline constexpr std::uint32_t kBirthHits = 2;
-inline constexpr std::int32_t kBirthPlaceMm = 100;  // deviations
+inline constexpr std::int32_t kBirthPlaceMm = 100;  // deviations of place and speed
 inline constexpr std::int32_t kBirthSpeed = 10'000;
 
 // Measurement.
-inline constexpr std::int32_t kSlabMm = 250;       // so near the outermost hit is an edge
-inline constexpr std::int32_t kFacingMm = 300;     // the car is so far before or behind a face
-inline constexpr std::int32_t kFaceMm = 50;        // deviation of a face,
-inline constexpr std::int32_t kHitMm = 90;         // and of a hit of it
-inline constexpr std::int32_t kEndMm = 80;         // of an end,
-inline constexpr std::int32_t kBeamsOfAMetre = 9;  // and between beams, by metres of range
+inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost one form an edge
+// A face is seen if the car is this far before or behind it.
+inline constexpr std::int32_t kFacingMm = 300;
+inline constexpr std::int32_t kFaceMm = 50;        // deviation of a face
+inline constexpr std::int32_t kHitMm = 90;         // deviation of one hit of a face
+inline constexpr std::int32_t kEndMm = 80;         // deviation of an end
+inline constexpr std::int32_t kBeamsOfAMetre = 9;  // spacing of beams per metre of range
 inline constexpr std::int32_t kHiddenEndMm = 300;
 inline constexpr std::uint32_t kHiddenFrom = 6;  // updates
 inline constexpr std::int32_t kEndGateMm = 200;
-inline constexpr std::int32_t kFarGateMm = 500;  // of the end of a side that is seen from beside
-inline constexpr std::uint32_t kCutFrom = 3;     // updates: innovations are cut
+inline constexpr std::int32_t kFarGateMm = 500;  // of the far end if seen at an angle
+inline constexpr std::uint32_t kCutFrom = 3;     // updates from which innovations are limited
 inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// The box follows its edges by one part in so many.
+// The box follows a measured edge by 1/16, any other edge outwards by 1/2 and inwards by 1/32.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
@@ -102,14 +105,17 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-inline constexpr std::int32_t kTurnMovingDeviations = 3;  // a unit of 10 Hz leaves 0.7 m/s
-inline constexpr std::int32_t kTurnSureSpeed = 600;  // of what is surely a car, and one deviation
+// For a moving track: a scanner of 10 Hz leaves a deviation of 0.7 m/s.
+inline constexpr std::int32_t kTurnMovingDeviations = 3;
+// For a sure car, whose speed must also exceed one deviation.
+inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
-inline constexpr std::int32_t kWheelsShare = 8;  // of the speed across fades: wheels do not slide
+// 1/8 of the speed across fades per frame, because wheels do not slide.
+inline constexpr std::int32_t kWheelsShare = 8;
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
-// Two tracks are one thing.
+// Two tracks of one object are merged.
 inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
@@ -117,25 +123,26 @@ inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // both move, and neith
 inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
-// Whether the grid agrees that it has moved.
+// Whether the grid confirms the motion of a track.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-inline constexpr std::uint64_t kSnapshotUs = 75'000;  // 80 ms, whatever the frames' ends
+// Less than an epoch, because frames do not end at regular times.
+inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
 inline constexpr std::int32_t kShownMostMs = 700;
 inline constexpr std::int32_t kShownLeastMs = 160;
-inline constexpr std::int32_t kLeftMm = 250;  // so far out of the box is out of it
+inline constexpr std::int32_t kLeftMm = 250;  // a place this far outside the box has been left
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// The trail of a receding track. Its own beams pass at least so many of the places that it has
-// left, and kGoodOverBad times as many as are hit again.
+// The trail of a receding track. In a frame that supports it, the track's own beams pass at least
+// kTrailPlaces of the places that it has left, and kGoodOverBad times as many as are hit again. A
+// passing beam misses the place by at most kBesideMm.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
-inline constexpr std::int32_t kBesideMm =
-    200;  // a beam that passes a place is so close to it, and kBeamsOfAMetre more
+inline constexpr std::int32_t kBesideMm = 200;  // plus kBeamsOfAMetre per metre of range
 
-// Judgement.
+// Confidence and state.
 inline constexpr std::int32_t kMoveSpeed = 600;
 inline constexpr std::int32_t kMoveDeviations = 2;
 inline constexpr std::int32_t kToldSpeed = 400;
@@ -144,53 +151,55 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// So much good at such a speed convinces sooner: the car is soon past it.
+// This many good places at this speed add more confidence, because the car will soon have passed
+// the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// So many updates of a box like a car's, and so much good.
+// A track with the box of a car for this many updates needs only this many good places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
 inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
-inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // of a car
-// What a beam draws on the ground: fewer hits than so many, of a box as long as a walker is not,
-// and narrower than so much;
+inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
+// A streak is a line that a beam draws on the ground. It has fewer hits than kStreakHits, is longer
+// than a walker and narrower than kStreakMm;
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
-// shorter, as a row of a few cells;
+// or it is shorter, as a row of a few cells;
 inline constexpr std::int32_t kRowHits = 4;
 inline constexpr std::int32_t kRowMm = 100;
 inline constexpr std::int32_t kShortestRowMm = 500;
-// or wider, with less than a hit in so much of its length.
+// or it is wider, with less than one hit per kSparseMm of length.
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
-inline constexpr std::int32_t kStreakSpeed = 15'000;  // nothing that is drawn seems faster
-inline constexpr std::int32_t kGroupSpeed = 1500;     // so slow are walkers side by side,
-inline constexpr std::int32_t kGroupPercent = 75;     // of whom the grid calls so much moving
+inline constexpr std::int32_t kStreakSpeed = 15'000;  // no streak seems to move faster
+inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower,
+inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-inline constexpr std::int32_t kSureConfidence = 8;  // what stands within a car is its own
-inline constexpr std::uint32_t kMovesFrom = 4;      // updates
+// From this confidence on, standing hits in a car's box are its own.
+inline constexpr std::int32_t kSureConfidence = 8;
+inline constexpr std::uint32_t kMovesFrom = 4;  // updates
 inline constexpr std::int32_t kStopSpeed = 300;
 inline constexpr std::int32_t kStopMs = 400;
-inline constexpr std::int32_t kStayMm = 180;  // what has not come so far
-inline constexpr std::int32_t kStayMs = 480;  // in so long has stopped, too
+inline constexpr std::int32_t kStayMm = 180;  // a track that moves less than this
+inline constexpr std::int32_t kStayMs = 480;  // in this time has stopped, too
 inline constexpr std::int32_t kParkedHits = 3;
 inline constexpr std::int32_t kParkedOverOthers = 4;
 inline constexpr std::int32_t kParkedSpeed = 3000;
-inline constexpr std::uint64_t kUnseenUs = 480'000;       // moves, or has stopped
-inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // any other
+inline constexpr std::uint64_t kUnseenUs = 480'000;       // moving or stopped tracks
+inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // all other tracks
 inline constexpr std::int32_t kNoThingMm = 20'000;
-inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // nothing on a road is so wide
+inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // no road user is wider
 
-// How sure of its velocity a track is said to be (objects/stated.hpp).
+// The reported deviation of a velocity (objects/stated.hpp).
 inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;
 
-// What was called moving and is so far out of every box that moves is not any more.
+// A moving cell farther than this outside every moving box loses that class.
 inline constexpr std::int32_t kTailMm = 300;
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// Where a track was lately, and which of its cells were hit then.
+// Recent boxes of a track, with some of the cells that were hit then.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ struct Snapshot {
   }
 };
 
-// The last kSnapshots, one in 80 ms.
+// The last kSnapshots, one every 80 ms.
 class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }
 
-  // The next one, to be filled in place of the oldest.
+  // Starts the next snapshot in place of the oldest. The caller fills in its cells.
   [[nodiscard]] Snapshot& begin(std::uint64_t now_us, const Box& box) {
     last_us_ = now_us;
     Snapshot& next = all_[next_];
@@ -39,7 +39,7 @@ class Snapshots {
     return next;
   }
 
-  // The youngest with a cell that is so old or older; none if there is none.
+  // The youngest non-empty snapshot taken at or before `time_us`; null if there is none.
   [[nodiscard]] const Snapshot* youngest_before(std::uint64_t time_us) const {
     const Snapshot* youngest = nullptr;
     for (const Snapshot& its : all_) {

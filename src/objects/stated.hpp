@@ -1,6 +1,6 @@
-// How sure of a velocity it is said to be. The filter's own deviation is that of its measurements,
-// and does not know that a young track has the speed of what came into view, nor that of a near one
-// both ends are hidden: of the errors of cars that are nearer than 8 m half lie beyond two of it.
+// The reported deviation of a velocity. The filter's own deviation covers only its measurements. It
+// ignores that the visible part of a young object changes, and that both ends of a near object may
+// be hidden. For cars nearer than 8 m, half of the errors exceed two of the filter's deviations.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace iog::objects {
 
-// A deviation of the filter, mm/s, as it is stated: times 1 + kStatedAgeMs / age, and of what is
-// nearer than kStatedNearMm to the car times kStatedNear at least.
+// Multiplies a deviation of the filter, mm/s, by 1 + kStatedAgeMs / age. Nearer to the car than
+// kStatedNearMm, the factor is at least kStatedNear.
 [[nodiscard]] inline std::uint32_t stated_deviation(std::uint32_t deviation, const Track& track,
                                                     std::uint64_t now_us, Point car) {
   const std::uint64_t age_ms =

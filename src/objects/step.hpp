@@ -7,21 +7,21 @@
 
 namespace iog::objects {
 
-// 1 ... kLongestStepMs.
+// In the range 1 ... kLongestStepMs.
 class Step {
  public:
   explicit constexpr Step(std::int32_t ms) : ms_(ms), seconds_((ms << 16) / 1000) {}
 
   [[nodiscard]] constexpr std::int32_t ms() const { return ms_; }
 
-  // What changes by so much in a second changes by in the step, rounded down. |per_second| < 2^48.
+  // The change during the step at a given change per second, rounded down. |per_second| < 2^48.
   [[nodiscard]] constexpr std::int64_t of(std::int64_t per_second) const {
     return (per_second * seconds_) >> 16;
   }
 
  private:
   std::int32_t ms_;
-  std::int32_t seconds_;  // 2^-16, at most 0.2
+  std::int32_t seconds_;  // in units of 2^-16, at most 0.2
 };
 
 }  // namespace iog::objects

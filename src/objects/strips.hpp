@@ -1,4 +1,4 @@
-// Which rectangles may be near to which, asked before anything is measured.
+// Coarse overlap tests of rectangles, before exact distances are computed.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,19 @@
 
 namespace iog::objects {
 
-// The columns and rows of 1 m in which a rectangle has a part, a bit each; those that are 32 apart
-// share a bit. What shares no column or no row does not meet.
+// The columns and rows of about 1 m that a rectangle overlaps, one bit each. Strips that are 32
+// apart share a bit. Rectangles that share no column or no row do not overlap.
 struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
 
-  // Of a rectangle that is so much larger on each side.
+  // `more_mm` extends the rectangle on each side.
   [[nodiscard]] static constexpr Strips of(const Bounds& bounds, std::int32_t more_mm) {
     return {.columns = bits(bounds.low.x_mm - more_mm, bounds.high.x_mm + more_mm),
             .rows = bits(bounds.low.y_mm - more_mm, bounds.high.y_mm + more_mm)};
   }
   [[nodiscard]] constexpr bool may_meet(const Strips& other) const {
-    // One branch instead of two that nobody can foresee.
+    // One branch instead of two that are hard to predict.
     return std::min(columns & other.columns, rows & other.rows) != 0;
   }
 
@@ -40,10 +40,12 @@ struct Strips {
   }
 };
 
-// Tracks of one kind in the order of slots, counted from 0, and the rectangles that they lie in.
+// The tracks that satisfy a condition, numbered from 0 in the order of slots, with the rectangles
+// around them.
 class PlacedTracks {
  public:
-  // Those of which is_asked(track) is true, by strips that are so much wider on each side.
+  // Takes the tracks for which is_asked(track) is true. Their strips are `more_mm` wider on each
+  // side.
   template <typename IsAsked>
   PlacedTracks(std::span<const Track> tracks, std::int32_t more_mm, IsAsked&& is_asked)
       : more_mm_(more_mm) {
@@ -54,7 +56,8 @@ class PlacedTracks {
       }
     }
   }
-  // The track of this number lies elsewhere, or is larger, or reaches so far out of its box.
+  // Updates the rectangle of a track that has moved or grown, or that reaches `reach_mm` outside
+  // its box.
   void place(std::size_t number, const Track& track, std::int32_t reach_mm = 0) {
     bounds_[number] = bounds_of(track.box()).grown(reach_mm);
     strips_[number] = Strips::of(bounds_[number], more_mm_);
@@ -65,7 +68,7 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // The first number from `from` on of which the strips may meet these; count(): there is none.
+  // The first number from `from` on whose strips may meet these; count() if there is none.
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

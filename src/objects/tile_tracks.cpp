@@ -10,10 +10,10 @@
 namespace iog::objects {
 namespace {
 
-// The oldest hit of a frame of 40 ms, and as much again.
+// Hits of a frame of 40 ms are at most 1/25 s old. This allows about twice that age, 1/12 s.
 constexpr std::int32_t kOldestHitsPerSecond = 12;
 
-// Where hits may lie that a track takes, before they are moved with its speed.
+// Bounds of the hits that a track may take, before they are moved with its velocity.
 Bounds reach_of(const Track& track, const ClaimGate& gate) {
   const Velocity its = track.velocity();
   const std::int32_t faster = std::max(numeric::magnitude(its.x), numeric::magnitude(its.y));

@@ -1,7 +1,8 @@
-// By tile of the window the tracks that may take hits there: so a hit asks few of them.
+// Lists for each tile of the window the tracks that may take hits there, so a hit is compared with
+// few tracks.
 //
-// Of a tile kMostTracksOfATile, in the order of their slots; if there are more, those that move
-// have room first. What has none is counted, and takes nothing in this tile.
+// A tile holds kMostTracksOfATile tracks, in the order of slots. If there are more, moving ones get
+// room first. A track without room is counted and takes no hits in this tile.
 #pragma once
 
 #include <array>
@@ -19,13 +20,14 @@ namespace iog::objects {
 
 class TileTracks {
  public:
-  // Returns how many tracks found no room in a tile, one for each tile.
+  // Returns how many tracks found no room, counted per tile.
   std::uint32_t list(std::span<const Track> tracks, const ClaimGates& gates,
                      const window::Area& area);
 
-  // The slots of the tracks of the tile of a cell of the window, in their order.
+  // The slots of the tracks listed for the tile of a cell, in order. The cell must be in the
+  // window.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
-  // Whether a hit at a place may be taken by one of them. Most are ruled out by that.
+  // Whether the track may take a hit at this place. A fast test that rules out most tracks.
   [[nodiscard]] bool may_take(std::size_t slot, Point place) const {
     return reaches_[slot].contains(place);
   }
@@ -33,13 +35,13 @@ class TileTracks {
  private:
   using Slots = std::array<std::uint8_t, kMostTracksOfATile>;
   std::uint32_t add(std::size_t track, const Bounds& bounds, const window::Area& area);
-  // Into a tile's slots in their order. There is room.
+  // Inserts into the ordered slots of a tile, which must have room.
   void insert(std::size_t tile, std::uint8_t slot);
 
-  // Apart from the slots, so that all are soon 0.
+  // Separate from the slots, so clearing them is fast.
   std::array<std::uint8_t, window::kSlotCount> counts_{};
   std::array<Slots, window::kSlotCount> slots_{};
-  std::array<Bounds, kMostTracks> reaches_{};  // of those that are listed
+  std::array<Bounds, kMostTracks> reaches_{};  // of the listed tracks
 };
 
 }  // namespace iog::objects

@@ -1,5 +1,6 @@
-// Ranges. Speeds are within kMostSpeed, 1,600,000 sixteenths; a gain of the speed below 2^31 by an
-// innovation below 2^17 is below 2^48, of the place below 2^33. Places have 64 bits.
+// Ranges: speeds are within kMostSpeed, 1,600,000 sixteenths. With an innovation below 2^17, a gain
+// of the speed below 2^31 gives less than 2^48, a gain of the place less than 2^33. Places have 64
+// bits.
 #include "objects/track.hpp"
 
 #include <algorithm>

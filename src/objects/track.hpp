@@ -1,4 +1,4 @@
-// A track: hits that are taken for one thing, its box, its speed, and whether that is believed.
+// A track: the hits of one object with their box, velocity and state.
 #pragma once
 
 #include <array>
@@ -13,53 +13,54 @@ namespace iog::objects {
 
 enum class State : std::uint8_t {
   kNone,     // the slot is free
-  kYoung,    // something; its speed is not believed
-  kStands,   // something that has shown no motion
-  kMoves,    // its speed is believed
-  kStopped,  // it has moved, and stands
+  kYoung,    // new; its speed is not believed
+  kStands,   // no motion was confirmed
+  kMoves,    // the grid confirms its motion, so its speed is believed
+  kStopped,  // it moved before and stands now
 };
 
-// What a frame has said of a track.
+// What a frame shows of a track.
 struct Seen {
-  std::int32_t hits = 0;          // that are its own, but for those that stand
-  std::int32_t moving = 0;        // of them, those that the grid calls moving
-  std::int32_t standing = 0;      // its own that stand
-  std::int32_t contradicted = 0;  // that it would have taken, had something not been there before
+  std::int32_t hits = 0;          // its hits, without standing ones
+  std::int32_t moving = 0;        // those of `hits` that the grid classifies as moving
+  std::int32_t standing = 0;      // its standing hits
+  std::int32_t contradicted = 0;  // hits that came too early to be its own
   bool is_end_hidden = false;     // it may be longer or wider than its box
-  // Places that it has left or come to: that say that it moves, that it does not, or neither.
+  // Places that the track has left or reached: they support its motion, speak against it, or
+  // neither.
   std::int32_t good = 0;
   std::int32_t bad = 0;
   std::int32_t neutral = 0;
-  // Of places that a receding thing has left: of the good those that its own beams pass, of the bad
-  // those that are hit again.
+  // Places that a receding track has left: `passed` counts good ones that its own beams pass,
+  // `kept` counts bad ones that are hit again.
   std::int32_t passed = 0;
   std::int32_t kept = 0;
 };
 
 class Track {
  public:
-  // One that is seen for the first time: it rests.
+  // Starts a new track, at rest.
   void begin(std::uint32_t id, const Box& box, std::uint64_t now_us);
   void end() { state = State::kNone; }
 
   [[nodiscard]] bool is_there() const { return state != State::kNone; }
   [[nodiscard]] bool moves() const { return state == State::kMoves; }
-  // It moves, or has moved and stopped.
+  // It moves, or it moved and has stopped.
   [[nodiscard]] bool has_moved() const { return moves() || state == State::kStopped; }
 
-  // Where it is a step later, and how sure.
+  // Predicts place and covariance for the next frame.
   void predict(Step step);
-  // Takes over an innovation of its place along one side, |innovation| < 2^17 mm. Its speed along
-  // that side changes by at most so many mm/s.
+  // Applies an innovation of the place along one side, |innovation| < 2^17 mm. The speed along that
+  // side changes by at most `most_change` mm/s.
   void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
                std::int32_t most_change = kMostSpeed);
-  // One part in kWheelsShare of its speed across is taken away.
+  // Reduces the speed across the box by 1/kWheelsShare.
   void fade_across();
-  void rest();  // its speed is 0
-  // The box turns, its velocity stays. At first along is any direction.
+  void rest();  // sets the speed to 0
+  // Turns the box; the velocity stays. Until the first turn the direction is arbitrary.
   void turn(Direction along) { box_.along = along; }
-  // It has turned for the first time, and its sides are taken anew: it is as sure of one as of the
-  // other.
+  // Call after the first turn. Replaces the sides, and gives both axes the mean of their
+  // covariances.
   void begin_heading(const Sides& sides);
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -69,52 +70,55 @@ class Track {
   [[nodiscard]] const Covariance& covariance(Side side) const { return covariances_[side]; }
   [[nodiscard]] Covariance& covariance(Side side) { return covariances_[side]; }
 
-  // What the filter says, believed or not: four of five tracks of what stands have one.
+  // The estimate of the filter. Not reliable if the track is not moving: four of five stationary
+  // tracks have a spurious speed.
   [[nodiscard]] Velocity velocity() const { return {vx_ >> kFine, vy_ >> kFine}; }
-  // That of what moves; of any other 0.
+  // The velocity of a moving track; 0 for any other.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
-  // Of the speed along both sides together, mm/s.
+  // Deviation of the speed over both axes, mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
-  // It is larger than a walker, slow, and most of its hits stand: it may be beside something that
-  // is parked, and the hits that stand are not known to be its own.
+  // It is larger than a walker, slow, and most of its hits are standing. Those hits may belong to
+  // something parked beside it.
   [[nodiscard]] bool is_mostly_standing() const;
-  // By its heading and its box.
+  // Whether it has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // It is, and has been shown to move for so long that what stands within it is its own: its body
-  // was above those places long enough for the grid to call them standing.
+  // Whether it has the size of a car and a high confidence of moving. Standing hits in its box are
+  // then its own: a slow car covers each place so long that the grid calls it standing.
   [[nodiscard]] bool is_sure_car() const;
-  // Sets is_receding, by its velocity and where it is from the car.
+  // Sets is_receding from the velocity and the position relative to the car.
   void look_from(Point car);
-  // It recedes and is larger than a walker: standing hits may be its rear, which was above that
-  // place for long.
+  // It recedes and is larger than a walker. Standing hits may be its rear, which covered those
+  // places for long.
   [[nodiscard]] bool may_have_a_standing_face() const;
-  // Updates the trail from `seen`, once a frame.
+  // Updates `trail` from `seen`. Call once per frame.
   void follow_trail();
   // Beams keep passing the places that it has left, so standing hits may be its own.
   [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
-  // A walker, by size and speed.
+  // Whether it has the size and speed of a walker.
   [[nodiscard]] bool is_small() const;
-  // What a beam draws where it grazes the ground is long and of few hits: a thing so long has more
-  // of them, or a width. What is known to move may lose hits, and walkers leave gaps.
+  // Whether it is a streak: a line that a beam draws where it grazes the ground. A real object of
+  // that length has more hits or a width. Exceptions are moving tracks, which may lose hits, and
+  // groups of walkers, which have gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;
-  std::uint32_t id = 0;       // never used again
+  std::uint32_t id = 0;       // never reused
   std::uint32_t updates = 0;  // frames in which it was measured
   std::uint64_t born_us = 0;
-  std::uint64_t seen_us = 0;     // it was measured last
-  std::uint64_t slow_us = 0;     // since when it is slow; 0: it is not
-  std::uint64_t stopped_us = 0;  // when it stopped last; 0: never
-  std::int32_t parked_ms = 0;    // for how long most of what is in its box stands
-  std::int32_t confidence = 0;   // that it moves, 0 ... kMostConfidence
-  std::int32_t trail = 0;        // that it leaves a trail, 0 ... kMostTrail
-  bool is_receding = false;      // within about 60 degrees of the line of sight, and not slow
+  std::uint64_t seen_us = 0;     // time of the last measurement
+  std::uint64_t slow_us = 0;     // time since which it is slow; 0: it is not
+  std::uint64_t stopped_us = 0;  // time of its last stop; 0: never
+  std::int32_t parked_ms = 0;    // for how long most hits in its box have been standing
+  std::int32_t confidence = 0;   // confidence that it moves, 0 ... kMostConfidence
+  std::int32_t trail = 0;        // evidence for a trail, 0 ... kMostTrail
+  // Moves away within about 60 degrees of the line of sight, and not slowly.
+  bool is_receding = false;
   Seen seen{};
   Snapshots snapshots{};
 
  private:
-  static constexpr int kFine = 4;  // places and speeds in sixteenths
+  static constexpr int kFine = 4;  // places and speeds are in 1/16 mm and 1/16 mm/s
 
   void place();
   void know_speed();

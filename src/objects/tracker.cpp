@@ -73,7 +73,8 @@ bool Tracker::pass_to(const Frame& frame) {
   return true;
 }
 
-// It may end before the one before it, as the newest pose is older than a slice that follows it.
+// end_us may be earlier than the previous one, because the newest pose is older than a slice that
+// follows it.
 void Tracker::pass(std::uint64_t end_us) {
   constexpr std::uint64_t kLongestUs = std::uint64_t{kLongestStepMs} * 1000;
   if (now_us_ != 0 && end_us > now_us_ && end_us - now_us_ > kLongestUs) {
@@ -117,7 +118,7 @@ void Tracker::measure_all() {
   }
 }
 
-// The lowest; null: there is none.
+// The lowest free slot; null if there is none.
 Track* Tracker::free_slot() {
   const auto found = std::ranges::find(used(), State::kNone, &Track::state);
   if (found != used().end()) {
@@ -132,7 +133,7 @@ void Tracker::leave_free_slots() {
   }
 }
 
-// Of clusters that are nobody's; the nearest have the lowest numbers.
+// Starts a track for each unclaimed cluster. The nearest clusters have the lowest numbers.
 std::uint32_t Tracker::give_birth() {
   std::uint32_t refused = 0;
   const std::span<Cluster> all = clusters_.all();

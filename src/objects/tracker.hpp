@@ -1,13 +1,13 @@
-// Things with a speed: from the hits of frames and the names of the perception grid.
+// Tracks moving objects from the hits of each frame and the classes of the perception grid.
 //
-// A track is a box with a velocity that takes hits. It is believed to move only if the grid agrees
-// (docs/objects.md). The grid itself is not touched. In a frame
+// A track is a box with a velocity that takes hits. It counts as moving only if the grid confirms
+// it (docs/objects.md). The tracker never changes the grid. Each frame runs these steps:
 //
-//     hits -> [claim] by tracks -> [cluster] what is left -> [attach, associate] to tracks
-//          -> [measure] place, speed, box -> births -> [merge] -> [judge] by names of the grid
+//     hits -> [claim] by tracks -> [cluster] the rest -> [attach, associate] to tracks
+//          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
-// Everything is done in the order of slots, of hits (objects/frame_hits.hpp) and of clusters, so
-// the order in which hits come does not show. All memory is here, 2 MB.
+// Every step follows the order of slots, hits (objects/frame_hits.hpp) and clusters, so the result
+// does not depend on the order in which hits arrive. All memory is in this class, 2 MB.
 #pragma once
 
 #include <cstddef>
@@ -27,13 +27,13 @@
 
 namespace iog::objects {
 
-// What a frame had no room for.
+// What a frame dropped for lack of room.
 struct FrameCounts {
-  FrameHits::Left hits{};                // that were left out
-  std::uint32_t hits_not_clustered = 0;  // there were more clusters than kMostClusters
-  std::uint32_t tiles_crowded = 0;       // tracks that a tile had no room for
-  std::uint32_t tracks_refused = 0;      // clusters that no track was free for
-  bool is_forgotten = false;             // all tracks of before have ended
+  FrameHits::Left hits{};                // hits that were dropped
+  std::uint32_t hits_not_clustered = 0;  // hits without a cluster, for lack of room
+  std::uint32_t tiles_crowded = 0;       // tracks that found no room in a tile, counted per tile
+  std::uint32_t tracks_refused = 0;      // clusters for which no track was free
+  bool is_forgotten = false;             // all earlier tracks have ended
   friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
 };
 
@@ -43,36 +43,36 @@ class Tracker {
   Tracker(const Tracker&) = delete;
   Tracker& operator=(const Tracker&) = delete;
 
-  // Takes in a frame. A frame that ends when the one before did changes nothing. If time goes back,
-  // or by more than kLongestStepMs, all tracks end first. The grid's names are those after the
-  // frame.
+  // Processes a frame. A frame with the end time of the previous one changes nothing. If time runs
+  // back, or advances by more than kLongestStepMs, all tracks end first. `grid` must give the
+  // classes after the frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
-  // Its steps, for whoever divides them: begin() gathers the hits, and needs no names. False if the
-  // frame changes nothing; then there is no other step. look_at_hits() asks for the names of some
-  // of hits(), by whichever core, each hit once or again. end() does the rest, and may be asked
-  // while what is not a name changes.
+  // The steps of add(), for callers that divide the work. begin() gathers the hits and needs no
+  // classes. If it returns false, the frame changes nothing and the other steps must not be called.
+  // look_at_hits() looks up the classes of a range of hits(). Any core may call it, and hits may be
+  // looked up twice. end() does the rest. Data other than classes may change while it runs.
   bool begin(const Frame& frame);
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);
 
-  // A frame in which nothing was measured, ending then: all is as it was, until the silence is
-  // longer than kLongestStepMs, which ends all tracks. So a pause of all who send leaves no trace.
+  // Reports a frame without measurements that ends at `end_us`. Tracks stay as they are until the
+  // silence exceeds kLongestStepMs; then all end. So a shorter pause of all senders has no effect.
   void pass(std::uint64_t end_us);
 
-  // All tracks end, and nothing is known of what was hit: the window has lost its place. No id
-  // comes again.
+  // Ends all tracks and forgets recent hits, because the window has lost its place. Ids are not
+  // reused.
   void forget();
 
-  // When the last frame ended that was taken in; 0: there is none, or all was forgotten since.
+  // End of the last processed frame; 0: none since the start or forget().
   [[nodiscard]] std::uint64_t time_us() const { return now_us_; }
-  // By slot; those that are not there are free slots.
+  // By slot. Slots without a track are free.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }
-  // The hits of the last frame and whose they are, in their order.
+  // The hits of the last frame with their owners, in order.
   [[nodiscard]] std::span<const FrameHit> hits() const { return hits_.all(); }
 
-  // Whether a hit of the last frame is on something that moves. One that stands is not if its track
-  // is mostly standing.
+  // Whether a hit of the last frame is on a moving track. Standing hits are not if the track is
+  // mostly standing.
   [[nodiscard]] bool is_moving(const FrameHit& hit) const {
     if (hit.owner == kNobody) {
       return false;
@@ -80,8 +80,8 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Of cells in a row those which may hold a part of something that moves, hit or not: at most
-  // kTailMm out of its box. See MovingBoxes::hold().
+  // Which of the cells in a row may be covered by a moving object, hit or not: those at most
+  // kTailMm outside its box. See MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }
@@ -92,7 +92,7 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
-  // Behind them no slot has a track.
+  // All slots up to the last one with a track.
   [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
   [[nodiscard]] Track* free_slot();
   void leave_free_slots();
@@ -106,8 +106,8 @@ class Tracker {
   Clusters clusters_{};
   OwnedHits owned_{};
   MovingBoxes moving_{};
-  // Of the frame at hand.
-  std::uint64_t now_us_ = 0;  // 0: there was none yet
+  // State of the current frame.
+  std::uint64_t now_us_ = 0;  // 0: no frame yet
   Step step_{1};
   window::Area area_{};
   FrameCounts counts_{};

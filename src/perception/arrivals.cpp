@@ -12,7 +12,7 @@ constexpr std::uint64_t kRun = (1U << (2 * kRadius + 1)) - 1;
 constexpr int kEnoughOnWellKnownGround = 2;
 constexpr int kEnough = 7;
 
-// Whether a hit is on ground of which something is remembered.
+// Whether a hit is on ground that was remembered.
 bool is_any_on(const window::Plane& hits, const window::Ground& ground) {
   std::uint32_t bits = 0;
   for (std::size_t y = 0; y < hits.size(); ++y) {
@@ -21,7 +21,7 @@ bool is_any_on(const window::Plane& hits, const window::Ground& ground) {
   return bits != 0;
 }
 
-// The cells of a tile that are near a tall hit.
+// The cells of a tile within reach of a tall hit.
 window::Plane near_tall(const window::NinePlanes& tall, int within) {
   if (within == kTallWithin) {
     return window::middle_of(window::dilated<kTallWithin>(window::gather<kTallWithin>(tall)));
@@ -31,7 +31,7 @@ window::Plane near_tall(const window::NinePlanes& tall, int within) {
       window::dilated<3>(window::dilated<3>(window::gather<kTallOverGroundWithin>(tall)))));
 }
 
-// Of the hits of a tile those that something made which is tall and came where a low beam had been.
+// The hits of a tile that are on ground freed by a low beam and near a tall hit.
 window::Plane arriving(const window::Window& window, const placing::FrameEvidence& evidence,
                        std::size_t slot, int tall_within, const window::Plane& hits) {
   const window::Plane& from_below = window.tile(slot).from_below;
@@ -53,7 +53,7 @@ window::Plane arriving(const window::Window& window, const placing::FrameEvidenc
   return found;
 }
 
-// The new hits in the square around a cell of a tile. The mask is of the cell's column.
+// Counts new hits in the square around cell (x, y) of a tile.
 int count_around(const window::Rows& rows, std::size_t y, int x) {
   int count = 0;
   for (std::size_t row = window::kRowMargin + y - kRadius; row <= window::kRowMargin + y + kRadius;

@@ -1,14 +1,15 @@
-// Which hits of a frame are on something that moved there, and which on the flickering edges of
-// what stands.
+// Detects motion onset: which hits of a frame are on a moving object, and which on the flickering
+// edges of a stationary one.
 //
-// Where ground is opened only from below (perception/opening.hpp), a hit counts only if its cell
-// was, and if one of the hits at most Rules::tall_within away is tall: what lies so low that beams
-// go over it does not move.
+// Where only low beams open ground (perception/opening.hpp), a hit counts only if a low beam has
+// freed its cell, and if a hit at most Rules::tall_within cells away is tall. Objects so low that
+// beams pass over them are never moving.
 //
-// All of it is asked of the state before the frame. A hit is *beside* if one of the 3 by 3 cells
-// stands. It is *new* if its cell is open, freed, and it is not beside. It has moved if it is not
-// beside and its cell is dense, or open with enough new hits in the 7 by 7: two where the ground
-// was found open three times, else seven.
+// All conditions refer to the state before the frame. A hit is *beside* if one of the 3 by 3 cells
+// around it is standing. It is *new* if its cell is open and freed, and it is not beside. It has
+// moved if it is not beside, and its cell is either dense, or open with enough new hits in the 7 by
+// 7 cells around it. Two new hits are enough where the ground was found open three times, seven
+// elsewhere.
 #pragma once
 
 #include <array>
@@ -26,26 +27,26 @@ class Arrivals {
   explicit Arrivals(const Rules& rules = {})
       : is_from_below_(rules.is_opened_from_below), tall_within_(rules.tall_within) {}
 
-  // Of all hits of a frame, before any tile is changed.
+  // Examines all hits of a frame. Call before any tile changes.
   void find(const window::Window& window, const placing::FrameEvidence& evidence);
 
-  // Its steps: begin(), then two by slot. `hits` are those of the tile's evidence. The second is
-  // asked when the first has been of every slot that is touched, and before the tile at the slot is
-  // changed. Each of the two may be done again, and for several slots at once.
+  // The steps of find(): begin(), then find_new() or find_none() for every touched slot, then
+  // find_moved() for each slot before its tile changes. `hits` are the hits in the evidence of the
+  // tile. The steps per slot may be repeated, and may run for several slots at once.
   void begin() {
     has_new_.fill(false);
     has_open_.fill(false);
   }
   void find_new(const window::Window& window, const placing::FrameEvidence& evidence,
                 std::size_t slot, const window::Plane& hits);
-  void find_none(std::size_t slot) { moved_[slot] = {}; }  // of a slot without hits
+  void find_none(std::size_t slot) { moved_[slot] = {}; }  // for a slot without hits
   void find_moved(const window::Window& window, std::size_t slot) {
     if (has_open_[slot]) {
       count_new(window, slot);
     }
   }
 
-  // The hits in the tile at this slot that have moved.
+  // The moved hits in the tile at this slot.
   [[nodiscard]] const window::Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:
@@ -53,12 +54,12 @@ class Arrivals {
 
   bool is_from_below_;
   int tall_within_;
-  // Of a tile without new hits, or without open ones, what is stored is of an older frame.
+  // Valid only where has_new_ or has_open_ is set; elsewhere the planes are from older frames.
   std::array<bool, window::kSlotCount> has_new_{};
   std::array<bool, window::kSlotCount> has_open_{};
   std::array<window::Plane, window::kSlotCount> new_{};
   std::array<window::Plane, window::kSlotCount>
-      open_{};  // open, not dense, not beside: the new ones count
+      open_{};  // open, not dense and not beside: decided by the number of new hits
   std::array<window::Plane, window::kSlotCount> moved_{};
 };
 

@@ -3,7 +3,7 @@
 namespace iog::perception {
 namespace {
 
-// Whether a cell that is not beside what stands lacks the bit.
+// Whether the bit is missing in a cell that is not beside a standing one.
 bool is_lacking(const window::Plane& plane, const window::Plane& beside) {
   std::uint32_t bits = 0;
   for (std::size_t y = 0; y < plane.size(); ++y) {
@@ -17,8 +17,9 @@ window::Plane cells_beside(const window::Window& window, std::size_t slot) {
       window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
 }
 
-// A tile without a cell of its own that is freed, or seen, has none that is shut, or dense: a
-// square of 5 by 5 cells that holds any given cell fits into the tile, and nothing in it is.
+// A tile without a seen cell has no dense cell. A tile without a freed cell has no shut cell: each
+// of its cells lies in a square of 5 by 5 cells inside the tile, and the closing does not fill an
+// empty square.
 window::Plane cells_seen_around(const window::Window& window, std::size_t slot) {
   if (window::is_empty(window.tile(slot).found.seen)) {
     return window::Plane{};
@@ -41,7 +42,7 @@ window::Plane cells_open_around(const window::Window& window, std::size_t slot) 
 
 void remember(window::Window& window, std::size_t slot, bool is_new_period) {
   const window::Plane beside = cells_beside(window, slot);
-  // What all cells have already is not looked for, because it stays.
+  // Properties that all cells have already are not computed, because they persist.
   const window::Ground& before = window.tile(slot).ground;
   const window::Plane dense =
       is_lacking(before.dense, beside) ? cells_seen_around(window, slot) : window::Plane{};
@@ -62,8 +63,8 @@ void remember(window::Window& window, std::size_t slot, bool is_new_period) {
   }
 }
 
-// Which half of the slots has its turn to remember, and whether a period has begun since its turn
-// before.
+// Only half of the slots take their turn in a frame. It is a new period if one has begun since
+// their previous turn.
 void GroundMemory::end_frame(window::Window& window, placing::FrameEvidence& evidence,
                              const Frame& frame, const work::Crew& crew, work::Beside beside) {
   const std::size_t parity = frame.number % 2;

@@ -1,10 +1,10 @@
-// What is remembered of the ground after a frame, from what was found in it.
+// Updates what is remembered of the ground after a frame.
 //
-// Beside what stands (3 by 3) nothing is remembered. Elsewhere a cell becomes dense if all 5 by 5
-// are seen, and open if all 7 by 7 are shut. Shut is what is freed, with gaps of up to four cells
-// between beams closed (dilated by 5 by 5, then eroded by 5 by 5), and not taken. What is found
-// open again in another period of 480 ms is known better: ticks, at most 3. No cell outside of the
-// window is shut; only what is dilated reaches there.
+// Nothing is remembered in the 3 by 3 cells around a standing cell. Elsewhere a cell becomes dense
+// if all 5 by 5 cells around it are seen, and open if all 7 by 7 are shut. Shut cells are the freed
+// cells after gaps of up to four cells between beams are closed (dilation by 5 by 5, then erosion
+// by 5 by 5), except occupied cells. A cell that is open again in a later period of 480 ms gets one
+// more tick, at most 3. No cell outside the window is shut; only the dilation extends there.
 #pragma once
 
 #include <array>
@@ -20,22 +20,22 @@
 
 namespace iog::perception {
 
-// Remembers the tile at a slot, of which something is known. `is_new_period`: a period has begun
-// since the slot's turn before.
+// Updates the ground of a known tile. `is_new_period`: a period has begun since the previous turn
+// of the slot.
 void remember(window::Window& window, std::size_t slot, bool is_new_period);
 
-// Ground is found open again if a period has begun since the turn before of the tile's slot.
+// Length of a period. Each period in which a cell is open again adds a tick.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
-// Which tiles remember their ground when a frame ends: those of which slot and number of fused
-// frames are even in sum.
+// Updates half of the tiles at the end of a frame: those whose slot plus the number of fused frames
+// is even.
 class GroundMemory {
  public:
-  // No turn was ever.
+  // Forgets all previous turns.
   void forget() { last_turns_ = {}; }
 
-  // A frame in which a slice was placed ends: its number among those, itself included, and when.
-  // Then nothing is left of its evidence.
+  // Ends a frame with a registered slice and clears its evidence. `number` counts such frames,
+  // including this one.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;
@@ -44,14 +44,14 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // Of several cores: the least and the most tiles that one of them has together.
+  // Fewest and most tiles that one core takes at once, if several cores share the work.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;
 
   void keep_before(window::Window& window, work::Run run, std::size_t item, std::size_t core);
 
   work::BeforeImages<Before> before_;
-  // In which period the slots of either parity had their last turn.
+  // Period of the previous turn, for even and odd slots.
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
 };
 

@@ -19,8 +19,8 @@ std::uint8_t MovingNames::moving_of(const decision::Decided& decided) {
   return static_cast<std::uint8_t>(~differs.positive());
 }
 
-// Nothing moves by its masses where less than a quarter of all mass is of what is taken, which a
-// plane says by cell (decision/decision.hpp).
+// Looks only at occupied cells: a cell with less than a quarter of its mass occupied is never
+// moving by its masses (decision/decision.hpp).
 void MovingNames::note_tile(std::size_t slot, const window::Tile& tile) {
   Groups groups = changed_[slot];
   std::uint32_t any = 0;

@@ -1,8 +1,8 @@
-// What tracks of things say of the names of cells (docs/objects.md): what hits a thing that moves
-// is moving, and what nobody hits and no such thing holds is not.
+// Relabels cells by tracks (docs/objects.md): hits of moving tracks become moving, and moving cells
+// lose that class if they were neither hit nor in the box of a moving track.
 //
-// Only bytes of classes change, no mass and nothing that is found or remembered, and all of it is
-// taken back when the next frame begins. So what the grid knows is the same with and without.
+// Only class bytes change, never masses or remembered ground. All changes are undone when the next
+// frame begins, so the grid's knowledge is the same with and without tracks.
 #pragma once
 
 #include <array>
@@ -20,20 +20,20 @@ namespace iog::perception {
 
 class MovingNames {
  public:
-  // Every name is again what the masses say.
+  // Restores all class labels from the masses.
   void take_back(window::Window& window);
 
-  // A cell of the window becomes moving, at least so sure, 0 ... 7. Nothing changes where nothing
-  // is known of its group.
+  // Relabels a cell of the window as moving, with at least this confidence, 0 ... 7. Has no effect
+  // if nothing is known of its group.
   void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
-  // The masses of a tile, or its names by them, have changed. Several cores may say so of different
-  // tiles.
+  // Call when the masses of a tile, or the labels from them, have changed. Several cores may call
+  // this for different tiles.
   void note_tile(std::size_t slot, const window::Tile& tile);
 
-  // A cell that is called moving and was not hit in this frame becomes unknown, but where something
-  // which moves may be: held(first, asked) says where, of the cells of a group that are asked for,
-  // bit i of the cell i to the right of the first. All tiles were noted as they are.
+  // Moving cells that were not hit in this frame become unknown, unless a moving object may cover
+  // them. held(first, asked) returns which of the asked cells of a group are covered: bit i is the
+  // cell i to the right of `first`. Call note_tile() for all changed tiles before.
   template <typename Held>
   void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
@@ -49,7 +49,7 @@ class MovingNames {
   static_assert(kRowsPerWord == 8);
   using Groups = std::array<std::uint32_t, window::kGroupsPerTile / kGroupsPerWord>;
 
-  // The cells of a group that are called moving, bit i of cell i.
+  // The moving cells of a group: bit i is cell i.
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
   template <typename Held>
@@ -63,12 +63,12 @@ class MovingNames {
     may_move_[slot] = true;
   }
 
-  // By slot the groups in which a cell may move by the masses, and those that were renamed.
+  // By slot: groups with cells that may be moving by their masses, and relabelled groups.
   std::array<Groups, window::kSlotCount> moving_{};
   std::array<Groups, window::kSlotCount> changed_{};
   std::array<bool, window::kSlotCount> is_changed_{};
   bool is_any_changed_ = false;
-  std::array<bool, window::kSlotCount> may_move_{};  // whether there is a group in either
+  std::array<bool, window::kSlotCount> may_move_{};  // whether the slot has such a group
 };
 
 template <typename Held>

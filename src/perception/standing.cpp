@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kNear = 2;
 constexpr std::uint32_t kInside = ~std::uint32_t{0} << (2 * kNear) >> kNear;
 
-// Each bit with two on either side of it.
+// Sets the two neighbours on both sides of each bit, too.
 constexpr std::uint32_t widened(std::uint32_t bits) {
   return bits | bits << 1U | bits << 2U | bits >> 1U | bits >> 2U;
 }

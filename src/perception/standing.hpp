@@ -1,6 +1,6 @@
-// What a frame says of what stands: whether it is still there.
+// Whether a frame confirms or contradicts standing cells.
 //
-// All of it is asked of the state before the frame, tile by tile, so that no order shows.
+// Uses the state before the frame, tile by tile, so the order does not matter.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 
 namespace iog::perception {
 
-// Cells that stand and have evidence.
+// Counts of standing cells with evidence.
 struct StandingCounts {
-  std::uint32_t met = 0;      // something was hit within two cells
-  std::uint32_t crossed = 0;  // a beam has gone through, and nothing was hit within two cells
+  std::uint32_t met = 0;      // confirmed: a hit within two cells
+  std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within two cells
   StandingCounts& operator+=(const StandingCounts& other) {
     met += other.met;
     crossed += other.crossed;
@@ -22,25 +22,24 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
-// Whether anything stands in a tile that is known, but for its outermost two columns; without it
+// Whether a known tile has a standing cell outside its two outermost columns on each side. If not,
 // standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
-// Of a tile that is known. The outermost two rows and columns are left out, because what is near
-// them may be of another tile. hit, crossed: its cells in which something was hit, and those that
-// beams have gone through; where ground is opened only from below (perception/opening.hpp) those
-// that were low, because others go over what stands.
+// Counts a known tile. The outermost two rows and columns are left out, because cells near them may
+// belong to another tile. hit, crossed: cells with hits, and cells that beams crossed. Where only
+// low beams open ground (perception/opening.hpp), `crossed` counts only low beams, because others
+// pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed);
 
-// Whether beams go through what stands, all around: then the poses by which it was placed are
-// wrong, whatever they say. The counts of some eight frames are held against each other, those of a
-// frame half as much after five. A car that drives off is crossed, too, but walls, poles and other
-// cars are met meanwhile.
+// Detects wrong poses: beams go through standing objects all around. Counts are averaged over about
+// eight frames; a frame counts half after five more. A car that drives off is crossed too, but
+// walls, poles and other cars are confirmed at the same time.
 //
-// If the poses are wrong from the first one on, few cells come to stand, and a much larger share of
-// them is crossed. So while the poses have never moved the car, fewer cells are enough if more than
-// an eighth is crossed frame after frame. The excess is summed, and forgotten within some hundred
+// If the poses are wrong from the start, few cells become standing, and a much larger share of them
+// is crossed. So while the poses have never moved the car, fewer cells are enough if more than an
+// eighth is crossed in frame after frame. The excess is summed, and decays over about a hundred
 // frames.
 class Contradiction {
  public:
@@ -53,7 +52,7 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved: the poses have given another place or heading than at first.
+  // has_moved: the pose has changed its place or heading since the first one.
   [[nodiscard]] bool is_met(bool has_moved) const {
     const std::uint32_t all = met_ + crossed_;
     return (all >= kUnit * kFewest && crossed_ > all / kShare) ||
@@ -63,8 +62,8 @@ class Contradiction {
  private:
   static constexpr std::uint32_t kUnit = 16;
   static constexpr std::uint32_t kFrames = 8;
-  static constexpr std::uint32_t kFewest = 500;  // cells: of fewer nothing is said
-  static constexpr std::uint32_t kShare = 16;    // of all of them, which may be crossed
+  static constexpr std::uint32_t kFewest = 500;  // fewest cells for a decision
+  static constexpr std::uint32_t kShare = 16;    // tolerated share of crossed cells: 1/16
 
   static constexpr std::uint32_t kShareBeyond = 8;
   static constexpr std::uint32_t kFramesBeyond = 128;

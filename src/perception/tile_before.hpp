@@ -1,5 +1,5 @@
-// A tile before a frame changed it, for whoever has to do that again: group by group what says how
-// it goes on. Everything else that a frame writes into a tile follows from that.
+// The undo log of a tile, for a core that repeats the work of another one. It keeps, group by
+// group, the members on which the result depends. All other writes to a tile follow from these.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ namespace iog::perception {
 
 class TileBefore {
  public:
-  // Before the first group.
+  // Call before the first group.
   void begin(bool is_known) {
     is_known_ = is_known;
     count_ = 0;
   }
 
-  // Before a group is changed, and once. Masses that mean nothing are left out: those of a group
-  // that was never aged, and what is taken where all of it is free.
+  // Call once for each group before it changes. Skips masses without meaning: those of a group that
+  // was never aged, and the occupied ones of a group that is only free.
   void keep(const window::Tile& tile, std::size_t group) {
     Group& kept = groups_[count_];
     kept.number = static_cast<std::uint8_t>(group);
@@ -39,7 +39,7 @@ class TileBefore {
     work::keep_order();
   }
 
-  // Whether anything was known of the tile. If not, nothing of it has to be put back.
+  // Whether the tile was known. If not, nothing has to be restored.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
   void put_back(window::Tile& tile) const {

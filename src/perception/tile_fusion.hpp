@@ -1,4 +1,4 @@
-// The groups of a tile in a frame: which of them are fused, and how these and the others go on.
+// Fuses, ages and decides the groups of a tile in a frame.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@
 
 namespace iog::perception {
 
-// Groups with a hit, and groups with evidence but without one.
+// Numbers of groups with a hit, and of groups with evidence but no hit.
 struct GroupBudget {
   std::uint32_t with_hits = 0;
   std::uint32_t without_hits = 0;
 
-  // Whether there is room for one more.
+  // Takes one group from the budget; false if there is no room.
   bool take(bool has_hit) {
     std::uint32_t& left = has_hit ? with_hits : without_hits;
     if (left == 0) {
@@ -31,7 +31,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // What there is room for, of these.
+  // Takes as many of these groups as there is room for, and returns them.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};
@@ -46,7 +46,7 @@ inline lanes::EightBytes eight_at(const placing::FrameEvidence::TileIndexes& til
   return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
-// Of a tile of a frame's evidence.
+// Counts the groups in the evidence of a tile.
 inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   GroupBudget groups;
   for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
@@ -58,14 +58,14 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   return groups;
 }
 
-// What may be fused yet. Empty: all there is.
+// What may still be fused. Empty: no limit.
 using Budget = std::optional<GroupBudget>;
 
-// Groups from one that is aged to the one whose memory is asked for meanwhile.
+// How many groups ahead memory is prefetched.
 inline constexpr std::size_t kGroupsAhead = 2;
 
-// The groups of a tile that are fused, in rising order, and how many have evidence but are over
-// budget. Behind the last one there is room for those who look ahead.
+// The groups of a tile to be fused, in rising order, and the number of groups with evidence that
+// are over budget. Entries after the last one repeat it, so prefetching may read ahead.
 class GroupList {
  public:
   GroupList(const placing::FrameEvidence::TileIndexes& indexes, Budget& budget) {
@@ -96,7 +96,7 @@ class GroupList {
   std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers_;
 };
 
-// Asks for the lines of a group that is needed soon.
+// Prefetches the cache lines of a group that is needed soon.
 inline void prefetch(const window::Tile& tile, std::size_t group) {
   __builtin_prefetch(&tile.free[group]);
   if (!tile.is_free_alone[group]) {
@@ -105,8 +105,8 @@ inline void prefetch(const window::Tile& tile, std::size_t group) {
   }
 }
 
-// Brings the small things of some rows of a tile to the cache. Then the lines of its masses follow
-// one another, and nothing comes between them.
+// Prefetches the small members of some rows of a tile. The lines of the masses then follow each
+// other without interruption.
 inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t last) {
   const std::size_t count = (last - first + 1) * window::kGroupsPerRow;
   lanes::bring(
@@ -121,14 +121,14 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Where they lie: a copy of them would still be on its way to the cache when it is needed.
+// Returns a reference, because a copy would not be in the cache yet when it is needed.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
 
-// Fuses some groups of a tile, not none. moved: the cells in which hits are on something that
-// moves, or null: all are. With a TileBefore whoever may have to do it again puts everything back.
+// Fuses at least one group of a tile. moved: the cells whose hits count as moved; null means all.
+// With a TileBefore, a core that repeats the work can restore the tile.
 template <typename... Before>
 void fuse_groups(const TileUpdate& update, window::Tile& tile,
                  const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,
@@ -162,7 +162,7 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   }
 }
 
-// Ages and decides the groups that were not fused; how many.
+// Ages and decides the groups that were not fused. Returns their number.
 template <typename... Before>
 std::size_t refresh_groups(const TileUpdate& update, window::Tile& tile, Before&... before) {
   std::size_t refreshed = 0;

@@ -1,4 +1,4 @@
-// What a frame does to eight cells: they age, take in evidence, and are decided.
+// Updates eight cells in a frame: ages them, fuses evidence, and decides their classes.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@
 
 namespace iog::perception {
 
-// Evidence that is so many frames old is long ago. Every group is looked at often enough to find it
-// so before the clock's slot is used again, and what is 100 ms old counts as long ago anyway:
-// frames are 4 ms apart or more.
+// Evidence counts as long ago from this many frames on. Frames are at least 4 ms apart, so it is
+// more than 100 ms old, which has the same effect. Groups are refreshed often enough that this is
+// detected before the clock reuses the slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // The bits of a group's cells in a plane.
@@ -31,8 +31,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // For the frame that ended now by the clock. Without an assignment all hits have one mass. Both
-  // outlive it.
+  // Updates tiles for the frame that has just ended by the clock. Without an assignment all hits
+  // have the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {
@@ -40,8 +40,8 @@ class TileUpdate {
     }
   }
 
-  // The group has evidence; bit i of `moved` is of cell i. Of one that was never aged nothing is
-  // left, whatever it holds.
+  // Fuses a group with evidence. Bit i of `moved` is for cell i. Stored masses of a group that was
+  // never aged have no effect.
   void fuse(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes,
             std::uint8_t moved) const {
     evidence::Free& free = tile.free[group];
@@ -58,12 +58,12 @@ class TileUpdate {
     decide(tile, group, indexes);
   }
 
-  // Whether cross() may be called instead if no cell of the group is hit.
+  // Whether cross() may replace fuse() if no cell of the group is hit.
   [[nodiscard]] bool needs_no_taken(const window::Tile& tile, std::size_t group) const {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
-  // What fuse() does then.
+  // Does the same as fuse() under that condition.
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
@@ -72,7 +72,7 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // The same of two groups.
+  // The same for two groups at once.
   void cross(window::Tile& tile, std::array<std::size_t, 2> groups,
              std::array<const evidence::Indexes*, 2> indexes) const {
     const auto crossed = [&](std::size_t i) -> decision::Crossed {
@@ -93,12 +93,12 @@ class TileUpdate {
     }
   }
 
-  // Whether something is known of the group, and it was not fused in this frame.
+  // Whether the group is known and was not fused in this frame.
   [[nodiscard]] bool is_old(const window::Tile& tile, std::size_t group) const {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
 
-  // The group is old and has no evidence.
+  // Ages and decides an old group without evidence.
   void refresh(window::Tile& tile, std::size_t group) const {
     const evidence::Fading& fading = clock_->since(tile.aged_at[group]);
     tile.aged_at[group] = now_;
@@ -126,7 +126,7 @@ class TileUpdate {
     set_eight(tile.found.taken, group, bits.taken);
   }
 
-  // What stands and what is taken is none already.
+  // The standing and occupied bits are already 0.
   static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);

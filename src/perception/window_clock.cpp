@@ -13,8 +13,9 @@ std::uint64_t end_of_frame(std::optional<std::uint64_t> slices_end_us, std::uint
                        : newest_pose_us;
 }
 
-// Within a course of poses a frame may end before the one before it, as slices of its packets do:
-// then the stamp waits. A clock that was not known, or is another one, takes up where time is.
+// While poses continue, a frame may end before the previous one, as the slices of its packets do;
+// then the stamp stays. If the clock of the poses was unknown or has changed, time continues from
+// the present stamp.
 void WindowClock::end_frame(std::optional<std::uint64_t> time_us, bool is_anew,
                             std::uint64_t now_us) {
   const std::uint64_t passed_us = stamp_us_ + (now_us - moved_us_);

@@ -16,7 +16,7 @@ WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
       arrivals_(rules),
       opening_(rules) {}
 
-// Evidence lies by slot, and would be of other tiles if the window moved under it.
+// Evidence is stored by slot. If the window moved, it would belong to other tiles.
 void WindowFusion::follow(const pose::Pose& pose) {
   require(counts_.slices == 0);
   window_.follow(window::cell_of(pose));
@@ -67,7 +67,7 @@ void WindowFusion::decide_frame(std::uint64_t stamp_us, const work::Crew& crew,
   add_up();
 }
 
-// Groups are counted only where evidence might not fit.
+// Groups are counted only if the evidence might exceed the budget.
 void WindowFusion::find_arrivals(const work::Crew& crew) {
   due_.count = 0;
   arrivals_.begin();
@@ -87,7 +87,7 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
   }
 }
 
-// Most tiles of a frame hold free space alone, of which nothing is asked.
+// Most tiles of a frame have only free space, for which nothing is computed.
 void WindowFusion::look_at(std::size_t slot) {
   slot_counts_[slot] = {};
   const bool is_known = window_.is_known(slot);
@@ -108,14 +108,14 @@ void WindowFusion::look_at(std::size_t slot) {
   }
 }
 
-// What is taken gives way to low beams alone.
+// Only low beams may free occupied cells.
 void WindowFusion::leave_out_high(std::size_t slot) {
   if (rules_.is_opened_from_below) {
     opening_.leave_out_high(evidence_, slot);
   }
 }
 
-// Who fuses all slots in their order need not count those without hits.
+// Slots without hits need no count when one core fuses all slots in order.
 void WindowFusion::count_groups(const work::Crew& crew) {
   const bool are_shared = !crew.is_one();
   const work::Runs runs(due_.count, kFound);
@@ -146,7 +146,7 @@ Budget WindowFusion::budget() const {
       .without_hits = rules_.group_budget - std::min(with_hits, rules_.group_budget)};
 }
 
-// One core spends the budget as it goes. Several are told by slot what is left of it.
+// One core spends the budget in order. For several cores, each slot gets its share in advance.
 void WindowFusion::update_tiles(const work::Crew& crew, work::Beside beside) {
   const TileUpdate update(clock_, rules_.assignment);
   Budget budget = this->budget();
@@ -200,7 +200,7 @@ void WindowFusion::deal_out(Budget budget) {
   }
 }
 
-// The tiles that the run had come to, the last of them perhaps in part.
+// Restores the tiles that the run had reached. The last one may be incomplete.
 void WindowFusion::put_back(work::Run run, const TilesBefore& before) {
   for (std::size_t i = 0; i < before.begun; ++i) {
     put_back(due_.slots[run.first + i], before.tiles[i]);

@@ -1,21 +1,21 @@
-// The window in time: slices of frames in, masses and classes out.
+// Fuses the slices of frames over time into masses and classes of the window.
 //
-// In a frame the window follows the vehicle, slices are added, and the frame is finished:
-//   1. what is asked of neighbours is answered from the state before the frame, and where ground is
-//      opened only from below (perception/opening.hpp) what does not count is left out;
-//   2. groups with evidence age, take it in, and are decided;
-//   3. the tiles of which slot and number of frames, since the first that was placed, are a
-//   multiple of 8 in sum are refreshed: its other groups age and are decided without evidence;
-//   4. who follows things names what moves (perception/moving_names.hpp);
-//   5. if a slice was placed, the frame counts as fused, and the tiles of which slot and number of
-//      fused frames, this one included, are even in sum remember their ground.
-// Nothing depends on the order of slices or tiles.
+// In each frame the window follows the vehicle, slices are added, and the frame is finished:
+//   1. Lookups of neighbours use the state before the frame. Where only low beams open ground
+//      (perception/opening.hpp), evidence that does not count is removed.
+//   2. Groups with evidence are aged, fused and decided.
+//   3. Tiles whose slot plus frame number is a multiple of 8 are refreshed: their other groups
+//      are aged and decided without evidence. Frames count once the window has a place.
+//   4. Tracking relabels moving cells (perception/moving_names.hpp).
+//   5. If a slice was registered, the frame counts as fused. Tiles whose slot plus number of fused
+//      frames, including this one, is even update their ground.
+// The order of slices or tiles does not matter.
 //
-// Each step is a round of its own, divided into runs of tiles; ageing, evidence and refresh are one
-// step of a tile. What a step asks of neighbours, none of its items writes.
+// Each step is a parallel loop over runs of tiles. Ageing, fusion and refresh of a tile are one
+// step. No item of a step writes data that the step reads of neighbours.
 //
-// A frame has a budget of groups. Those with hits come first, then the others, each in the order of
-// slots and numbers; what is beyond the budget is left, and ages.
+// A frame has a budget of groups. Groups with hits come first, then the others, each in the order
+// of slots and numbers. Groups over budget only age.
 #pragma once
 
 #include <array>
@@ -50,43 +50,44 @@
 
 namespace iog::perception {
 
-// Every tile is refreshed once in so many frames.
+// Every tile is refreshed once in this many frames.
 inline constexpr std::uint32_t kRefreshFrames = 8;
 
 struct FrameCounts {
-  std::uint32_t slices = 0;          // placed
-  std::uint32_t slices_outside = 0;  // not placed: the vehicle is not in the window
+  std::uint32_t slices = 0;          // registered
+  std::uint32_t slices_outside = 0;  // not registered, because the vehicle is outside the window
   std::uint32_t groups_fused = 0;
-  std::uint32_t groups_left = 0;       // they had evidence, but were over budget
-  std::uint32_t groups_refreshed = 0;  // without evidence
+  std::uint32_t groups_left = 0;       // had evidence, but were over budget
+  std::uint32_t groups_refreshed = 0;  // aged without evidence
   StandingCounts standing{};
   friend bool operator==(const FrameCounts&, const FrameCounts&) = default;
 };
 
 class WindowFusion {
  public:
-  // Not constexpr: in static memory it is set up at start-up, not carried by the image.
-  // is_followed: things are followed, so hits of a frame are listed, and names may be said.
+  // Not constexpr, so static objects are initialised at start-up and take no space in the image.
+  // is_followed: objects are tracked. Then the hits of a frame are listed and cells can be
+  // relabelled.
   explicit WindowFusion(const Rules& rules = {}, bool is_followed = false);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
-  // Once a frame, before its first slice: the window follows the vehicle. Before the first time,
-  // and after forget(), slices are outside.
+  // Moves the window with the vehicle. Call once per frame, before its first slice. Before the
+  // first call, and after forget(), all slices are outside.
   void follow(const pose::Pose& pose);
 
-  // Adds slices, at most FrameEvidence::kMostAtOnce.
+  // Adds at most FrameEvidence::kMostAtOnce slices.
   void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
-  // Ends a frame, whether slices were placed or not. A stamp that is older than the newest counts
-  // as the newest. A frame without slices and without time changes nothing and is none.
+  // Ends a frame, with or without registered slices. A stamp older than the newest one counts as
+  // the newest. Has no effect if there are no slices and no time has passed.
   FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
     decide(stamp_us, crew);
     return end_frame(crew);
   }
-  // The two steps of it, steps 1 to 3 and step 5. Between them it is asked what follows, and named.
-  // Core 0 may do something else beside either, once: do_beside(), which may read hits() beside the
-  // first and names beside the second.
+  // The two parts of finish(): decide() does steps 1 to 3, end_frame() does step 5. Tracking and
+  // relabelling run between them. Core 0 runs do_beside() once at the same time. It may read hits()
+  // during decide(), and labels during end_frame().
   void decide(std::uint64_t stamp_us, const work::Crew& crew) {
     decide(stamp_us, crew, [] {});
   }
@@ -113,13 +114,13 @@ class WindowFusion {
     hits_.clear();
     return std::exchange(counts_, {});
   }
-  // Of the frame so far.
+  // Counts of the current frame so far.
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
-  // The hits of the frame, if it is followed, and how many had no room.
+  // The hits of the frame if objects are tracked, and the number of hits dropped for lack of room.
   [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
-  // As MovingNames, of a window that is followed.
+  // See MovingNames. Only if objects are tracked.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
     names_.give(cell, sureness, window_);
   }
@@ -128,21 +129,22 @@ class WindowFusion {
     names_.withdraw(evidence_, window_, held);
   }
 
-  // What the map rules out in the tile at a slot: see Window. Names alone follow, and at once.
+  // Sets the classes that the map rules out in the tile at a slot; see Window. Only labels change,
+  // and at once.
   void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
     note_names(slot);
   }
 
-  // Whether finish() makes a frame of what was added: it has a slice, or time has passed.
+  // Whether finish() would end a frame: there is a slice, or time has passed.
   [[nodiscard]] bool is_frame(std::uint64_t stamp_us) const {
     return counts_.slices > 0 || stamp_us > newest_us_;
   }
 
-  // Nothing is known of any cell, and nothing said in this frame. Time goes on.
+  // Forgets all cells and the current frame. Time goes on.
   void forget();
 
-  // After finish(), until slices are added again.
+  // Valid after finish(), until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
   template <typename Visit>
@@ -157,17 +159,17 @@ class WindowFusion {
   }
 
  private:
-  // Of several cores: the least and the most tiles that one of them has together. What changes in
-  // place is kept before, so the most say how large that is.
+  // Fewest and most tiles that one core takes at once, if several cores share the work. The largest
+  // number also sets the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
-  // The tiles of a run before a frame changed them, as far as the run has come.
+  // Undo log of a run of tiles. It covers the tiles that the run has reached.
   struct TilesBefore {
     std::size_t begun = 0;
     std::array<TileBefore, kUpdated.longest> tiles{};
 
-    // The next tile is about to be changed.
+    // Call before the next tile changes.
     TileBefore& begin(bool is_known) {
       TileBefore& next = tiles[begun];
       next.begin(is_known);
@@ -178,11 +180,12 @@ class WindowFusion {
     }
   };
 
-  // Groups of the tile at a slot, in this frame.
+  // Counts of groups of the tile at a slot in this frame.
   struct SlotCounts {
-    // Counted where evidence might not fit: of a slot without hits only if several cores fuse.
+    // Counted only if the evidence might exceed the budget. Slots without hits are counted only if
+    // several cores fuse.
     GroupBudget groups;
-    Budget allowed;  // so many may be fused then
+    Budget allowed;  // groups that may be fused in that case
     std::uint8_t fused = 0;
     std::uint8_t left = 0;
     std::uint8_t refreshed = 0;
@@ -214,7 +217,7 @@ class WindowFusion {
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);
-  // With a TileBefore whoever may have to do it again puts everything back.
+  // With a TileBefore, a core that repeats the work can restore the tile.
   template <typename... Before>
   void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
   template <typename... Before>
@@ -230,7 +233,7 @@ class WindowFusion {
     }
   }
 
-  // What is aligned to a cache line comes first.
+  // Members that are aligned to a cache line come first.
   work::BeforeImages<TilesBefore> tiles_before_;
   GroundMemory ground_;
   placing::FrameEvidence evidence_;
@@ -249,7 +252,7 @@ class WindowFusion {
   window::Refreshed refreshed_{};
   Arrivals arrivals_;
   Opening opening_;
-  SlotList due_;  // slots that this step is about
+  SlotList due_;  // slots of the current step
   std::array<SlotCounts, window::kSlotCount> slot_counts_{};
   health::Guard behind_counts_;
 };

@@ -1,6 +1,5 @@
-// What is asked of the bytes of a tile of a frame's evidence (placing/slice_byte.hpp), a bit a
-// cell. evidence_bits.cpp says what; CMake chooses how, evidence_bits.cpp or
-// evidence_bits_neon.cpp.
+// Extracts bit planes from a tile of a frame's evidence (placing/slice_byte.hpp). evidence_bits.cpp
+// is the reference; CMake selects it or evidence_bits_neon.cpp.
 #pragma once
 
 #include "placing/frame_evidence.hpp"
@@ -10,7 +9,7 @@ namespace iog::placing {
 struct EvidenceBits {
   window::Plane hit;
   window::Plane free;
-  window::Plane from_below;  // free, and freed from below
+  window::Plane from_below;  // free, and freed by a low beam
 };
 
 [[nodiscard]] EvidenceBits bits_of(const FrameEvidence::TileIndexes& tile);

@@ -1,5 +1,5 @@
-// What evidence_bits.cpp says, for the target: of two rows at once, whose bits are summed up by
-// pairs of lanes.
+// The NEON version of evidence_bits.cpp. It handles two rows at once and adds their bits by pairs
+// of lanes.
 #include <arm_neon.h>
 
 #include "placing/evidence_bits.hpp"
@@ -11,11 +11,11 @@ namespace {
 constexpr std::size_t kLanes = 16;
 constexpr std::size_t kSide = geometry::kTileSide;
 
-// Two rows, in halves.
+// Two rows in four halves.
 struct TwoRows {
   std::array<int8x16_t, 4> halves;
 
-  // is_it(cells): all ones in the lanes of those that count.
+  // is_it(cells) must set all bits of the lanes that count.
   template <typename IsIt>
   void put(IsIt is_it, std::uint32_t* words) const {
     const uint8x8_t own = vcreate_u8(0x8040'2010'0804'0201U);

@@ -1,6 +1,5 @@
-// Ranges. A stored byte is -63 ... 63, and so is one of a slice. Points are below 2^13 cells,
-// which are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most
-// 2^16.
+// Ranges: a stored byte is -63 ... 63, and so is one of a slice. Points are below 2^13 cells, which
+// are 2^29 of 2^-16 cells (placement.cpp), and so are sums of a point and 62 steps of at most 2^16.
 #include "placing/frame_evidence.hpp"
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 namespace iog::placing {
 namespace {
 
-// Whether something is known in one of the grid's tiles that have a cell from low to high.
+// Whether a tile of the slice grid that overlaps the cells low ... high is known.
 bool is_known_between(const SliceCells& slice, geometry::Cell low, geometry::Cell high) {
   const SliceCells::Extent& known = slice.extent();
   const geometry::Cell first{std::max(low.x >> geometry::kTileSideLog2, known.low.x),

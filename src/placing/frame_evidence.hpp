@@ -1,19 +1,19 @@
-// The evidence of a frame in the window: what its slices say of each cell, joined.
+// The evidence of a frame: the slices of the frame, joined in the cells of the window.
 //
-// Free is pulled: a cell of the window takes the negative index of the vehicle's cell that holds
-// its centre. Hits are pushed: a vehicle's cell with a positive index gives it to the cell of the
-// window that holds its centre, because some cells of the vehicle's grid hold no centre (17 % at 45
-// degrees), and a pole must not vanish. What lies outside of the window is dropped.
+// Free space is gathered: a cell of the window takes the negative index of the slice cell that
+// holds its centre. Hits are scattered: each slice cell with a positive index adds it to the window
+// cell that holds the centre of the slice cell. Gathering would lose hits, because some slice cells
+// hold no centre (17 % at 45 degrees), and a pole must not vanish. Hits outside the window are
+// dropped.
 //
-// A cell's evidence is the saturated sum of the positive indexes if there are any, else of the
-// negative ones. A byte is enough for both (placing/slice_byte.hpp): what is above zero counts hits
-// alone, and the first hit erases what was pulled. Sums of one sign saturate alike in any order,
-// and the bit of a free cell is that of any slice, so slices may come in any. Whether a hit was
-// tall is a bit a cell of its own. The window bounds it all, by slot, 1.1 MB.
+// The evidence of a cell is the saturated sum of its positive indexes if there are any, otherwise
+// of its negative ones. One byte holds both (placing/slice_byte.hpp): a positive byte sums hits
+// only, and the first hit erases the free index. Slices may come in any order: saturated sums of
+// one sign do not depend on it, and the extra bit of a free cell is set if any slice sets it.
+// Whether a hit was tall is stored in another bit per cell. All of this takes 1.1 MB.
 //
-// Several cores add slices region by region of the window: whoever has a region pulls its tiles
-// and looks through the slices for what is pushed into it. One core alone takes all of the window
-// as one region.
+// Several cores add slices by regions of the window. The core with a region gathers into its tiles
+// and searches the slices for hits in it. A single core handles the whole window as one region.
 #pragma once
 
 #include <array>
@@ -31,22 +31,22 @@
 
 namespace iog::placing {
 
-// A slice and where the vehicle was then.
+// A slice with the pose of the vehicle at that time.
 struct PlacedCells {
   const SliceCells* cells = nullptr;
   Placement at{};
-  std::uint8_t number = 0;  // of the slice in its frame
+  std::uint8_t number = 0;  // number of the slice in its frame
 };
 
 class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // As many slices as are added at once: those of a frame of 40 ms, each of 8 ms or a part of it.
+  // The largest number of slices per call: those of a frame of 40 ms, each of 8 ms or a part of it.
   static constexpr std::size_t kMostAtOnce = 6;
 
-  // Adds slices, at most kMostAtOnce. The vehicle is inside of the area, which stays the same for a
-  // frame. Core 0 does what is beside it, which may read the slices.
+  // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must stay
+  // the same for a frame. Core 0 runs `beside` at the same time, which may read the slices.
   void add(std::span<const PlacedCells> slices, const window::Area& area,
            const work::Crew& crew = work::Crew(), work::Beside beside = {});
   void add(const SliceCells& slice, const window::Area& area, const Placement& at) {
@@ -54,27 +54,27 @@ class FrameEvidence {
     add(std::span(&only, 1), area);
   }
 
-  // Nothing is said of any cell, and of any of the tile at a slot.
+  // Clears all evidence, or that of the tile at a slot.
   void clear();
   void clear(std::size_t slot);
 
-  // Whether anything was said of a cell of the tile at this slot.
+  // Whether a cell of the tile at this slot has evidence.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
 
-  // Whether a cell of it was hit.
+  // Whether a cell of that tile was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
   // The joined bytes of the tile at a slot, row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
-  // Its cells in which a hit was tall. Only if it is touched.
+  // The cells of the tile with a tall hit. Valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Nothing is said any more of these cells of the tile at a slot.
+  // Removes the evidence of these cells of the tile at a slot.
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:
-  // Some tiles of the window, counted from its lowest corner.
+  // A square of tiles of the window, counted from its lowest corner.
   struct Region {
     window::TileNumber low{};
     std::int32_t tiles_across = window::kTilesAcross;
@@ -88,7 +88,7 @@ class FrameEvidence {
       const auto number = static_cast<std::int32_t>(i);
       return {low.a + number % tiles_across, low.b + number / tiles_across};
     }
-    // Whether it may have a cell from low_cell to high_cell.
+    // Whether a cell in low_cell ... high_cell may be in the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
              (low_cell.x >> geometry::kTileSideLog2) < low.a + tiles_across &&
@@ -96,15 +96,15 @@ class FrameEvidence {
              (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
     }
   };
-  // Of several cores: large enough that few hits are looked at for two of them, and so many that
-  // nobody waits long for the last.
+  // Size of a region for several cores: large enough that few hits are examined for two regions,
+  // and small enough that no core waits long for the last one.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::int32_t kRegionsAcross = window::kTilesAcross / kRegionAcross;
   static constexpr std::size_t kRegionCount = std::size_t{kRegionsAcross} * kRegionsAcross;
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // A region before slices were added to it. Of a tile that was not touched the cells were 0.
+  // The undo log of a region. If a tile was not touched, its cells were 0 and are not stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -112,7 +112,7 @@ class FrameEvidence {
     std::array<window::Plane, kRegionTiles> tall{};
   };
 
-  // A slice on its way into the window.
+  // A slice that is being added, with its transforms.
   struct Adding {
     Adding(const PlacedCells& slice_of, const window::Area& its_area)
         : slice(slice_of.cells),

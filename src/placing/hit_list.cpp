@@ -7,7 +7,7 @@ namespace iog::placing {
 void HitList::add(std::span<const PlacedCells> slices, const window::Area& area) {
   const geometry::Cell lowest{area.corner().a * window::kTileSide,
                               area.corner().b * window::kTileSide};
-  std::size_t count = count_;  // not in memory, where a hit might lie
+  std::size_t count = count_;  // a local copy, because a store of a hit might alias count_
   for (const PlacedCells& slice : slices) {
     for_each_hit(
         *slice.cells, CellMap::to_window(area, slice.at),

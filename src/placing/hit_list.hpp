@@ -1,8 +1,8 @@
-// The hits of a frame's slices as a list, for whoever looks for things in them.
+// Lists the hits of a frame's slices for tracking.
 //
-// They come slice by slice, within a slice by tiles of its grid, rows and columns; so the list is
-// the same for any number of cores. A cell that several slices hit, or several cells of one slice
-// that lie in the same, come several times. What has no room is counted.
+// The order is by slice, then by tile of its grid, row and column, so it does not depend on the
+// number of cores. A cell appears several times if several slices, or several cells of one slice,
+// hit it. Hits beyond the capacity are counted.
 #pragma once
 
 #include <array>
@@ -16,24 +16,24 @@
 
 namespace iog::placing {
 
-// What was hit in a cell in one of a frame's slices.
+// A cell that was hit in one slice of the frame.
 struct Hit {
-  geometry::Cell cell{};   // of the local frame
-  std::uint8_t slice = 0;  // its number in the frame
+  geometry::Cell cell{};   // in the local frame
+  std::uint8_t slice = 0;  // number of the slice in the frame
   friend constexpr bool operator==(const Hit&, const Hit&) = default;
 };
 
 class HitList {
  public:
-  // More than the cells that a turn of 128 layers hits (docs/objects.md).
+  // More than the cells that one turn of 128 layers can hit (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
-  // The vehicle is inside of the area, which stays the same for a frame.
+  // The vehicle must be inside the area, and the area must stay the same for a frame.
   void add(std::span<const PlacedCells> slices, const window::Area& area);
   void clear();
 
   [[nodiscard]] std::span<const Hit> all() const { return std::span(hits_).first(count_); }
-  // Hits that there was no room for.
+  // Number of hits that were dropped for lack of room.
   [[nodiscard]] std::uint32_t left() const { return left_; }
 
  private:

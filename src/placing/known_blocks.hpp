@@ -1,6 +1,5 @@
-// The blocks of eight by eight cells of a tile of the window near which something may be known in
-// the vehicle's grid. Points that are eight steps apart are eight additions of one step apart,
-// exactly.
+// Visits the 8 by 8 blocks of a window tile near which the slice grid may be known. Eight steps
+// equal eight additions of one step exactly.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +12,21 @@
 
 namespace iog::placing {
 
-// Eight rows of a tile.
+// A band of eight rows of a tile.
 inline constexpr std::size_t kBandRows = SliceCells::kBlockSide;
 inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 
-// Eight by eight cells reach 7 sqrt(2) cells far, and so are within a square of 11.
+// A block of 8 by 8 cells is at most 7 sqrt(2) cells wide in any direction, so it fits into a
+// square of 11.
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
-// Calls visit(first, low, high, evidence) for each of them: where its first cell's centre lies in
-// the grid, between which cells all of them do, and the first one's evidence. False if there is
-// none.
+// Calls visit(first, low, high, evidence) for each such block. `first` is the image of the centre
+// of its first cell in the grid. `low` and `high` bound the images of all its cells. `evidence` is
+// that of the first cell. Returns false if there is no such block.
 //
-// The evidence of a band is brought before: among what is looked up its lines would come one by
-// one.
+// The evidence of a band is prefetched first. Otherwise its cache lines would be loaded one by one
+// between the lookups.
 template <typename Visit>
 inline bool for_each_known_block(const SliceCells& slice, FinePoint first, FinePoint step,
                                  std::span<std::int8_t, geometry::kTileCells> evidence,

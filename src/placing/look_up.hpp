@@ -1,5 +1,5 @@
-// Pulling what the window's cells find free in the vehicle's grid. look_up.cpp says what; CMake
-// chooses how, look_up.cpp or look_up_neon.cpp.
+// Gathers free space from the slice grid into window cells. look_up.cpp is the reference; CMake
+// selects it or look_up_neon.cpp.
 #pragma once
 
 #include <algorithm>
@@ -13,33 +13,34 @@
 
 namespace iog::placing {
 
-// Where eight cells of the window in a run lie in the vehicle's grid, worked out once for all runs
-// of a slice.
+// The images of a run of eight window cells in the slice grid, computed once for all runs of a
+// slice.
 //
-// A run lies along that axis of the window which goes more along the grid's x. Seven steps of at
-// most 2^16 and a fraction below it are less than eight cells, so a run has at most eight columns
-// of the grid. The other part of a step is at most 2^16 / sqrt(2) and a half, seven are less than
-// five cells, so it has at most six rows.
+// A run follows the axis of the window that is closer to the grid's x axis. Seven steps of at most
+// 2^16 plus a fraction are less than eight cells, so a run covers at most eight columns of the
+// grid. Across the run, a step is at most 2^16 / sqrt(2) plus a half. Seven of these are less than
+// five cells, so a run covers at most six rows.
 //
-// Counted from the lowest column and row of a run, a cell lies as many further as there are whole
-// ones in its steps, and one more if the fractions of both make a whole one. That is exact.
+// The offset of a cell from the lowest column and row of its run is the whole part of its steps,
+// plus one if the fractions of both add up to a whole. This is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
   static constexpr std::int32_t kMostRows = 6;
   using Eight = std::array<std::uint16_t, kCount>;
 
-  // step: from a cell of the window to the next along x.
+  // step: image of the step from a window cell to the next along x.
   explicit EightSteps(FinePoint step);
 
   FinePoint step;
-  bool is_along_y;    // whether a run lies along the window's y
-  FinePoint to_next;  // from a run to the next
+  bool is_along_y;    // whether a run follows the window's y axis
+  FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
-  std::int32_t rows;  // of the grid that a run has at most
-  // By cell: kColumns times the whole rows in its steps, and the whole columns.
+  std::int32_t rows;  // most rows of the grid that a run covers
+  // By cell: kColumns times the whole rows of its steps, plus the whole columns.
   alignas(16) Eight wholes;
-  // By cell: up to which fraction of the lowest x, and y, the fractions make no whole one.
+  // By cell: the largest fraction of the lowest x (or y) for which the fractions add up to less
+  // than a whole.
   alignas(16) Eight most_x;
   alignas(16) Eight most_y;
 };
@@ -64,8 +65,9 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
   }
 }
 
-// Adds to the evidence of a tile what its cells find free (placing/slice_byte.hpp). The first one's
-// centre lies at `first` in the grid, the others' by `steps`. False if nothing is known near.
+// Joins free space from the slice grid into the evidence of a tile (placing/slice_byte.hpp). The
+// centre of its first cell is at `first` in the grid; the others follow by `steps`. Returns false
+// if nothing near the tile is known.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

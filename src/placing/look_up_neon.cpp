@@ -1,6 +1,6 @@
-// What look_up.cpp says, for the target. The eight cells of a run lie in a few rows and eight
-// columns of the grid, from the lowest on: these are loaded as they lie, and looked up in
-// registers. A load of a byte takes the Cortex-A9 two cycles, and a place three instructions more.
+// The NEON version of look_up.cpp. The eight cells of a run lie in a few rows and eight columns of
+// the grid. These are loaded as they are stored, and looked up in registers. On the Cortex-A9 a
+// byte load takes two cycles, and computing its address three more instructions.
 #include <algorithm>
 #include <arm_neon.h>
 
@@ -16,22 +16,22 @@ constexpr std::int32_t kRow = geometry::kTileSide;
 constexpr std::int32_t kHalf = kRow / 2;
 static_assert(kBlockReach <= kHalf);
 
-// Cells of the grid from an origin on, kRow from one row to the next.
+// Cells of the grid from an origin on, with a row stride of kRow.
 struct Patch {
   const std::int8_t* cells;
   geometry::Cell origin;
 };
 
-// Where a block has cells in several tiles, those around it. A run reads all rows and columns that
-// it might have, also behind the patch's end.
+// A copy of the cells around a block that lies in several tiles. A run reads all rows and columns
+// that it may cover, even beyond the end of the patch.
 constexpr std::int32_t kReadRows = kBlockReach + EightSteps::kMostRows;
 using PatchRows = std::array<std::int8_t, std::size_t{kReadRows * kRow}>;
 static_assert(EightSteps::kMostRows < kRow);
 
 using Block = std::array<int8x8_t, EightSteps::kCount>;
 
-// Rows of half a tile's width side by side. Loads and stores that move their own pointers: the
-// compiler takes additions.
+// Copies rows that consist of two half rows. Written in assembly because its loads and stores
+// advance their pointers, where the compiler uses additions.
 std::int8_t* put_rows(const std::int8_t* left, const std::int8_t* right, std::int32_t count,
                       std::int8_t* to) {
   using Row = std::int8_t[kRow];  // all that is written
@@ -50,7 +50,7 @@ std::int8_t* put_rows(const std::int8_t* left, const std::int8_t* right, std::in
   return to;
 }
 
-// The cells from low to high: where they lie in one tile, or a copy in the memory.
+// The cells low ... high: in place if they lie in one tile, otherwise copied to `memory`.
 Patch patch_of(const SliceCells& slice, geometry::Cell low, geometry::Cell high,
                PatchRows& memory) {
   const geometry::Cell tile{low.x >> geometry::kTileSideLog2, low.y >> geometry::kTileSideLog2};
@@ -58,7 +58,7 @@ Patch patch_of(const SliceCells& slice, geometry::Cell low, geometry::Cell high,
   if (tile == last) {
     return {.cells = slice.cells(tile).data(), .origin = {tile.x * kRow, tile.y * kRow}};
   }
-  // Of two tiles the halves that meet, of one both.
+  // From two tiles the halves that meet; from one tile both halves.
   const std::int32_t from = tile.x == last.x ? 0 : kHalf;
   const std::int32_t to = tile.x == last.x ? kHalf : 0;
   const std::int32_t end = std::min(high.y + 1, (tile.y + 1) * kRow);
@@ -80,11 +80,12 @@ struct Steps {
         most_x(vld1q_u16(steps.most_x.data())),
         most_y(vld1q_u16(steps.most_y.data())) {}
 
-  // Of the cells of a run with this lowest point: their places in kMostRows rows of kColumns.
+  // low: the lowest point of a run. Returns the positions of its cells in kMostRows rows of
+  // kColumns.
   [[nodiscard]] uint8x8_t places(FinePoint low) const {
     const auto x = vdupq_n_u16(static_cast<std::uint16_t>(low.x));
     const auto y = vdupq_n_u16(static_cast<std::uint16_t>(low.y));
-    // All ones, which is -1, where there is one more.
+    // All ones, which is -1, where the cell is one further.
     const uint16x8_t more_columns = vcgtq_u16(x, most_x);
     const uint16x8_t more_rows = vcgtq_u16(y, most_y);
     static_assert(EightSteps::kColumns == 1 << 3);
@@ -96,7 +97,7 @@ struct Steps {
   uint16x8_t most_y;
 };
 
-// The cell of a patch at a point. The upper half of a coordinate counts cells.
+// The cell of a patch at a point. The upper half of a coordinate is the cell number.
 inline const std::int8_t* cell_at(const std::int8_t* cells, FinePoint point) {
   const std::int8_t* row;
   asm("smlatb %[row], %[y], %[stride], %[cells]"
@@ -105,7 +106,7 @@ inline const std::int8_t* cell_at(const std::int8_t* cells, FinePoint point) {
   return row + (point.x >> kFineBits);
 }
 
-// The cells of a run from the lowest row and column on.
+// Looks up the cells of a run. `low`: its lowest row and column.
 template <int kRows>
 inline int8x8_t look_up_run(const std::int8_t* cells, FinePoint low, const Steps& steps) {
   const uint8x8_t places = steps.places(low);
@@ -134,9 +135,9 @@ inline void store_row(int8x8_t row, std::int8_t* to) {
   __builtin_memcpy(__builtin_assume_aligned(to, sizeof row), &row, sizeof row);
 }
 
-// joined_free() of sixteen cells. How free they are are six bits of a byte. Shifted by three, their
-// five bits of an index saturate where a sum is above 31; shifted back, they are put behind the bit
-// of either.
+// joined_free() for sixteen cells. A negated free byte has six bits: five of the index and the
+// extra bit. Shifted left by three, the sums of the indexes saturate above 31. Shifted back, they
+// are inserted below the union of the extra bits.
 inline int8x16_t join_free(int8x16_t evidence, int8x16_t found) {
   static_assert(kMostIndex == 0x1F && kBeside == 0x20);
   const int8x16_t zero = vdupq_n_s8(0);
@@ -147,7 +148,7 @@ inline int8x16_t join_free(int8x16_t evidence, int8x16_t found) {
   return vbslq_s8(vcgtq_s8(evidence, zero), evidence, vnegq_s8(joined));
 }
 
-// The transpose of eight by eight cells.
+// Transposes eight by eight cells.
 inline void turn(Block& cells) {
   const int8x8x2_t a = vtrn_s8(cells[0], cells[1]);
   const int8x8x2_t b = vtrn_s8(cells[2], cells[3]);
@@ -179,13 +180,12 @@ inline void join_rows(int8x8_t lower, int8x8_t upper, std::int8_t* evidence) {
   store_row(vget_high_s8(after), evidence + window::kTileSide);
 }
 
-// The eight by eight cells of which the first run has this lowest point in the patch.
+// Gathers a block of eight by eight cells. `low`: the lowest point of its first run in the patch.
 template <int kRows>
 inline void pull_along_x(const std::int8_t* cells, FinePoint low, FinePoint to_next,
                          const Steps& steps, std::int8_t* evidence) {
   std::int8_t* const end = evidence + SliceCells::kBlockSide * window::kTileSide;
-  // Otherwise all addresses are made before the first of them is used, and do not fit the
-  // registers.
+  // Without this, all addresses are computed before the first is used, and exceed the registers.
 #pragma GCC unroll 1
   for (; evidence != end; evidence += 2 * window::kTileSide) {
     const int8x8_t lower = look_up_run<kRows>(cells, low, steps);
@@ -211,7 +211,7 @@ inline void pull_along_y(const std::int8_t* cells, FinePoint low, FinePoint to_n
   }
 }
 
-// Its own function for each, so that nothing is asked for a block, and registers keep the steps.
+// One instance for each case, so blocks need no branches and the steps stay in registers.
 template <int kRows, bool kIsAlongY>
 bool pull_blocks(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                  std::span<std::int8_t, geometry::kTileCells> evidence) {

@@ -1,8 +1,8 @@
-// Ranges. The vehicle is inside of the window, so a corner of the window is within 2^20 mm of it
-// (1024 cells of at most 200 mm are 204,800 mm), and a cell of the window or of the grid within
-// 2^13 cells (1024 of the window, 4096 of the grid). Then |cos dx + sin dy| < 2^30 * 2^21, and
-// twice that fits 63 bits; positions are below 2^31 * 2^15 in 2^-31 cells and below 2^31 in 2^-16
-// cells.
+// Ranges: the vehicle is inside the window, so each corner of the window is within 2^20 mm of it
+// (1024 cells of at most 200 mm are 204,800 mm), and each cell of the window or of the grid is
+// within 2^13 cells (1024 of the window, 4096 of the grid). Then |cos dx + sin dy| < 2^30 * 2^21,
+// and twice that fits 63 bits. Positions are below 2^31 * 2^15 in 2^-31 cells and below 2^31 in
+// 2^-16 cells.
 #include "placing/placement.hpp"
 
 #include "numeric/division.hpp"
@@ -28,7 +28,7 @@ Offset vehicle_from_corner(const window::Area& area, const pose::Pose& pose) {
 
 CellMap CellMap::to_grid(const window::Area& area, const Placement& at) {
   const Offset vehicle = vehicle_from_corner(area, at.pose);
-  const std::int64_t x_mm = geometry::kCellMm / 2 - vehicle.x_mm;  // the centre of cell (0, 0)
+  const std::int64_t x_mm = geometry::kCellMm / 2 - vehicle.x_mm;  // centre of cell (0, 0)
   const std::int64_t y_mm = geometry::kCellMm / 2 - vehicle.y_mm;
   const std::int64_t cos = at.rotation.cos_q30;
   const std::int64_t sin = at.rotation.sin_q30;

@@ -1,9 +1,9 @@
-// Where cells of the vehicle's grid lie in the window, and cells of the window in the vehicle's
-// grid: one affine map each, of cell centres to 2^-16 cells.
+// Affine transforms of cell centres between the slice grid and the window, in 2^-16 cells.
 //
-// The image of the first cell of a tile is exact and rounded down; the cells of the tile follow by
-// additions of steps that are rounded to the nearest 2^-16 cells. So the image of any of its cells
-// is less than 32 * 2^-16 cells below and at most 31 * 2^-16 above the exact one, 0.05 mm at 0.1 m.
+// The image of the first cell of a tile is exact and rounded down. The other cells of the tile
+// follow by adding steps that are rounded to the nearest 2^-16 cells. So the image of a cell is
+// less than 32 * 2^-16 cells below and at most 31 * 2^-16 above the exact one: 0.05 mm for cells of
+// 0.1 m.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 
 namespace iog::placing {
 
-// Where the vehicle is while a slice of a frame is measured.
+// The transform of a slice: the pose of the vehicle while the slice was measured.
 struct Placement {
   pose::Pose pose{};
-  numeric::Rotation rotation{};  // by the pose's heading
+  numeric::Rotation rotation{};  // from the heading of the pose
 };
 
 [[nodiscard]] inline Placement placement_of(const pose::Pose& pose) {
@@ -30,7 +30,7 @@ struct Placement {
 inline constexpr int kFineBits = 16;
 inline constexpr int kExactBits = 31;
 
-// A point in 2^-16 cells.
+// A point in units of 2^-16 cells.
 struct FinePoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -38,7 +38,7 @@ struct FinePoint {
   [[nodiscard]] constexpr geometry::Cell cell() const { return {x >> kFineBits, y >> kFineBits}; }
 };
 
-// The same in 2^-31 cells.
+// A point in units of 2^-31 cells.
 struct ExactPoint {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -51,20 +51,20 @@ struct ExactPoint {
 
 class CellMap {
  public:
-  // From the window's cells, counted from its corner, to the vehicle's grid. The vehicle is inside
-  // of the area.
+  // From window cells, counted from the corner of the window, to the slice grid. The vehicle must
+  // be inside the area.
   [[nodiscard]] static CellMap to_grid(const window::Area& area, const Placement& at);
 
-  // From the cells of the vehicle's grid to the window's. The vehicle is inside of the area.
+  // From cells of the slice grid to window cells. The vehicle must be inside the area.
   [[nodiscard]] static CellMap to_window(const window::Area& area, const Placement& at);
 
-  // Where the centre of a cell lies; it is the first of a tile.
+  // The image of the centre of a cell, which must be the first of a tile.
   [[nodiscard]] FinePoint exact(geometry::Cell cell) const { return exactly(cell).fine(); }
   [[nodiscard]] ExactPoint exactly(geometry::Cell cell) const {
     return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
   }
 
-  // A tile further along x, and along y. Nothing is rounded.
+  // The image one tile further along x or y, without rounding.
   [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
     return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
   }
@@ -72,7 +72,7 @@ class CellMap {
     return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
   }
 
-  // One cell further along x: so much. Along y: (-y, x).
+  // Image of a step of one cell along x. Along y it is (-y, x).
   [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
 
  private:
@@ -92,7 +92,7 @@ class CellMap {
   std::int64_t sin_;
 };
 
-// A point of the map's target moved by one step of the source along x, and along y.
+// Moves a point in the target grid by one step of the source along x or y.
 [[nodiscard]] constexpr FinePoint along_x(FinePoint point, FinePoint step) {
   return {point.x + step.x, point.y + step.y};
 }
@@ -100,8 +100,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// The cells of one grid in which the centres of a rectangle of the other's cells lie at most: from
-// the image of its first cell to `low` and to `high`, both included.
+// Bounds of the images of a rectangle of cells: offsets from the image of its first cell to the
+// lowest and the highest cell, both included.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

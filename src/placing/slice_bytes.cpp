@@ -23,8 +23,7 @@ TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes) {
   return notes;
 }
 
-// A bit beside an index of either sign is bit 5 of its byte, turned round: that of 1 ... 31 is 0,
-// that of -1 ... -31 is 1.
+// The extra bit toggles bit 5 of the byte, which is 0 for indexes 1 ... 31 and 1 for -1 ... -31.
 void set_beside(const window::Plane& cells, std::int8_t* bytes) {
   for (std::uint32_t row : cells) {
     for (; row != 0; row &= row - 1) {

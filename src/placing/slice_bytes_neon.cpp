@@ -1,5 +1,5 @@
-// What slice_bytes.cpp says, for the target: a row of squares at a time, and their notes side by
-// side. Nothing is handed to the core's own registers before the end, because that takes it long.
+// The NEON version of slice_bytes.cpp. It handles a row of squares at a time and collects the notes
+// in parallel. Transfers to core registers are slow, so they happen only at the end.
 #include <arm_neon.h>
 
 #include "placing/slice_bytes.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kRowBytes = geometry::kTileSide;
 constexpr std::size_t kHalfRow = kRowBytes / 2;
 
-// Four rows of sixteen cells: the bits that one of them has in each column, and the greatest.
+// Four rows of sixteen cells: the union of the bits, and the maximum, of each column.
 struct Columns {
   int8x16_t bits;
   int8x16_t greatest;
@@ -32,7 +32,7 @@ Columns write_half(const std::int8_t* indexes, std::int8_t* bytes) {
           .greatest = vmaxq_s8(vmaxq_s8(a, b), vmaxq_s8(c, d))};
 }
 
-// Ones for each square of four columns in which something is known.
+// All ones for each square of four columns with a known cell.
 uint16x4_t known_squares(int8x16_t bits) {
   const uint32x4_t squares = vreinterpretq_u32_s8(bits);
   return vmovn_u32(vtstq_u32(squares, squares));
@@ -67,7 +67,7 @@ TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes) {
   }
   TileNotes notes;
   vst1_u8(notes.known.data(), sums_of(known));
-  // Two rows of squares are a band.
+  // A band is two rows of squares.
   const uint8x8_t is_hit = vcgt_s8(greatest_of(greatest), vdup_n_s8(0));
   const uint8x8_t bit_of_band = vcreate_u8(0x0808'0404'0202'0101);
   uint8x8_t bands = vand_u8(is_hit, bit_of_band);

@@ -44,7 +44,7 @@ void SliceCells::clear() {
   forget_notes();
 }
 
-// Each tile has a place of its own, whichever core copies it.
+// Each tile has a fixed place, so any core may copy it.
 void SliceCells::begin() { std::iota(places_.begin(), places_.end(), std::uint16_t{0}); }
 
 void SliceCells::forget_notes() {

@@ -1,5 +1,5 @@
-// The hits of a slice, each with the cell of the window that holds its cell's centre. Its tiles,
-// bands of eight rows and rows are asked in turn whether there is one at all.
+// Visits the hits of a slice with the window cells that hold the centres of their cells. Tiles,
+// bands of eight rows, and groups of eight cells without hits are skipped.
 #pragma once
 
 #include <bit>
@@ -16,7 +16,8 @@
 
 namespace iog::placing {
 
-// Calls visit(cell, byte) for each hit of a band of eight rows, whose first cell lies at `first`.
+// Calls visit(cell, byte) for each hit of a band of eight rows. `first` is the image of its first
+// cell.
 template <typename Visit>
 inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FinePoint step,
                                  Visit& visit) {
@@ -34,8 +35,9 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
   }
 }
 
-// Cells are counted from the window's lowest, and may lie outside of it. Tiles and bands of which
-// meets(low, high) says that none of the cells between those two matters are left out.
+// Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest and may lie
+// outside it. Tiles and bands are skipped if meets(low, high) returns false for the bounds of their
+// cells.
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {

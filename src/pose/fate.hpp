@@ -1,5 +1,5 @@
-// What becomes of a datagram on the poses' port, and of a slice that asks for a pose. The values
-// are those of docs/spec.md, sections 5.2 and 5.5.
+// Outcomes of datagrams on the pose port, and of slices that need a pose. The values are those of
+// docs/spec.md, sections 5.2 and 5.5.
 #pragma once
 
 #include <cstddef>
@@ -7,37 +7,37 @@
 
 namespace iog::pose {
 
-// Each datagram has one of these fates. All but the first two are drops: they change nothing.
+// The outcome of a datagram. All but the first two are drops, which change nothing.
 enum class Fate : std::uint8_t {
   kUsed,          // it is the newest pose
-  kUnconfirmed,   // of a run that is not believed yet; it waits for the next ones
-  kStranger,      // not from the sender that the description names
+  kUnconfirmed,   // waits for confirmation, because its run is not accepted yet
+  kStranger,      // not from the sender in the description
   kTooShort,      // shorter than a message
-  kNotOurs,       // another SOME/IP, service, event or message type
-  kWrongVersion,  // of the interface, or of the content
-  kDamaged,       // wrong CRC, data id or length of what the CRC covers
-  kWrongLength,   // the content is not as long as it says
-  kWrongFlags,    // a flag that does not exist
-  kNotZero,       // something that has to be zero is not
-  kOutOfRange,    // position, speed or yaw rate cannot be
-  kNoSigma,       // a standard deviation of zero: no source is so precise
+  kNotOurs,       // another SOME/IP service, event or message type
+  kWrongVersion,  // of the interface or of the content
+  kDamaged,       // wrong CRC, data id, or length covered by the CRC
+  kWrongLength,   // the content does not have its stated length
+  kWrongFlags,    // an undefined flag is set
+  kNotZero,       // a field that must be zero is not
+  kOutOfRange,    // impossible position, speed or yaw rate
+  kNoSigma,       // a standard deviation is zero, which no source can reach
   kTooOld,        // older than kMaxAgeUs when it was sent
   kNotNewer,      // not newer than the newest of its run
-  kFlood,         // less than kMinSpacingUs newer
-  kPastRun,       // of a run that another one has followed
+  kFlood,         // less than kMinSpacingUs newer than that
+  kPastRun,       // of a run that another one has replaced
 };
 inline constexpr std::size_t kFateCount = 16;
 
-// Why a slice has no pose, or why what was placed before has lost its place.
+// Why a slice has no pose, or why all earlier data has lost its place.
 enum class Cause : std::uint8_t {
   kNone,
-  kLate,          // no message within kLateUs of the slice: the slice is not placed
-  kImprecise,     // a standard deviation above kMaxSigma...: the slice is not placed
+  kLate,          // no message within kLateUs of the slice: the slice is not registered
+  kImprecise,     // a standard deviation above kMaxSigma...: the slice is not registered
   kLost,          // no message for kLostUs: the window is unknown
-  kJump,          // off the prediction: the window is unknown
+  kJump,          // too far from the prediction: the window is unknown
   kRestart,       // a new run of the sender: the window is unknown
-  kContradicted,  // beams go through what stood, all around: the window is unknown
-  kDrifting,      // poses come later and later, and packets are placed by arrival: unknown
+  kContradicted,  // beams go through standing objects all around: the window is unknown
+  kDrifting,      // growing delay, with packets timed by arrival: the window is unknown
 };
 inline constexpr std::size_t kCauseCount = 8;
 

@@ -9,7 +9,7 @@ constexpr Motion motion_of(const Message& message) {
   return {.speed_mm_per_s = message.speed_mm_per_s, .yaw_urad_per_s = message.yaw_urad_per_s};
 }
 
-// Half a unit too low at most.
+// At most half a unit too low.
 constexpr Motion mean_of(const Motion& a, const Motion& b) {
   return {.speed_mm_per_s = (a.speed_mm_per_s + b.speed_mm_per_s) >> 1,
           .yaw_urad_per_s = (a.yaw_urad_per_s + b.yaw_urad_per_s) >> 1};
@@ -24,7 +24,7 @@ constexpr bool is_imprecise(const Sigma& sigma) {
   return sigma.position_mm > kMaxSigmaMm || sigma.heading_10urad > kMaxSigmaHeading;
 }
 
-// Whether a message follows another of its run, by the clock of both.
+// Whether a message may follow another one of its run, by their clock.
 constexpr Fate fate_after(const Message& before, const Message& message) {
   if (message.clock_us <= before.clock_us) {
     return Fate::kNotNewer;
@@ -32,7 +32,7 @@ constexpr Fate fate_after(const Message& before, const Message& message) {
   return message.clock_us - before.clock_us < kMinSpacingUs ? Fate::kFlood : Fate::kUsed;
 }
 
-// Negative if `time` is before `from`.
+// Negative if time_us is before from_us.
 constexpr std::int64_t difference_us(std::uint64_t time_us, std::uint64_t from_us) {
   return static_cast<std::int64_t>(time_us - from_us);
 }
@@ -54,26 +54,27 @@ Fate History::add(const Message& message, std::uint64_t arrival_us) {
   if (fate == Fate::kNotNewer || has_leapt(entry(0), next)) {
     return take_candidate(next, arrival_us);
   }
-  candidate_count_ = 0;  // the present course goes on
+  candidate_count_ = 0;  // the present sequence continues
   append(next);
   arrival_us_ = arrival_us;
   return Fate::kUsed;
 }
 
-// The target's clock says so. What it has not seen yet is no silence.
+// Whether no message came for kLostUs by the target's clock. A message that the target has not seen
+// yet does not count.
 bool History::is_silent(std::uint64_t arrival_us) const {
   return difference_us(arrival_us, arrival_us_) > std::int64_t{kLostUs};
 }
 
-// From one message to the next: a drive may be played much faster or slower than it was recorded,
-// and then the clocks drift apart.
+// Compares a message only with the previous one, because the clocks drift apart if a drive is
+// replayed much faster or slower than it was recorded.
 bool History::has_leapt(const Entry& before, const Entry& next) {
   return difference_us(before.offset_us, next.offset_us) > std::int64_t{kMaxLeapUs};
 }
 
-// Candidates are messages in a row of one run, none more than kLostUs after the one before. What is
-// farther away in time, whether later or earlier, begins another row: else a single message could
-// keep its run waiting.
+// Candidates are consecutive messages of one run, each within kLostUs of the previous one. A
+// message farther away in time, later or earlier, starts a new row. Otherwise a single message
+// could keep its run waiting.
 Fate History::take_candidate(const Entry& candidate, std::uint64_t arrival_us) {
   const Message& message = candidate.message;
   const Message& before = candidates_[candidate_count_ > 0 ? candidate_count_ - 1 : 0].message;
@@ -94,7 +95,8 @@ Fate History::take_candidate(const Entry& candidate, std::uint64_t arrival_us) {
   return Fate::kUsed;
 }
 
-// Within a run the course before was lost: it has been silent, or by its own clock it is long past.
+// Within one run, the previous sequence counts as lost: either it was silent, or by its own clock
+// it is long past.
 void History::begin_course() {
   const Message& first = candidates_[0].message;
   const bool is_of_present_run = runs_.is_present(first.run);
@@ -147,9 +149,10 @@ void History::append(Entry next) {
   unbroken_ = is_believed ? std::min(unbroken_ + 1, kHistoryMessages) : 0;
 }
 
-// The mean of both motions foretells braking and the beginning of a curve, and so many small
-// residuals add up to a slow shift. A source that takes its speed from its own positions explains
-// half of a jump by its speed; so a single step is also held against what was known before it.
+// Predicting with the mean of both motions covers braking and the start of a bend. Small residuals
+// then add up only if the poses shift slowly. If a source derives its speed from its own positions,
+// the prediction already contains half of a jump. So a single step is also compared with the motion
+// known before it.
 bool History::is_jump_to(const Entry& next) const {
   const Message& before = entry(0).message;
   const std::uint64_t elapsed_us = next.message.clock_us - before.clock_us;
@@ -206,10 +209,10 @@ bool History::is_stuck(const Message& next) const {
          !is_jump(residual(next.pose, stuck_->pose));
 }
 
-// Whether poses come later and later. The floor is a line below all offsets that rises as fast as a
-// clock may drift. The least offset of a second less the floor is a delay. After a break the floor
-// begins at the present offset, so a constant delay, or a message that came too early, blinds for
-// kSettledUs.
+// Whether poses arrive later and later. The floor is a line below all offsets that rises as fast as
+// clocks may drift. The delay is the least offset of the last second minus the floor. After a break
+// the floor starts at the present offset, so a constant delay, or one message that came too early,
+// blinds the target for kSettledUs only.
 bool History::is_drifting(const Entry& next) {
   if (!depends_on_arrival_) {
     return false;
@@ -267,8 +270,9 @@ std::optional<std::uint64_t> History::source_time(std::uint64_t target_us) const
   return target_us - least_offset_us(entry(0), 1);
 }
 
-// The least offset of a message and those of the second before it, the newest of which has this
-// age. Offsets are compared with the newest, modulo 2^64, so that no clock's zero matters.
+// The least offset of `newest` and of the entries in the second before it. first_age: age of the
+// newest of these entries. Offsets are compared relative to `newest` modulo 2^64, so the zero
+// points of the clocks do not matter.
 std::uint64_t History::least_offset_us(const Entry& newest, std::size_t first_age) const {
   std::int64_t least_later = 0;
   for (std::size_t age = first_age; age < count_; ++age) {

@@ -1,14 +1,15 @@
-// The poses of the last second, and the pose of any time among them.
+// The poses of the last second, interpolated at any time in it.
 //
-// Times are of the clock of the poses' source, us, unless they are said to be the target's.
-// Messages come in the order of that clock; one that is not newer than the newest is dropped. Poses
-// belong together as long as nothing breaks them apart: a silence of kLostUs, a jump, a new run
-// of the source, that the sensors contradict them, or a delay that grows. What was placed before a
-// break has lost its place, and its window is unknown.
+// Times are in us of the clock of the pose source, unless they are called the target's. Messages
+// must come in the order of that clock; a message that is not newer than the newest is dropped. A
+// sequence of poses ends with a break: a silence of kLostUs, a jump, a new run of the source, a
+// contradiction by the sensors, or a growing delay. Data registered before a break has lost its
+// place, so its window is unknown.
 //
-// Who may be forged may not blind for good: what does not continue the present course, being of
-// another run or of another time, is believed by kConfirmations messages in a row. If it goes back,
-// in time or to a run of before, it has to wait until the present course is silent for kLostUs.
+// A forged message must not blind the target for good. A message of another run or another time,
+// which does not continue the present sequence, is accepted only after kConfirmations of them in a
+// row. If it goes back in time, or to an earlier run, the present sequence must also have been
+// silent for kLostUs.
 #pragma once
 
 #include <array>
@@ -25,17 +26,17 @@
 
 namespace iog::pose {
 
-// The pose of a time, or the cause why there is none.
+// The pose at a time, or the reason why there is none.
 struct Placed {
   Cause cause = Cause::kLost;
-  // If the cause is kNone. Else the pose is zero, and nothing says how well it is known.
+  // Valid if the cause is kNone. Otherwise the pose is zero, and its deviations are unknown.
   Pose pose{};
-  Sigma sigma{};  // the larger ones of the messages that the pose is made of
+  Sigma sigma{};  // the larger ones of the messages that it is interpolated from
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
   friend constexpr bool operator==(const Placed&, const Placed&) = default;
 };
 
-// How often something has begun, and when it did last.
+// How often a cause began, and when it began last.
 struct Tally {
   std::uint32_t times = 0;
   std::uint64_t since_us = 0;
@@ -43,51 +44,52 @@ struct Tally {
 
 class History {
  public:
-  // depends_on_arrival: the offset of the clocks places packets, so it must not grow faster than
-  // clocks drift.
+  // depends_on_arrival: packets are timed by the offset of the clocks, so the offset must not grow
+  // faster than clocks drift.
   explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
 
-  // A sound message and its arrival by the target's clock. kUsed, or kUnconfirmed, kNotNewer,
-  // kFlood or kPastRun, which place nothing.
+  // Adds a valid message with its arrival by the target's clock. Returns kUsed; or kUnconfirmed,
+  // kNotNewer, kFlood or kPastRun, which change no pose.
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
-  // Time has passed, by the clock of the source: the end of the newest slice, or source_time() of
-  // now. Whether the source is lost shows here, or else when its next message comes.
+  // Reports the present time by the clock of the source: the end of the newest slice, or
+  // source_time() of now. Detects a lost source, which otherwise only its next message would show.
   void pass(std::uint64_t now_us);
 
-  // So much time has passed by the target's clock, and nothing else says how much it was: since the
-  // newest message came.
+  // Reports the present time by the target's clock, for when nothing else tells how much time has
+  // passed since the newest message.
   void pass_silence(std::uint64_t target_us);
 
-  // What the poses have placed contradicts itself: whatever they say, they were wrong. The source
-  // may be stuck, so there are none before it says another place than now, or kMaxStuckUs later.
+  // Reports that registered data contradicts itself, so the poses were wrong. The source may be
+  // stuck. So poses are rejected until they give another place than now, or until kMaxStuckUs
+  // later.
   void contradict();
 
-  // The pose of a time: between two messages on the straight way; after the newest, at most kLateUs
-  // after it, moved by its speed and yaw rate. kLost, kJump, kRestart, kContradicted, kDrifting:
-  // the time is before the first message since that break; kLate, kImprecise. Without any break it
-  // is kLost.
+  // The pose at a time. Between two messages it is interpolated linearly. Up to kLateUs after the
+  // newest message it is predicted by the speed and the yaw rate. The cause is kLost, kJump,
+  // kRestart, kContradicted or kDrifting if the time is before the first message after that break,
+  // and kLost if there was no break. The other causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
-  // The clock of the source at a time of the target's clock: measured, as seen by the message of
-  // the last second that was least delayed, so never ahead by more than the shortest way of a
-  // message. Empty while there is no message of the last second.
+  // Converts a time of the target's clock to the clock of the source, by the least delayed message
+  // of the last second. The result is never ahead by more than the shortest delay of a message.
+  // Empty if there is no message of the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Rises with each break: whatever was placed under another epoch is unknown now.
+  // Increases with each break. Data registered in an earlier epoch is unknown now.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Whether a message of this run has given a place or heading that would be a jump from the first
-  // one.
+  // Whether a message of this run differs from the first one by a jump in place or heading.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
-  // Of kLost and kContradicted (since the last message before it), kJump, kRestart and kDrifting
-  // (since the first message after it); the others are of slices.
+  // How often each break occurred, and when it last did. kLost and kContradicted begin with the
+  // last message before the break; kJump, kRestart and kDrifting with the first message after it.
+  // The other causes concern slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // The newest message, also when it is too old to place anything. Empty before the first.
+  // The newest message, even if it is too old to register anything. Empty before the first one.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
   }
@@ -100,8 +102,8 @@ class History {
  private:
   struct Entry {
     Message message{};
-    std::uint64_t offset_us = 0;  // target's clock less the source's, modulo 2^64
-    Residual residual{};          // to what the message before it predicts
+    std::uint64_t offset_us = 0;  // target's clock minus the source's, modulo 2^64
+    Residual residual{};          // to the prediction from the previous message
   };
 
   [[nodiscard]] Fate take_candidate(const Entry& candidate, std::uint64_t arrival_us);
@@ -116,26 +118,26 @@ class History {
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
-  // The entry of this age: 0 is the newest. age < count_.
+  // The entry of this age; 0 is the newest. age < count_.
   [[nodiscard]] const Entry& entry(std::size_t age) const {
     return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];
   }
 
   bool depends_on_arrival_;
-  std::array<Entry, kHistoryMessages> entries_{};  // a ring, the oldest is overwritten
+  std::array<Entry, kHistoryMessages> entries_{};  // a ring; the oldest entry is overwritten
   std::size_t next_ = 0;
-  std::size_t count_ = 0;                           // entries of the course
-  std::size_t unbroken_ = 0;                        // the newest of them, which belong together
-  Cause began_by_ = Cause::kLost;                   // what the unbroken ones follow
+  std::size_t count_ = 0;                           // entries of the present sequence
+  std::size_t unbroken_ = 0;                        // the newest of them without a break
+  Cause began_by_ = Cause::kLost;                   // the break before the unbroken ones
   bool is_whole_ = true;                            // none of the unbroken ones was overwritten
-  std::array<Entry, kConfirmations> candidates_{};  // of a course that is not believed yet
+  std::array<Entry, kConfirmations> candidates_{};  // of a sequence that is not accepted yet
   std::size_t candidate_count_ = 0;
   std::uint64_t arrival_us_ = 0;    // of the newest message, by the target's clock
-  std::optional<Message> stuck_{};  // where the source was contradicted, while nothing is believed
+  std::optional<Message> stuck_{};  // message of the contradiction, while poses are rejected
   std::optional<Entry> floor_{};    // the message that set the floor
   std::optional<std::uint64_t>
-      drifted_us_{};  // when the offset last grew, while nothing is believed
-  Pose first_{};      // of the run
+      drifted_us_{};  // last growth of the offset, while poses are rejected
+  Pose first_{};      // first pose of the run
   bool has_moved_ = false;
   RunMemory runs_;
   std::uint32_t epoch_ = 0;

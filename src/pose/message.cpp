@@ -22,7 +22,7 @@ constexpr bool has_sigma(const Sigma& sigma) {
   return sigma.position_mm != 0 && sigma.heading_10urad != 0;
 }
 
-// What the fields say of themselves, in the order of docs/spec.md.
+// Checks the values of the fields, in the order of docs/spec.md.
 Fate fate_of(const Message& message) {
   const bool has_map = message.map.has_value();
   if (message.clock_us > kMaxClockUs || !is_within(message.pose) ||

@@ -14,13 +14,13 @@ namespace {
 
 using numeric::div_nearest;
 
-// 2^-32 turns.
+// In 2^-32 turns.
 std::int64_t angle_turned(std::int32_t yaw_urad_per_s, std::int64_t elapsed_us) {
   const std::int64_t nanoradians = div_nearest<std::int64_t>(yaw_urad_per_s * elapsed_us, 1'000);
   return div_nearest<std::int64_t>(nanoradians * kAnglePerRadian, 1'000'000'000);
 }
 
-// A length in 2^-10 mm times a cosine in 2^-30, to the nearest millimetre, a tie upwards.
+// A length in 2^-10 mm times a cosine in 2^-30, rounded to the nearest millimetre; ties round up.
 std::int32_t component_mm(std::int64_t length, std::int32_t cosine_q30) {
   constexpr int kFractionBits = 10 + numeric::kSineFractionBits;
   constexpr std::int64_t kHalf = std::int64_t{1} << (kFractionBits - 1);
@@ -36,7 +36,7 @@ std::int32_t turn_between(std::uint32_t from, std::uint32_t to) {
 Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us) {
   const auto elapsed = static_cast<std::int64_t>(elapsed_us);
   const std::int64_t turned = angle_turned(motion.yaw_urad_per_s, elapsed);
-  // mm/s times us are 10^-6 mm, and 16 / 15625 of them are 2^-10 mm.
+  // mm/s times us is 10^-6 mm, and 16 / 15625 of that is 2^-10 mm.
   const std::int64_t length =
       div_nearest<std::int64_t>(motion.speed_mm_per_s * elapsed * 16, 15'625);
   const numeric::Rotation chord =
@@ -63,7 +63,7 @@ Residual residual(const Pose& pose, const Pose& predicted) {
           .heading = turn_between(predicted.heading, pose.heading)};
 }
 
-// The sums are below 2^52, so their squares are taken only of what is small.
+// Sums are below 2^52, so only small ones are squared.
 bool is_jump(const Residual& sum) {
   const auto is_above = [](std::int64_t value, std::int64_t most) {
     return value > most || value < -most;

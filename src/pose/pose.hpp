@@ -1,4 +1,4 @@
-// Where the vehicle frame is in the local frame: a plane that the pose source keeps smooth.
+// The pose of the vehicle frame in the local frame, a plane that the pose source keeps smooth.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 namespace iog::pose {
 
 struct Pose {
-  std::int32_t x_mm = 0;  // of the vehicle frame's origin
+  std::int32_t x_mm = 0;  // position of the vehicle frame's origin
   std::int32_t y_mm = 0;
   std::uint32_t heading = 0;  // 2^-32 turns, counter-clockwise from the local frame's x
   friend constexpr bool operator==(const Pose&, const Pose&) = default;

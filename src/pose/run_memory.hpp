@@ -1,5 +1,4 @@
-// The runs of the poses' source that were believed: the present one, and those that it has
-// followed.
+// The accepted runs of the pose source: the present one and earlier ones.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +15,13 @@ class RunMemory {
     return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
   }
 
-  // Whether it was a run of before. The memory is of the last fifteen.
+  // Whether it is an earlier run. The last fifteen are remembered.
   [[nodiscard]] bool is_past(std::uint32_t run) const {
     const auto known = std::span(runs_).first(count_);
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // Another run than the present one becomes the present one, perhaps again.
+  // Makes a run the present one, which it must not be already. It may be an earlier one.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;
@@ -31,7 +30,7 @@ class RunMemory {
 
  private:
   static constexpr std::size_t kRuns = 16;
-  std::array<std::uint32_t, kRuns> runs_{};  // a ring, the oldest is overwritten
+  std::array<std::uint32_t, kRuns> runs_{};  // a ring; the oldest run is overwritten
   std::size_t next_ = 0;
   std::size_t count_ = 0;
 };

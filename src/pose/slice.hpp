@@ -1,5 +1,5 @@
-// Slices of the time of the poses' source: what is measured in one is placed by one pose, that of
-// its middle. So neither the order nor the grouping of packets shows.
+// Divides the time of the pose source into slices. All data measured in a slice is registered with
+// the pose at its middle, so the order and the grouping of packets do not matter.
 #pragma once
 
 #include <cstdint>
@@ -7,20 +7,21 @@
 namespace iog::pose {
 
 struct Slice {
-  std::uint64_t number = 0;     // since the clock's zero
-  std::uint64_t middle_us = 0;  // whose pose places it
-  std::uint64_t end_us = 0;     // where the next one begins
+  std::uint64_t number = 0;     // from the zero of the clock
+  std::uint64_t middle_us = 0;  // time of the pose that registers it
+  std::uint64_t end_us = 0;     // start of the next slice
   friend constexpr bool operator==(const Slice&, const Slice&) = default;
 };
 
 class Slicing {
  public:
-  // A slice is 2^log2_ms milliseconds long. log2_ms: 0 ... 6.
+  // log2_ms: 0 ... 6. A slice is 2^log2_ms milliseconds long.
   explicit constexpr Slicing(std::uint8_t log2_ms = 3) : log2_ms_{log2_ms} {}
 
   [[nodiscard]] constexpr std::uint64_t slice_us() const { return std::uint64_t{1000} << log2_ms_; }
 
-  // The slice that holds a time, its beginning included. A middle or an end beyond 2^64 us wraps.
+  // The slice that contains a time; the start belongs to it. A middle or an end beyond 2^64 us
+  // wraps.
   [[nodiscard]] constexpr Slice slice_of(std::uint64_t time_us) const {
     const std::uint64_t number = time_us / slice_us();
     const std::uint64_t first_us = number * slice_us();

@@ -1,8 +1,8 @@
-// The poses' source as the target knows it: its senders, what came of each datagram, and what came
-// of each slice that asked for a pose. Everything that is not used is counted by its cause.
+// The pose source as the target knows it: its senders, the outcome of each datagram, and the
+// outcome of each slice that needs a pose. All rejections are counted by cause.
 //
-// The CRC finds what a network spoils; it is no authentication. Whoever can send in the name of the
-// described address can move the vehicle.
+// The CRC detects damage by a network; it is no authentication. Anyone who can send in the name of
+// the configured address can move the vehicle.
 #pragma once
 
 #include <array>
@@ -20,32 +20,32 @@
 
 namespace iog::pose {
 
-// What kept slices from their place, and broke the poses apart, since start.
+// Counts, since start, of slices without a pose and of breaks, by cause.
 struct CauseCounts {
-  std::array<std::uint32_t, kCauseCount> slices{};  // as Source::slices()
-  std::array<Tally, kCauseCount> began{};           // as Source::tally()
+  std::array<std::uint32_t, kCauseCount> slices{};  // see Source::slices()
+  std::array<Tally, kCauseCount> began{};           // see Source::tally()
 
-  // Bit by cause: it was met since those counts. kNone is no cause.
+  // The causes that occurred since `before`, one bit each. kNone is no cause.
   [[nodiscard]] std::uint8_t since(const CauseCounts& before) const;
 };
 
 class Source {
  public:
-  // description.is_valid(). replayer_ipv4 may send in the name of the source, 0: none.
-  // depends_on_arrival: as of History.
+  // description.is_valid() must hold. replayer_ipv4 may also send in the name of the source; 0:
+  // none. depends_on_arrival: see History.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
                   bool depends_on_arrival = false);
 
-  // Whether a datagram to this port is of poses.
+  // Whether this port receives poses.
   [[nodiscard]] bool listens_to(std::uint16_t udp_port) const {
     return udp_port == description_.udp_port;
   }
 
-  // A datagram that came to the poses' port. Any bytes may come.
+  // Processes a datagram on the pose port. Accepts any bytes.
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
-  // As in History.
+  // See History.
   void pass(std::uint64_t now_us) { history_.pass(now_us); }
   void pass_silence(std::uint64_t target_us) { history_.pass_silence(target_us); }
   void contradict() { history_.contradict(); }
@@ -56,21 +56,22 @@ class Source {
   [[nodiscard]] bool has_moved() const { return history_.has_moved(); }
   [[nodiscard]] std::optional<Message> newest() const { return history_.newest(); }
 
-  // The slice that holds a time of the source's clock.
+  // The slice that contains a time of the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
-  // As in History; nothing is counted.
+  // See History. Does not count.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // The pose of a slice, or the cause why it has none, which is counted. Ask once for each slice.
+  // Returns the pose of a slice, or counts and returns the reason why it has none. Call once per
+  // slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
-  // Datagrams by what became of them, since start.
+  // Datagrams by outcome, since start.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Slices by why they had no pose (kNone: those that had one), since start.
+  // Slices since start, by the reason why they have no pose; kNone: with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // How often each cause has begun, and when it did last: of kLate and kImprecise the middle of the
-  // first slice in a row that was not placed because of it; of the others as in History.
+  // How often each cause began, and when it began last. For kLate and kImprecise that is the middle
+  // of the first slice in a series without a pose; for the others see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -1,4 +1,4 @@
-// The source of poses: part of a vehicle's description.
+// Describes the pose source, as a part of the vehicle description.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace iog::pose {
 
 struct SourceDescription {
-  std::uint32_t source_ipv4 = 0;       // the sender's address, 0: any
-  std::uint16_t udp_port = kPosePort;  // where its messages arrive
+  std::uint32_t source_ipv4 = 0;       // address of the sender; 0: any
+  std::uint16_t udp_port = kPosePort;  // port that receives its messages
   std::uint8_t log2_slice_ms = 3;      // a slice is 2^this milliseconds long, 0 ... 6
 
   [[nodiscard]] constexpr bool is_valid() const { return udp_port != 0 && log2_slice_ms <= 6; }

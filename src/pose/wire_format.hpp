@@ -1,4 +1,4 @@
-// Poses and how certain they are, in messages of any kind: big endian, as in docs/spec.md 5.1.
+// Encodes poses and their deviations for all messages, big endian, as in docs/spec.md 5.1.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace iog::pose {
 
-// What stands where no transform to the map is known: zeros, the standard deviations too.
+// Stands for an unknown map transform: all zeros, including the standard deviations.
 inline constexpr MapTransform kNoMap{.sigma = {.position_mm = 0, .heading_10urad = 0}};
 
 void write(const Pose& pose, wire::ByteWriter& out);                        // 12 bytes
