@@ -1,4 +1,4 @@
-// The seam to time: a clock for points in time, a stopwatch for short durations.
+// Hardware interface for time: a clock for points in time, a stopwatch for short durations.
 #pragma once
 
 #include <concepts>

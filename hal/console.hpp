@@ -1,4 +1,4 @@
-// The seam to a text console for people. A call blocks no longer than it takes to shift out its
+// Hardware interface for a text console. A call blocks no longer than it takes to shift out its
 // bytes.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The seam to the machine's other cores, the helpers. Core 0 controls them.
+// Hardware interface for the other cores, called helpers. Core 0 controls them.
 //
 // A helper sleeps until it is woken, does its job once, and sleeps again. It never gives up a job
 // by itself; core 0 watches the time and stops it.

@@ -1,4 +1,4 @@
-// The seam to the end of this run and the record of the previous run.
+// Hardware interface that ends a run and reports how the previous run ended.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The seam to an Ethernet controller: sends and receives whole frames and never blocks.
+// Hardware interface for an Ethernet port: sends and receives whole frames and never blocks.
 //
 // A frame is destination, source, type and payload, without preamble and FCS.
 #pragma once
@@ -34,7 +34,7 @@ struct PortCounters {
 // Shows whether a port is alive.
 struct PortLife {
   std::uint32_t moved = 0;  // frames received, bad ones too, or sent since it was opened; wraps
-  bool is_excused = true;   // no frame need move: no link, or able to receive and none to send
+  bool is_excused = true;   // there is no link, or the port can receive and has nothing to send
 };
 
 // receive():  the oldest received frame, or empty. It remains the same, and valid, until release().

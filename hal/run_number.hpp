@@ -1,4 +1,4 @@
-// The seam to a number that distinguishes the runs of a machine.
+// Hardware interface for a number that distinguishes the runs of a machine.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// The seam to a serial port that only sends and never blocks.
+// Hardware interface for a serial port that only sends and never blocks.
 #pragma once
 
 #include <concepts>

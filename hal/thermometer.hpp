@@ -1,4 +1,4 @@
-// The seam to the machine's thermometer.
+// Hardware interface for the chip's thermometer.
 #pragma once
 
 #include <concepts>

@@ -42,7 +42,7 @@ class StreamSigner {
 
   [[nodiscard]] bool is_full() const { return count_ == kMaxNames; }
 
-  // Returns the signature of the messages added since the last one, of which there is at least one.
+  // Returns the signature of the messages added since the last call. There must be at least one.
   // Valid until the next call.
   [[nodiscard]] std::span<const std::byte> sign();
 

@@ -1,6 +1,6 @@
-// The car in an image: a block of bytes at a fixed place, with the compiled car file and the
-// network configuration. The build or `iog image` writes it. The target uses it only after checking
-// all of it (docs/spec.md, section 8).
+// The car in an image: a block of bytes at a fixed place with the compiled car file and the network
+// configuration. The build or `iog image` writes it. The target checks all of it before using any
+// part (docs/spec.md, section 8).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace iog::car_block {
 
-// Properties that a firmware is compiled for. A car that needs others needs another image.
+// The properties for which a firmware is compiled. A car that needs others needs another image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;
@@ -43,8 +43,7 @@ void write_block_without_car(vehicle::Grids grids, const net::Config& network, W
 // Adds a key to a written block: the target then requires commands signed with it.
 void write_key(const authentication::Key& key, WritableBlock block);
 
-// Returns the key, if there is a valid one. A damaged key is no reason to run without: read_car()
-// refuses it.
+// Returns the key, if there is a valid one. read_car() refuses a car with a damaged key.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
 // Returns the network of the first valid record of two; nothing if neither is valid.

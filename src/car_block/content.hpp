@@ -125,8 +125,8 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // One byte has a bit each for: layers share lines, the sensor follows the ground, the sensor has
-  // limits for low beams and tall returns.
+  // Writes one byte with a bit for each of: layers share lines; the sensor follows the ground; the
+  // sensor has limits for low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;
@@ -140,7 +140,7 @@ class Writer {
       numbers(moved.low_mm, moved.tall_mm);
     }
   }
-  // A bit is set if there are classes but no tracked objects.
+  // An extra bit is set if there are classes but no tracked objects.
   void grids_and_objects(vehicle::Grids grids, bool has_objects) {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));

@@ -17,7 +17,7 @@ using vehicle::Vehicle;
 constexpr std::size_t kLongestSensorName = 15;
 constexpr std::size_t kLongestCarName = 31;
 
-// True for letters, digits and '_' that do not begin with a digit.
+// True if the name has only letters, digits and '_' and does not begin with a digit.
 bool is_name(std::string_view name, std::size_t longest) {
   const auto is_allowed = [](char c) {
     return is_within(c, 'a', 'z') || is_within(c, 'A', 'Z') || is_within(c, '0', '9') || c == '_';
@@ -118,7 +118,7 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// Undetected space is not free for a radar, and hardly free for an ultrasonic unit.
+// Silence of a radar is no evidence of free space, and silence of an ultrasonic unit is hardly any.
 void check_arcs(const Vehicle& car, std::size_t number, const Tell& tell) {
   const Sensor& sensor = car.sensors[number];
   const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);

@@ -10,8 +10,8 @@
 
 namespace iog::car_block {
 
-// Memory for the sensors of a vehicle, 80 KB: make it static. The constructor initialises it, so
-// the image need not contain the non-zero initial values.
+// Memory for the sensors of a vehicle, 80 KB: make it static. A constructor sets the initial
+// values, which are not zero, so the image need not contain them.
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;

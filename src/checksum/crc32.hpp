@@ -15,8 +15,8 @@ class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
-  // The contribution of a part to the CRC. It is independent of the preceding bytes, so several
-  // cores can each compute that of a part.
+  // The contribution of a part to the CRC. It does not depend on the preceding bytes, so several
+  // cores can compute the contributions of different parts.
   static constexpr std::size_t kPartBytes = 1024;
   using Part = std::span<const std::byte, kPartBytes>;
   [[nodiscard]] static std::uint32_t remainder_of(Part part) {

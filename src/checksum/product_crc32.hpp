@@ -53,11 +53,11 @@ class ProductCrc32 {
   using Field = ReflectedField<kPolynomial>;
 
   static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
-  static constexpr std::size_t kLeastBlockBytes = 32;   // summing and reducing shorter ones is slow
+  static constexpr std::size_t kLeastBlockBytes = 32;   // for shorter blocks, look-ups are faster
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // The state before a half acts as if added to the half's first four bytes.
+  // The state before a half has the same effect as adding it to the half's first four bytes.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
     const auto factors = std::span(kFactors).last(half / kProductLanes);
@@ -72,14 +72,14 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. They are reduced like the first byte of a state
-  // followed by a zero byte.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A look-up reduces them as if they were the first byte
+  // of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // The factor of the last byte is x^32; that of each preceding byte is x^8 times the next one.
+  // The factor of the last byte is x^32. Each preceding byte has x^8 times the factor of the next.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
     std::uint32_t factor = 0x8000'0000U;  // 1

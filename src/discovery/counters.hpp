@@ -10,8 +10,8 @@ namespace iog::discovery {
 
 enum class Count : std::uint8_t {
   kReceived,      // datagrams to the service discovery port
-  kMalformed,     // of these: not a message, in fragments, or from outside the subnet
-  kSpoofed,       // subscriber's address from another station, or ARP gives another one
+  kMalformed,     // received datagrams that were no message, fragmented, or from outside the subnet
+  kSpoofed,       // sender's Ethernet address contradicted the subscription or ARP
   kFlooded,       // unanswered because the answer budget was spent
   kOffered,       // offers sent to the group
   kFound,         // find entries that were answered

@@ -130,8 +130,8 @@ bool Server::is_acceptable(const Entry& entry, const std::optional<Endpoint>& en
          endpoint->address == datagram.source && endpoint->port != 0;
 }
 
-// True if there is no subscription, its candidate has timed out, or its endpoint is the same. The
-// endpoint's address is the sender's (is_acceptable()).
+// True if there is no subscription, if its candidate has timed out, or if it has this endpoint.
+// is_acceptable() has already compared the endpoint's address with the sender's.
 bool Server::has_room_for(const Endpoint& endpoint, std::uint64_t now_us) const {
   if (!subscription_ ||
       (!subscription_->is_confirmed && now_us - subscription_->since_us >= kConfirmUs)) {

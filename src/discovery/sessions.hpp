@@ -14,7 +14,7 @@ struct Session {
   bool reboot = false;
 };
 
-// The sessions of messages that we send to one kind of receiver.
+// Numbers the messages that we send to one kind of receiver.
 class SessionCounter {
  public:
   [[nodiscard]] constexpr Session take() {

@@ -1,4 +1,4 @@
-// Cells of the plane, and points at subcell resolution.
+// Cells of the plane, and points in units of subcells.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Guard words around memory with many writers, such as grids or the rings of a DMA engine. Nothing
-// writes the words, so a changed value reveals an overrun. They are regions of the memory check
-// (health/memory_check.hpp), and are used where no page between neighbours can be left unmapped.
+// writes the words, so a changed value reveals an overrun. They protect neighbours between which no
+// page can be left unmapped. The memory check treats them as regions (health/memory_check.hpp).
 //
 // A class with such members has for_each_guard(visit), which calls visit(guard) for each of them,
 // including those of its members, from low to high addresses.

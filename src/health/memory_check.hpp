@@ -41,8 +41,8 @@ class MemoryCheck {
   // Checks everything at once. Returns the number of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due by now. Returns the number of a region that a slice completed
-  // with another CRC, if any. The first call only starts the time.
+  // Checks the slices that are due by now. Returns the number of the region if a slice completes
+  // one that has changed. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
   // The number of complete rounds, modulo 2^32.

@@ -1,4 +1,4 @@
-// Network addresses of the target and its peer, taken from the car file in the image.
+// Network addresses of the target and its peer, from the car block of the image.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ enum class Drop : std::uint8_t {
   kPingIgnored,      // echo request not from the peer or to a broadcast, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
   kBadArp,           // ARP packet too short, or not for Ethernet and IPv4
-  kArpIgnored,       // ARP packet that is no request for us and gives no address we need
+  kArpIgnored,       // ARP packet that neither asks for our address nor gives one that we need
   kAddressConflict,  // another station claims our address in its ARP packet
   kReplyRingFull,    // no transmit buffer for an ARP or ping reply
 };

@@ -29,7 +29,7 @@ MacAddress read_mac(wire::ByteReader& reader) {
   for (std::uint8_t& octet : mac.octets) {
     octet = reader.u8();
   }
-  // If the reader ran out, the address is incomplete.
+  // If the reader ran out, the address is incomplete and must not be used.
   return reader.ok() ? mac : MacAddress{};
 }
 

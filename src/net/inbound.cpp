@@ -43,8 +43,8 @@ Inbound classify_udp(const Ipv4Packet& packet) {
   return dropped(Drop::kBadUdpLength);
 }
 
-// Pings from other hosts or to a broadcast address (RFC 1122, section 3.2.2.6) are not answered. A
-// request too long for a reply in one frame is not answered either.
+// Pings from other hosts or to a broadcast address (RFC 1122, section 3.2.2.6) are not answered.
+// Neither is a request whose reply would not fit one frame.
 Inbound classify_ping(const Ipv4Packet& packet, const Config& config) {
   switch (classify_icmp(packet.payload)) {
     case IcmpStatus::kEchoRequest:

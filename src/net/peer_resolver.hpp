@@ -44,10 +44,10 @@ class PeerResolver {
   // router also forwards packets with a forged source.
   void hear(const MacAddress& mac);
 
-  // Returns the destination of an ARP request that is due now, and counts the request as sent. The
-  // destination is the known station if that is in doubt (RFC 1122, section 2.3.2.1, "Unicast
-  // Poll"). Otherwise it is the broadcast address: at the first call, while nothing is known, and
-  // if the known station has not answered.
+  // Returns the destination of an ARP request that is due now, and counts the request as sent. A
+  // known station in doubt is asked directly (RFC 1122, section 2.3.2.1, "Unicast Poll"). The
+  // request is a broadcast while no station is known, when the address is due for a refresh, and
+  // when the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:

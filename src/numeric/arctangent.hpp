@@ -11,8 +11,7 @@
 namespace iog::numeric {
 
 // The angle from the x axis towards the y axis in 2^-16 turns, at most 0.505 steps off; 0 for (0,
-// 0).
-// x|, |y| < 2^31, so the products stay below 2^61.
+// 0). Requires |x|, |y| < 2^31, so that the products stay below 2^61.
 [[nodiscard]] std::uint16_t angle_of(std::int32_t x, std::int32_t y);
 
 }  // namespace iog::numeric

@@ -1,10 +1,10 @@
 // exp, log, sin and cos for tables computed at compile time.
 //
-// The target's code calls them only from consteval functions; the linker step checks that the image
-// contains no floating-point instruction. The PC's references also call them at run time. They use
-// only +, -, * and / of IEEE doubles, each correctly rounded, so every compiler computes the same
-// table. The relative error is below 1e-14 in the stated ranges (tests/host/numeric/ compares with
-// the C library).
+// The target's code calls them only from consteval functions, and a check at link time ensures that
+// the image contains no floating-point instruction. The PC's references also call them at run time.
+// They use only +, -, * and / of IEEE doubles, each correctly rounded, so every compiler computes
+// the same table. The relative error is below 1e-14 in the stated ranges (tests/host/numeric/
+// compares with the C library).
 #pragma once
 
 namespace iog::numeric {

@@ -12,9 +12,9 @@ struct Polar {
   std::uint32_t range = 0;     // in the unit of x, y and z, rounded to the nearest
 };
 
-// x|, |y|, |z| <= 2^20. The range is within 0.55 of the true one, and angles are within 2^-21 turns
-// if the elevation is within 89 degrees. For (0, 0, 0) everything is 0; straight up or down the
-// azimuth is 0.
+// The inputs satisfy |x|, |y|, |z| <= 2^20. The range is within 0.55 of the true one, and angles
+// are within 2^-21 turns if the elevation is within 89 degrees. Everything is 0 for (0, 0, 0), and
+// the azimuth is 0 straight up or down.
 [[nodiscard]] Polar polar_of(std::int32_t x, std::int32_t y, std::int32_t z);
 
 }  // namespace iog::numeric

@@ -1,7 +1,7 @@
 // The square root of an integer, rounded down, without a divide instruction.
 //
-// It is found bit by bit from the highest. Each bit costs one comparison and one subtraction, of
-// one word if that suffices.
+// Computes the root bit by bit from the highest. Each bit costs one comparison and one subtraction,
+// in single words if the argument fits one.
 #pragma once
 
 #include <bit>

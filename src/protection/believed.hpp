@@ -15,8 +15,8 @@ namespace iog::protection {
          (replayer_ipv4 != 0 && replayer_ipv4 == ipv4);
 }
 
-// The outcome by both headers: `sound`, kNotOurs, kWrongVersion or kDamaged, as an enumerator of
-// the caller's Fate. The order of messages is not checked.
+// The outcome after checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged, as an
+// enumerator of the caller's Fate. The order of messages is not checked.
 template <typename Fate>
 [[nodiscard]] constexpr Fate fate_of(const Received& received, Fate sound) {
   switch (received.header) {

@@ -34,7 +34,7 @@ struct Event {
 enum class SomeIpStatus : std::uint8_t {
   kOk,
   kTooShort,      // shorter than a header or than its length field says
-  kTooLong,       // longer than its length field says: we put one message into a datagram
+  kTooLong,       // longer than its length field says: we send one message per datagram
   kNotOurs,       // another protocol version, service or event
   kWrongVersion,  // another interface version; see interface_version_of()
   kWrongType,     // no notification, or its return code is an error

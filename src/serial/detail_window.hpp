@@ -1,6 +1,6 @@
-// Copies of a few tiles of a frame: the known ones from a given number on, as many as the serial
-// link carries before the next frame. The cost of taking over a frame is therefore a few copies,
-// however many tiles it has.
+// Copies of a few known tiles of a frame, from a given number on: as many as the serial link can
+// carry before the next frame. A new frame therefore costs only a few copies, however many tiles it
+// has.
 #pragma once
 
 #include <algorithm>

@@ -36,7 +36,7 @@ class GridSender {
   // The most tiles that one pump() encodes.
   static constexpr std::size_t kTilesPerPump = 2;
 
-  // Not constexpr: static objects are initialised at start-up and add nothing to the image.
+  // Not constexpr: the object is initialised at start-up and takes no space in the image.
   GridSender();
 
   // Takes a closed frame: its header, its known tiles in ascending order, then its end. This reads

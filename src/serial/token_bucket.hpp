@@ -25,7 +25,7 @@ class TokenBucket {
   // Advances the time. now_us must not decrease. bytes_per_second < 10^5.
   void refill(std::uint64_t now_us, std::uint32_t bytes_per_second) {
     const auto elapsed_us = static_cast<std::uint32_t>(
-        std::min<std::uint64_t>(now_us - now_us_, kBurstUs));  // more fills the bucket, too
+        std::min<std::uint64_t>(now_us - now_us_, kBurstUs));  // more time fills the bucket, too
     now_us_ = now_us;
     const std::uint32_t most = kBurstUs * bytes_per_second;
     level_ += std::min(elapsed_us * bytes_per_second, most - level_);

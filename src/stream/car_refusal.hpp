@@ -1,4 +1,4 @@
-// The message of a target that has refused the car file in its image and therefore sends no grid
+// The message of a target that has refused the car in its image and therefore sends no grid
 // (docs/spec.md 3.11).
 #pragma once
 

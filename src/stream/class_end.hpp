@@ -28,7 +28,7 @@ struct SliceRecord {
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// Counts of slices that were not placed for one cause, since start.
+// Slices that one cause has kept from being placed, since start.
 struct CauseRecord {
   std::uint32_t slices = 0;  // for the cause kNone: slices that were placed
   pose::Tally began{};       // how often the cause began, and when it last did

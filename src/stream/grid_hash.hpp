@@ -9,8 +9,8 @@
 
 namespace iog::stream {
 
-// CRC-32 over the grid's known tiles in order of tile y, then tile x. Each tile adds its x and y,
-// each as big-endian u16, then its 1024 cells. A grid without known cells has CRC 0.
+// CRC-32 over the grid's known tiles in order of tile y, then tile x. Each tile contributes its x
+// and y as big-endian u16, then its 1024 cells. A grid without known cells has CRC 0.
 class GridHash {
  public:
   // tile: its number in row-major order.

@@ -32,7 +32,7 @@ struct MapInUse {
 
 struct MapState {
   std::optional<MapInUse> in_use{};
-  map::LayerReport layer{};  // without the fields that are meaningful only within one frame
+  map::LayerReport layer{};  // fields that describe only one frame are not sent
   map::DeliveryReport delivery{};
 };
 

@@ -49,7 +49,7 @@ struct Header {
   std::uint8_t sensor_count = 0;
   std::uint8_t complete_sensors = 0;  // bit i: sensor i has delivered its whole scan
   std::uint8_t partial_sensors = 0;   // bit i: sensor i has delivered a part of it
-  std::uint32_t points_used = 0;      // scan points of this frame that were fused
+  std::uint32_t points_used = 0;      // scan points of this frame with the outcome kUsed
   std::uint32_t points_other = 0;     // scan points of this frame with any other outcome
   std::uint32_t packets_fused = 0;    // of this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped since start, for any cause

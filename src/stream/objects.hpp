@@ -21,11 +21,11 @@ enum class ObjectState : std::uint8_t {
 
 // Bits of ObjectRecord::flags.
 inline constexpr std::uint16_t kObjectHasHeading = 0x0001;
-inline constexpr std::uint16_t kObjectNotHit = 0x0002;     // in this frame; position predicted
+inline constexpr std::uint16_t kObjectNotHit = 0x0002;     // not hit in this frame, predicted
 inline constexpr std::uint16_t kObjectEndHidden = 0x0004;  // may be longer or wider
 
-inline constexpr std::uint16_t kNotBelieved = 65535;  // as a deviation of velocity
-inline constexpr std::uint16_t kAtLeast = 65535;      // other unsigned fields: or more
+inline constexpr std::uint16_t kNotBelieved = 65535;  // as a deviation of velocity: not believed
+inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: this or more
 
 // A box on the ground and its motion. Positions and velocities are in the local frame. "Along" is
 // the direction of the heading; "across" is to its left.

@@ -36,9 +36,9 @@ class References {
   // The stored reference of a tile. Nothing if the tile was never sent self-contained.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // The reference that a sender may use for this tile in this frame. Nothing if it is too old or
-  // too much has changed since. Also nothing in one of kMaxReferenceAge + 1 frames, depending on
-  // the tile number, so that self-contained tiles are spread evenly over the frames.
+  // The reference that a sender may use for this tile in this frame. Returns nothing if it is too
+  // old or too much has changed since. In addition, each tile is sent self-contained once in
+  // kMaxReferenceAge + 1 frames; the tile number spreads these turns evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

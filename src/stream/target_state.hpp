@@ -142,7 +142,7 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters of `Counts`. Empty if they are not all among the first `sent` link counters.
+// Reads the counters of `Counts`. Empty unless all are among the first `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

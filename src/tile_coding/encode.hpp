@@ -35,7 +35,7 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Holds the intermediate data of an encoding to save stack.
+// Holds the intermediate data of an encoding, which keeps them off the stack.
 class Encoder {
  public:
   // Writes kRunStartsSince if there is a reference, kRunStarts if there is none, and kRaw if these

@@ -26,7 +26,7 @@ struct Packing {
   std::uint8_t bits = 0;   // bits of a number
   std::uint8_t bits_of_four = 0;
 
-  // Bits of a tile's last number, which has this many groups of four.
+  // The number of bits of a tile's last number if it has `of_fours` groups of four.
   [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
     return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
   }

@@ -31,8 +31,8 @@ class TileRuns {
 
   // Writes where the runs start, by blocks of four cells by two rows. First comes one bit per
   // block, set if a run starts in it. Then each block with a set bit has one byte with a bit per
-  // cell. Blocks and cells are in row-major order from the lowest bit. Returns the number of bytes
-  // written.
+  // cell. Blocks and cells are in row-major order, the first in the lowest bit. Returns the number
+  // of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;
   static constexpr std::size_t kBlocksPerRow = kTileSide / 4;
   static constexpr std::size_t kSets = kBlocks / 8;  // bytes of the block bits
@@ -43,7 +43,7 @@ class TileRuns {
   static_assert(kTileSide == 32, "a row of cells is a word of bits");
 
   alignas(16) std::array<std::uint32_t, kTileSide> starts_{};  // bit x of word y
-  // Eight bytes of reserve, because eight are written at once at any place.
+  // Eight spare bytes, because writes of eight bytes can start at any place.
   alignas(8) std::array<std::uint32_t, kTileBytes / 4 + 2> values_{};
   std::size_t count_ = 0;
   std::uint8_t as_reference_ = 0;

@@ -74,7 +74,7 @@ void mark(const std::uint8_t* cells, Marks& marks) {
   }
 }
 
-// Returns kNoIndex for equal cells. The assembly saves a copy that the compiler would make.
+// Replaces equal cells by kNoIndex. The assembly saves a copy that the compiler would make.
 uint8x16_t none_where(uint8x16_t equal, uint8x16_t cells) {
   asm("vbit %q[cells], %q[none], %q[equal]"
       : [cells] "+w"(cells)

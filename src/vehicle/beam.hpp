@@ -11,9 +11,9 @@
 
 namespace iog::vehicle {
 
-// The outcome of a scan point. Each point has exactly one: the first that applies in the order no
-// return, flagged dirt or rain, too near, flagged ground, too far, outside the height band or the
-// ground limits, later echo, used. The values are wire values (docs/spec.md).
+// The outcome of a scan point. Each point has exactly one. If several apply, the first in this
+// order counts: no return, flagged dirt or rain, too near, flagged ground, too far, outside the
+// height band or the ground limits, later echo, used. The values are wire values (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and adds a hit
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
@@ -110,8 +110,8 @@ struct Classification {
   Evidence evidence;
 };
 
-// Evidence carves, except a later echo, whose beam the first echo carves. Used points and later
-// echoes add a hit.
+// All evidence carves, except that of a later echo: the first echo carves that beam. Used points
+// and later echoes add a hit.
 [[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
                                                   bool is_whole_in_band = false) {
   return {.fate = fate,
@@ -138,23 +138,22 @@ struct Classification {
 // The two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// The ranges in the band with tall returns by Sensor::moved.
+// The ranges in the band at which a return is tall by Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// The height of a return: is_obstacle is true at the height of an obstacle, otherwise `otherwise`
-// is its outcome. is_whole is true if the beam is at obstacle height from its start up to the
-// return.
+// The height of a return. If it is not the height of an obstacle, `otherwise` is the point's
+// outcome. is_whole: the beam is at obstacle height from its start up to the return.
 struct Height {
   bool is_obstacle = true;
   Fate otherwise = Fate::kUsed;
   bool is_whole = false;
 };
 
-// on_car: the ranges on the car for the point's beam. along_mm: the point's horizontal range,
-// Layer::along_line_mm(). No return and too near depend on the measured range, all other outcomes
-// on along_mm. height_at(reach_mm) returns the Height at reach_mm, which is along_mm, at most L.
-// Inline because it is called for every point.
+// Classifies a point. on_car: the ranges at which its beam is on the car. along_mm: its horizontal
+// range, Layer::along_line_mm(). kNoReturn and kTooNear depend on the measured range, all other
+// outcomes on along_mm. height_at(reach_mm) returns the Height at along_mm, or at L if the point is
+// beyond. Inline because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,

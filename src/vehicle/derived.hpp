@@ -90,8 +90,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// such a sensor is above its limit for low beams. A tall hit counts at a larger distance if a
-// sensor with a limit for tall returns follows the ground.
+// such a sensor is above its limit for low beams. Extends the reach of tall hits if a sensor with a
+// limit for tall returns follows the ground.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });

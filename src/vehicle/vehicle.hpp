@@ -135,10 +135,9 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // For a beam that ends on ground: the share of its length, in units of 2^-30, in which it is
-  // above the height band's lower end. Its height is taken above the straight line from the ground
-  // below the sensor to that end. 1 if the sensor is below the band's lower end or looks over
-  // things.
+  // The share of a beam that ends on ground, in units of 2^-30, in which it is above the height
+  // band's lower end. Heights are measured from a straight line between the ground below the sensor
+  // and the end. The share is 1 if the sensor is below the band's lower end or looks over things.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file has the maker's calibration of each laser.
   bool is_calibrated = false;
