@@ -26,7 +26,8 @@ struct CommandCounts {
        "maps authentic", "maps unsigned", "maps replayed", "maps forged", "maps last counter",
        "commands MAC"});
 
-  // The correct signature. data_id: that of the stream; run: that of the target.
+  // The signature that these counts must have. data_id: that of the stream; run: that of the
+  // target.
   [[nodiscard]] std::array<std::uint32_t, 2> signature_by(const CmacKey& key, std::uint16_t data_id,
                                                           std::uint32_t run) const {
     constexpr std::size_t kWords = sizeof(kinds) / sizeof(std::uint32_t);

@@ -130,7 +130,7 @@ class Reader {
     is_of_other_grid_ = differs && ok();
   }
 
-  // One of the firmware's own assignments, or none.
+  // Reads one of the firmware's own assignments, or none.
   void assignment(const evidence::Assignment*& assignment) {
     bool is_there = false;
     truth(is_there);

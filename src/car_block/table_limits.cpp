@@ -57,7 +57,8 @@ void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std:
   }
 }
 
-// At most a twelfth of a turn and 10 m either way, as in tools/car/limits.cpp.
+// True if a laser's corrections are at most a twelfth of a turn and 10 m either way, as in
+// tools/car/limits.cpp.
 bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
   return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
          is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);

@@ -25,7 +25,7 @@ class FastCrc32 {
     crc.update(part);
     return crc.state_;
   }
-  // Equivalent to update() with a part that has this remainder.
+  // Does the same as update() with a part that has this remainder.
   void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_) ^ remainder; }
 
   // The CRC of all bytes so far; more may follow.

@@ -50,7 +50,7 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return {address.value | host_mask(prefix_bits)};
 }
 
-// Multicast addresses, and the Ethernet group address of an IPv4 group (RFC 1112, section 6.4).
+// True for multicast addresses. group_mac() gives their Ethernet address (RFC 1112, section 6.4).
 [[nodiscard]] constexpr bool is_group(Ipv4Address address) { return address.value >> 28 == 0xE; }
 
 [[nodiscard]] constexpr MacAddress group_mac(Ipv4Address group) {

@@ -71,7 +71,7 @@ class Host {
   }
 
  private:
-  // The front of a free transmit buffer. Returns nothing if the ring is full.
+  // Returns the front of a free transmit buffer, or nothing if the ring is full.
   [[nodiscard]] std::optional<FrameBuffer> acquire();
 
   void release_frame();

@@ -76,7 +76,7 @@ Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender, bool is_its_ow
   return *least;
 }
 
-// The slot of the fragment's datagram, or a new one.
+// Finds the slot of the fragment's datagram, or opens one.
 Reassembly::Joining* Reassembly::joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                             FragmentCounters& counters) {
   const std::size_t allowed = senders_.datagrams_of(piece.source);

@@ -1,5 +1,5 @@
-// The content of grid messages inside their protection (stream/channel.hpp). It is big endian;
-// docs/spec.md documents each byte.
+// The content of grid messages, without the protection around it (stream/channel.hpp). It is big
+// endian; docs/spec.md documents each byte.
 //
 // Every message begins with the same header, which gives its own length and the message type. A
 // receiver skips header bytes beyond those it knows, and drops unknown message types, encodings and
@@ -91,8 +91,8 @@ struct FrameEnd {
   LinkCounters link_counters{};  // since start
   std::array<intake::SensorReport, vehicle::kMaxSensors>
       sensors{};  // the first Header::sensor_count
-  // Bit i stands for sector i around the vehicle: no sensor watches it, or some sensor is blocked
-  // there. Empty if an older target sent the message.
+  // Bitmaps of the sectors around the vehicle. Bit i of `unwatched`: no sensor watches sector i.
+  // Bit i of `blocked`: some sensor is blocked there. Empty if an older target sent the message.
   std::optional<std::uint64_t> unwatched{};
   std::optional<std::uint64_t> blocked{};
   // Chip temperature in tenths of a degree Celsius, or hal::kTemperatureNotKnown. Empty if an older

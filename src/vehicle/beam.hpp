@@ -122,7 +122,7 @@ struct Classification {
 // azimuth_step: a step of sensor.azimuths.
 [[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
 
-// The line and the height of its end, in subcells, of a layer's beam in this direction.
+// The line of a layer's beam in this direction, and the height of the line's end in subcells.
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
