@@ -17,7 +17,7 @@ constexpr void add(Planes& state, const Planes& other) {
   }
 }
 
-// FIPS 197, ShiftRows. A row is one byte of a plane: row r rotates by r columns of two bits.
+// FIPS 197, ShiftRows. A row is one byte of a plane. Row r rotates by r columns of two bits each.
 constexpr void shift_rows(Planes& state) {
   for (std::uint32_t& plane : state) {
     plane = (plane & 0x000000FF) | (plane & 0x0000FC00) >> 2 | (plane & 0x00000300) << 6 |

@@ -29,9 +29,8 @@ consteval Inverses make_inverses() {
   return inverses;
 }
 
-// floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor, indexed by u
-// without its top bit. It is global because each call would copy a table within the function to the
-// stack.
+// floor((2^24 - 2^14 + 2^9) / u) for the upper ten bits u of the divisor; the index is u without
+// its top bit. The table is global because each call would copy a local one to the stack.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail

@@ -29,8 +29,8 @@ class BitWriter {
     word_ = value << free_;
   }
 
-  // Pads the last byte with zeros and returns the number of bytes written. Call put() no more after
-  // it.
+  // Pads the last byte with zeros and returns the number of bytes written. Do not call put()
+  // afterwards.
   constexpr std::size_t finish() {
     for (unsigned used = 32 - free_; used > 0; used -= used < 8 ? used : 8) {
       *next_++ = static_cast<std::byte>(word_ >> 24);
