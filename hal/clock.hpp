@@ -1,4 +1,4 @@
-// The seam to time. Two clocks, because they answer different questions.
+// Hardware interface for time: a clock for points in time, a stopwatch for short durations.
 #pragma once
 
 #include <concepts>
@@ -6,13 +6,13 @@
 
 namespace iog::hal {
 
-// now_us():  microseconds since start, monotonic, never wraps in the life of a car.
+// now_us():  microseconds since start, monotonic, does not wrap within the life of a car.
 template <typename T>
 concept Clock = requires(T& clock) {
   { clock.now_us() } -> std::same_as<std::uint64_t>;
 };
 
-// A free-running 32-bit counter for measuring stages that take microseconds: ticks() wraps, the
+// A free-running 32-bit counter for measuring stages of some microseconds. ticks() wraps; the
 // difference of two readings less than one wrap apart is exact. ticks_hz() is its measured rate.
 template <typename T>
 concept Stopwatch = requires(const T& stopwatch) {

@@ -1,5 +1,5 @@
-// The seam to a line of text for a person. Never blocks for longer than the bytes take to shift
-// out.
+// Hardware interface for a text console. A call blocks no longer than it takes to shift out its
+// bytes.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// The seam to how a run ends, and to what is known of the run before this one.
+// Hardware interface that ends a run and reports how the previous run ended.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace iog::hal {
 
-// How a run has ended. The numbers are on the wire (docs/spec.md 3.7).
+// How a run has ended. The values are wire values (docs/spec.md 3.7).
 enum class EndCause : std::uint32_t {
-  kPowerUp = 0,       // nothing is known: there was no run, or its record is gone
-  kWithoutAWord = 1,  // reset while it seemed alive: its watchdog, or the button
-  kException = 2,     // of the processor; detail: its kind (docs/spec.md)
-  kRequirement = 3,   // the program found itself wrong; detail: line of its source
-  kMemory = 4,        // what must not change has changed; detail: its number in the check's list
-  kLate = 5,          // supervised parts did not report; detail: a bit for each of them
-  kHang = 6,          // the loop hung until the watchdog was about to reset; detail: where
+  kPowerUp = 0,       // unknown: there was no run, or its record is gone
+  kWithoutAWord = 1,  // reset while it seemed alive: by its watchdog or the button
+  kException = 2,     // processor exception; detail: its kind (docs/spec.md)
+  kRequirement = 3,   // the program detected its own error; detail: source line
+  kMemory = 4,        // constant memory has changed; detail: its number in the check's list
+  kLate = 5,          // supervised parts did not report; detail: one bit for each
+  kHang = 6,          // the loop hung until just before the watchdog reset; detail: where
 };
 
 struct End {
@@ -29,15 +29,15 @@ struct RunBefore {
   std::uint32_t starts = 1;  // since power-up, this one included
   End end{};
 
-  // In the stream (stream/target_table.hpp).
+  // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"starts since power-up", "end of the run before", "detail of that end"});
   friend constexpr bool operator==(const RunBefore&, const RunBefore&) = default;
 };
 
-// end_run(end, words):  does not return on a machine. The next run finds the end, and people the
-//                       words, at most 200 characters.
-// run_before():         the same from start to end of a run.
+// end_run(end, words):  does not return on a machine. Stores `end` for the next run, and shows the
+//                       words, at most 200 characters, to people.
+// run_before():         how the previous run ended; constant within a run.
 template <typename T>
 concept EndsRuns = requires(T& machine, const T& view, End end, std::string_view words) {
   { machine.end_run(end, words) } -> std::same_as<void>;

@@ -1,6 +1,6 @@
-// The seam to an Ethernet controller: whole frames in, whole frames out, nothing blocks.
+// Hardware interface for an Ethernet port: sends and receives whole frames and never blocks.
 //
-// A frame is destination, source, type and payload, without preamble and without FCS.
+// A frame is destination, source, type and payload, without preamble and FCS.
 #pragma once
 
 #include <array>
@@ -12,40 +12,40 @@
 
 namespace iog::hal {
 
-// What a port has seen and lost since it was opened. Every counter wraps.
+// Received, sent and lost frames since the port was opened. Every counter wraps.
 struct PortCounters {
-  std::uint32_t received = 0;           // good frames handed to the caller
-  std::uint32_t receive_errors = 0;     // frames the controller marked bad: CRC, length, overrun
-  std::uint32_t oversized = 0;          // frames longer than one receive buffer, dropped
-  std::uint32_t sent = 0;               // frames committed for sending
-  std::uint32_t send_refused = 0;       // acquire() found the transmit ring full
-  std::uint32_t receive_overflows = 0;  // frames that the controller had no room for
-  std::uint32_t restarts = 0;           // pump() started the controller anew
-  std::uint32_t lost_received = 0;      // buffers of frames that had come and were lost by that
-  std::uint32_t lost_unsent = 0;        // frames that were sent or queued, and lost by that
+  std::uint32_t received = 0;        // good frames handed to the caller
+  std::uint32_t receive_errors = 0;  // frames that the controller marked bad: CRC, length, overrun
+  std::uint32_t oversized = 0;       // frames longer than one receive buffer, dropped
+  std::uint32_t sent = 0;            // frames committed for sending
+  std::uint32_t send_refused = 0;    // calls of acquire() with a full transmit ring
+  std::uint32_t receive_overflows = 0;  // frames for which the controller had no room
+  std::uint32_t restarts = 0;           // times that pump() restarted the controller
+  std::uint32_t lost_received = 0;      // buffers of received frames lost by restarts
+  std::uint32_t lost_unsent = 0;        // sent or queued frames lost by restarts
 
-  // In the stream (stream/target_table.hpp).
+  // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
       std::to_array<std::string_view>({"port received", "receive errors", "oversized", "port sent",
                                        "port refused", "port without room", "port restarts",
                                        "received lost by restarts", "unsent lost by restarts"});
 };
 
-// Whether a port lives.
+// Shows whether a port is alive.
 struct PortLife {
-  std::uint32_t moved = 0;  // frames that came, bad ones too, or left since it was opened; wraps
-  bool is_excused = true;   // that none moves: there is no link, or it can receive and none waits
+  std::uint32_t moved = 0;  // frames received, bad ones too, or sent since it was opened; wraps
+  bool is_excused = true;   // there is no link, or the port can receive and has nothing to send
 };
 
-// receive():  the oldest frame that has arrived, empty if there is none. The view stays valid and
-//             the same frame is returned until release().
-// release():  done with that frame. Only after a non-empty receive().
-// acquire():  a free transmit buffer of at least 1514 bytes, empty when the ring is full (counted).
-//             Calling it again before commit() returns the same buffer.
-// room():     how many buffers are free for acquire() now, at least.
+// receive():  the oldest received frame, or empty. It remains the same, and valid, until release().
+// release():  frees that frame. Call it only after a non-empty receive().
+// acquire():  a free transmit buffer of at least 1514 bytes, or empty if the ring is full
+// (counted).
+//             A second call before commit() returns the same buffer.
+// room():     the least number of buffers that are now free for acquire().
 // commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
-// pump():     hands a bounded number of queued frames to the controller. Once per pass of the loop.
-//             May start a controller anew that has stopped, but not while a buffer is acquired.
+// pump():     passes a bounded number of queued frames to the controller. Call it once per pass of
+//             the loop. It may restart a stopped controller, but not while a buffer is acquired.
 template <typename Port>
 concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
   { port.receive() } -> std::same_as<std::span<const std::byte>>;

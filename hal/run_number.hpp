@@ -1,4 +1,4 @@
-// The seam to what tells one run of the machine from another.
+// Hardware interface for a number that distinguishes the runs of a machine.
 #pragma once
 
 #include <concepts>
@@ -6,9 +6,8 @@
 
 namespace iog::hal {
 
-// run_number():  the same from start to end of a run, another one after each start. A reset adds
-//                one. A power-up draws a number that cannot be foreseen, so that two of them are
-//                the same once in 2^32.
+// run_number():  constant within a run, different after each start. A reset adds one. A power-up
+//                draws an unpredictable number; two of them are equal once in 2^32.
 template <typename T>
 concept RunNumber = requires(const T& machine) {
   { machine.run_number() } -> std::same_as<std::uint32_t>;

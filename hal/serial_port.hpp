@@ -1,4 +1,4 @@
-// The seam to a serial port: bytes out, nothing blocks, nothing comes in.
+// Hardware interface for a serial port that only sends and never blocks.
 #pragma once
 
 #include <concepts>
@@ -8,11 +8,12 @@
 
 namespace iog::hal {
 
-// bytes_per_second():  what the link carries.
-// free_bytes():        how many bytes write() takes now.
-// write(bytes):        queues them, at most free_bytes().
-// pump():              hands the transmitter what it has room for, a bounded number of bytes. As
-//                      often as the link would run dry otherwise; write() does it, too.
+// bytes_per_second():  the rate of the link.
+// free_bytes():        the number of bytes that write() accepts now.
+// write(bytes):        queues at most free_bytes() bytes.
+// pump():              passes a bounded number of bytes to the transmitter, as many as it has room
+//                      for. Call it often enough that the link does not run idle; write() does it
+//                      too.
 template <typename Port>
 concept SerialPort = requires(Port& port, const Port& view, std::span<const std::byte> bytes) {
   { view.bytes_per_second() } -> std::same_as<std::uint32_t>;

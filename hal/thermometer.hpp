@@ -1,4 +1,4 @@
-// The seam to what knows how warm the machine is.
+// Hardware interface for the chip's thermometer.
 #pragma once
 
 #include <concepts>
@@ -8,9 +8,9 @@ namespace iog::hal {
 
 inline constexpr std::int16_t kTemperatureNotKnown = -0x8000;
 
-// temperature_dc():  of the chip, in tenths of a degree Celsius, or kTemperatureNotKnown: there is
-//                    no thermometer, it has no calibration, or it does not answer. Never waits.
-//                    Once a frame.
+// temperature_dc():  chip temperature in tenths of a degree Celsius. kTemperatureNotKnown if there
+//                    is no thermometer, it has no calibration, or it does not answer. Never waits.
+//                    Call it once a frame.
 template <typename T>
 concept Thermometer = requires(T& machine) {
   { machine.temperature_dc() } -> std::same_as<std::int16_t>;

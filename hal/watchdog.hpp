@@ -1,4 +1,5 @@
-// The seam to the watchdog that resets the machine when the loop stops calling service().
+// Hardware interface for the watchdog, which resets the machine when the loop stops calling
+// service().
 #pragma once
 
 #include <concepts>

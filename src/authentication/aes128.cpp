@@ -17,7 +17,7 @@ constexpr void add(Planes& state, const Planes& other) {
   }
 }
 
-// FIPS 197, ShiftRows: row r, which is a byte of a plane, turns by r columns of two bits.
+// FIPS 197, ShiftRows. A row is one byte of a plane. Row r rotates by r columns of two bits each.
 constexpr void shift_rows(Planes& state) {
   for (std::uint32_t& plane : state) {
     plane = (plane & 0x000000FF) | (plane & 0x0000FC00) >> 2 | (plane & 0x00000300) << 6 |
@@ -26,8 +26,8 @@ constexpr void shift_rows(Planes& state) {
   }
 }
 
-// FIPS 197, MixColumns: of the rows a, b, c, d below one another the first becomes
-// 2 (a + b) + b + c + d. Turning a plane by a byte brings the row below.
+// FIPS 197, MixColumns. For the rows a, b, c, d from top to bottom, the new first row is 2 (a + b)
+// + b + c + d. Rotating a plane by one byte moves up the next row.
 constexpr void mix_columns(Planes& state) {
   Planes sums{};  // a + b
   for (std::size_t bit = 0; bit < state.size(); ++bit) {
@@ -49,7 +49,7 @@ std::uint32_t substituted(std::uint32_t column) {
 
 }  // namespace
 
-// FIPS 197, KeyExpansion; the lowest byte of a word is the first of its column.
+// FIPS 197, KeyExpansion. The lowest byte of a word is the first of its column.
 Aes128::Aes128(const Key& key) {
   const std::span<const std::byte, kBlockBytes> bytes(key);
   std::array<std::uint32_t, 4> words{

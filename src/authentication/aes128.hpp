@@ -1,5 +1,5 @@
-// AES with a key of 128 bits, encryption alone (FIPS 197). No table, no branch and no address
-// depends on key or data.
+// AES-128 encryption (FIPS 197), without decryption. No table look-up, branch or address depends on
+// key or data.
 #pragma once
 
 #include <array>

@@ -11,7 +11,8 @@ constexpr void add_to(Block& block, const Block& other) {
   }
 }
 
-// SP 800-38B, section 6.1: times x in GF(2^128), the first byte's highest bit being the highest.
+// SP 800-38B, section 6.1: multiplies by x in GF(2^128). The first byte's top bit is the highest
+// power.
 constexpr Block doubled(const Block& block) {
   Block twice{};
   unsigned carry = 0;
@@ -34,7 +35,7 @@ void Cmac::absorb(const Block& last) {
   chain_ = key_->cipher_.encrypt(chain_);
 }
 
-// A full block waits until more comes: the last one is masked.
+// A full block is kept until more data comes, because the last block is masked.
 void Cmac::add(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     if (waiting_bytes_ == kBlockBytes) {

@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// A key, ready for use: its rounds, and both subkeys.
+// An expanded key: its round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);
@@ -19,18 +19,18 @@ class CmacKey {
 
   Aes128 cipher_;
   Block k1_;  // for a message that ends with a whole block
-  Block k2_;  // for any other
+  Block k2_;  // for any other message
 };
 
-// One message, piece by piece.
+// The MAC of one message, added piece by piece.
 class Cmac {
  public:
-  // The key outlives it.
+  // The key must outlive this object.
   explicit Cmac(const CmacKey& key) : key_(&key) {}
 
   void add(std::span<const std::byte> bytes);
 
-  // All 128 bits, once: nothing can be added after it.
+  // Returns all 128 bits. Call it once, after the last add().
   [[nodiscard]] Block finish();
 
  private:
@@ -38,11 +38,11 @@ class Cmac {
 
   const CmacKey* key_;
   Block chain_{};
-  Block waiting_{};  // what may be the last block
+  Block waiting_{};  // may be the last block
   std::size_t waiting_bytes_ = 0;
 };
 
-// Whether both are the same, in a time that does not tell where they differ.
+// True if both are equal. The time does not reveal where they differ.
 [[nodiscard]] bool are_equal(std::span<const std::byte> a, std::span<const std::byte> b);
 
 }  // namespace iog::authentication

@@ -1,4 +1,4 @@
-// What a target has counted of its commands, and the signature of that.
+// Counts of the commands that a target received, and their signature.
 #pragma once
 
 #include <array>
@@ -15,18 +15,19 @@ namespace iog::authentication {
 struct CommandCounts {
   struct OfOneKind {
     std::array<std::uint32_t, kVerdictCount> verdicts{};
-    std::uint32_t counter = 0;  // of the last authentic message
+    std::uint32_t counter = 0;  // counter of the last authentic message
   };
   std::array<OfOneKind, 2> kinds{};  // poses, maps
   std::array<std::uint32_t, 2> signature{};
 
-  // In the stream (stream/target_table.hpp).
+  // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"poses authentic", "poses unsigned", "poses replayed", "poses forged", "poses last counter",
        "maps authentic", "maps unsigned", "maps replayed", "maps forged", "maps last counter",
        "commands MAC"});
 
-  // As it should be. data_id: of the stream; run: of the target.
+  // The signature that these counts must have. data_id: that of the stream; run: that of the
+  // target.
   [[nodiscard]] std::array<std::uint32_t, 2> signature_by(const CmacKey& key, std::uint16_t data_id,
                                                           std::uint32_t run) const {
     constexpr std::size_t kWords = sizeof(kinds) / sizeof(std::uint32_t);

@@ -1,4 +1,4 @@
-// The key that sender and target share: 128 bits, as AES-128 has them.
+// The AES-128 key that sender and target share.
 #pragma once
 
 #include <array>

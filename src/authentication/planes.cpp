@@ -5,15 +5,15 @@
 namespace iog::authentication {
 namespace {
 
-// Exchanges the bits of a that `mask` leaves out with those of b that it names, `shift` below.
+// Swaps the bits of b under `mask` with the bits of a that are `shift` higher.
 constexpr void exchange(std::uint32_t& a, std::uint32_t& b, std::uint32_t mask, unsigned shift) {
   const std::uint32_t differ = ((a >> shift) ^ b) & mask;
   a ^= differ << shift;
   b ^= differ;
 }
 
-// Each byte of the eight words is a row of a matrix of 8 x 8 bits, which is transposed: bit j of
-// word i goes to bit i of word j. Twice is not at all.
+// Transposes an 8 x 8 bit matrix in each byte lane: bit j of word i becomes bit i of word j. Doing
+// it twice restores the input.
 constexpr void transpose(Planes& words) {
   for (std::size_t i = 0; i < 8; i += 2) {
     exchange(words[i], words[i + 1], 0x55555555, 1);

@@ -45,7 +45,7 @@ Block cmac_of(const CmacKey& key, std::uint16_t data_id, Freshness freshness,
 
 }  // namespace
 
-// Both lengths are right, and differ by the trailer.
+// True if both length fields are right and differ by the trailer.
 bool is_signed(std::span<const std::byte> datagram) {
   if (datagram.size() < kLeastSecuredBytes || datagram.size() > kMostSecuredBytes) {
     return false;

@@ -25,12 +25,11 @@ constexpr std::array<std::uint32_t, kRounds> kConstants{
     0x19A4C116, 0x1E376C08, 0x2748774C, 0x34B0BCB5, 0x391C0CB3, 0x4ED8AA4A, 0x5B9CCA4F, 0x682E6FF3,
     0x748F82EE, 0x78A5636F, 0x84C87814, 0x8CC70208, 0x90BEFFFA, 0xA4506CEB, 0xBEF9A3F7, 0xC67178F2};
 
-// 5.3.3: of the square roots of the first 8 primes.
+// 5.3.3: the same bits of the square roots of the first 8 primes.
 constexpr State kStart{0x6A09E667, 0xBB67AE85, 0x3C6EF372, 0xA54FF53A,
                        0x510E527F, 0x9B05688C, 0x1F83D9AB, 0x5BE0CD19};
 
-// 6.2.2, a round. Instead of moving all eight words by one place, the caller moves their
-// names.
+// 6.2.2, one round. The caller rotates the arguments instead of moving all eight words.
 void round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d, std::uint32_t e,
            std::uint32_t f, std::uint32_t g, std::uint32_t& h, std::uint32_t constant_and_word) {
   const std::uint32_t sum_e = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
@@ -77,7 +76,7 @@ std::array<std::byte, kSha256Bytes> sha256(std::span<const std::byte> message) {
   for (; rest.size() >= kBlock; rest = rest.subspan(kBlock)) {
     absorb(rest.first<kBlock>(), state);
   }
-  // 5.1.1: a one, zeros, and the length in bits, in as many blocks as it takes.
+  // 5.1.1: a one bit, zeros and the length in bits, padded to whole blocks.
   std::array<std::byte, 2 * kBlock> tail{};
   std::ranges::copy(rest, tail.begin());
   tail[rest.size()] = std::byte{0x80};

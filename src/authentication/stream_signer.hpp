@@ -1,14 +1,14 @@
-// A stream of messages whose sender is proved (docs/spec.md 9.2). Behind some messages comes one
-// that names them, and carries a MAC as a command does (authentication/secured_message.hpp). So a
-// message is as it is without a key, and hashing it takes a tenth of what a MAC of it would.
+// Signs a stream of messages (docs/spec.md 9.2). After some messages a signature message names them
+// and carries a MAC as a command does (authentication/secured_message.hpp). The messages themselves
+// do not change, and hashing them takes a tenth of the time that a MAC of each would take.
 //
-// The content of a signature, big endian:
+// Content of a signature, big endian:
 //
 //    0  u16 bytes before the names, 12; u16 bytes of a name, 16
 //    4  u32 number of the target's run
 //    8  u16 number of names; u16 0
-//   12  a name a message, in the order of sending: the first 128 bits of its SHA-256, all of its
-//       bytes
+//   12  one name per message in sending order: the first 128 bits of the SHA-256 of the whole
+//   message
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace iog::authentication {
 
-// Knowing a message and its name, one needs 2^128 trials for another message of that name.
+// Finding another message with the name of a given message takes 2^128 trials.
 using MessageName = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kNamesHeaderBytes = 12;
@@ -33,16 +33,17 @@ inline constexpr std::size_t kMaxNames = 80;
 
 class StreamSigner {
  public:
-  // The key outlives it. The data id of the MAC is the channel's event.
+  // The key must outlive this object. The MAC's data id is the channel's event id.
   StreamSigner(const CmacKey& key, const protection::Channel& channel, std::uint32_t run)
       : key_(&key), data_id_(channel.event.event_id), run_(run), sender_(channel) {}
 
-  // A message that is sent. Only if it is not full.
+  // Adds a sent message. Requires !is_full().
   void add(std::span<const std::byte> message);
 
   [[nodiscard]] bool is_full() const { return count_ == kMaxNames; }
 
-  // The signature of what was added since the last one, at least one message. Valid until the next.
+  // Returns the signature of the messages added since the last call. There must be at least one.
+  // Valid until the next call.
   [[nodiscard]] std::span<const std::byte> sign();
 
  private:
@@ -60,13 +61,13 @@ class StreamSigner {
   std::array<std::byte, kMostBytes> message_{};
 };
 
-// What a signature says, whoever has made it.
+// The content of a signature, not yet verified.
 struct Names {
   std::uint32_t run = 0;
   std::span<const std::byte> bytes{};
 
   [[nodiscard]] std::size_t count() const { return bytes.size() / sizeof(MessageName); }
-  // Below count().
+  // Requires i < count().
   [[nodiscard]] MessageName operator[](std::size_t i) const {
     MessageName name;
     std::ranges::copy(bytes.subspan(i * sizeof(MessageName), sizeof(MessageName)), name.begin());
@@ -74,7 +75,7 @@ struct Names {
   }
 };
 
-// Of a secured message (is_signed()). Nothing: its numbers contradict each other.
+// Reads a secured message (is_signed()). Returns nothing if its numbers are inconsistent.
 [[nodiscard]] std::optional<Names> read_names(std::span<const std::byte> secured);
 
 }  // namespace iog::authentication

@@ -1,10 +1,10 @@
 // The S-box of AES as a circuit of 113 gates and four inversions (Boyar and Peralta, A New
 // Combinational Logic Minimization Technique with Applications to Cryptology, 2010, section 4; the
-// names are the paper's). It maps each byte to its inverse in GF(2^8), by way of GF(2^4), and that
-// by the affine map of FIPS 197, section 5.1.1.
+// names are the paper's). It inverts each byte in GF(2^8) by way of GF(2^4), then applies the
+// affine map of FIPS 197, section 5.1.1.
 //
-// No table is looked up: what is looked up leaves a trace in the data cache, by which others on the
-// chip or on the wire can tell what it was.
+// There is no table look-up, because look-ups leave traces in the data cache. Others on the chip or
+// on the wire could learn the index from them.
 #include "authentication/planes.hpp"
 
 namespace iog::authentication {
@@ -12,10 +12,10 @@ namespace {
 
 using Word = std::uint32_t;
 
-// Linear forms of the byte's bits, which the products are of; [0] is the lowest bit itself.
+// Linear forms of the byte's bits, the factors of all products; [0] is the lowest bit itself.
 using Forms = std::array<Word, 22>;
 
-// The top linear layer. x0 is the highest bit, as in the paper.
+// The top linear layer. As in the paper, x0 is the highest bit.
 constexpr Forms forms_of(const Planes& planes) {
   const auto [x7, x6, x5, x4, x3, x2, x1, x0] = planes;
   Forms y{};
@@ -46,7 +46,7 @@ constexpr Forms forms_of(const Planes& planes) {
   return y;
 }
 
-// The inverse in GF(2^4) of what the byte is there, and the sums of its bits.
+// The inverse of the byte's image in GF(2^4), and the sums of its bits.
 struct Inverse {
   Word t29, t33, t37, t40, t41, t42, t43, t44, t45;
 };

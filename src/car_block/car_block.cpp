@@ -61,7 +61,7 @@ std::span<const std::byte> bytes_of(Block block, const RecordPlace& place) {
   return block.subspan(place.offset, place.capacity);
 }
 
-// A block of the time before there were keys has zeros there, too.
+// A block without a key, as older builds wrote it, has zeros here.
 Refusal refusal_of_key(Block block) {
   const auto is_zero = [](std::byte byte) { return byte == std::byte{0}; };
   if (std::ranges::all_of(bytes_of(block, kKeyRecord), is_zero)) {
@@ -72,7 +72,7 @@ Refusal refusal_of_key(Block block) {
   return record.refusal == Refusal::kNone && !has_key ? Refusal::kWrongLength : record.refusal;
 }
 
-// Of what keeps to its limits.
+// Requires a car within its limits.
 void derive(vehicle::Vehicle& car, SensorMemory& memory) {
   vehicle::derive_rules(car.sensors, car.window);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {

@@ -1,6 +1,6 @@
-// The car of an image: its description and network as a block of bytes at a known place, written
-// by the build or by `iog image`, and believed only when all of it has been checked (docs/spec.md,
-// section 8).
+// The car in an image: a block of bytes at a fixed place with the compiled car file and the network
+// configuration. The build or `iog image` writes it. The target checks all of it before using any
+// part (docs/spec.md, section 8).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace iog::car_block {
 
-// What a firmware is compiled for. A car of another kind needs another image.
+// The properties for which a firmware is compiled. A car that needs others needs another image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;
@@ -28,43 +28,43 @@ struct Firmware {
   friend constexpr bool operator==(const Firmware&, const Firmware&) = default;
 };
 
-// A firmware of this source's grid.
+// The properties of firmware compiled from this source.
 [[nodiscard]] Firmware firmware_of(vehicle::Grids grids);
 
-// Writes all of the block. The vehicle is sound, and the network valid.
+// Writes the whole block. The vehicle must be within its limits and the network valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
-// The same of a firmware for cars to come, which is refused until there is one.
+// Writes a block without a car. The firmware refuses it until `iog image` adds one.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
-// Nothing: the block does not say.
+// Returns nothing if the record is invalid.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 
-// Asks for commands that are signed with that key, in a block that has been written.
+// Adds a key to a written block: the target then requires commands signed with it.
 void write_key(const authentication::Key& key, WritableBlock block);
 
-// The key, if there is one. What is damaged is not taken for none: read_car() refuses it.
+// Returns the key, if there is a valid one. read_car() refuses a car with a damaged key.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
-// That of either of its two records; nothing if both are damaged or not valid.
+// Returns the network of the first valid record of two; nothing if neither is valid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
-// Which of the records.
+// The record that was refused.
 enum class Part : std::uint8_t { kCar, kNetwork, kKey };
 
-// What has become of a block.
+// The result of checking a block.
 struct Verdict {
   Refusal refusal = Refusal::kNone;
-  Part part = Part::kCar;  // that was refused
-  vehicle::Fault fault{};  // of kLimit
+  Part part = Part::kCar;  // the refused record
+  vehicle::Fault fault{};  // only with kLimit
 };
 
-// All of a car, checked. grids: of the firmware. vehicle refers to the block and to the memory;
-// it must not be used unless kNone is returned.
+// Reads and checks a whole car. grids: those of the firmware. `vehicle` refers to the block and to
+// `memory`; it must not be used unless the result is kNone.
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// What console, wire and `iog image` say of a car that is refused.
+// The text about a refused car for console, stream and `iog image`.
 class Words {
  public:
   explicit Words(const Verdict& verdict);
@@ -74,7 +74,7 @@ class Words {
   void add(std::string_view text);
   void add_number(std::uint32_t number);
 
-  // The longest allowed of a fault has some 110 letters.
+  // The longest text of allowed values has some 110 letters.
   std::array<char, 200> letters_{};
   std::size_t length_ = 0;
 };

@@ -1,9 +1,8 @@
-// The bytes of a car: all that its description has become, as the block of an image has them
-// (docs/spec.md, section 8.4). Two cars that differ in anything have different bytes.
+// The bytes of a car: the compiled car file as stored in an image (docs/spec.md, section 8.4). Cars
+// that differ in any way have different bytes.
 //
-// The members stand here once, in their order, for the writer and the reader. Left out is
-// what follows from other members (vehicle/derived.hpp), and what is not in use of tables of fixed
-// size.
+// Writer and reader share one list of the members in order. It omits members that follow from
+// others (vehicle/derived.hpp) and unused entries of fixed-size tables.
 #pragma once
 
 #include <concepts>
@@ -60,7 +59,7 @@ void visit_arc(auto& content, auto& arc) {
   }
 }
 
-// Of an ultrasonic unit.
+// The arc of an ultrasonic unit.
 void visit_cone(auto& content, auto& arc) {
   visit_arc(content, arc);
   content.numbers(arc.free);
@@ -92,7 +91,7 @@ void visit_window(auto& content, auto& rules) {
   content.assignment(rules.assignment);
 }
 
-// The grid comes first: tables are in its subcells.
+// The grid's sizes come first, because the tables are in its subcells.
 void visit_car(auto& content, auto& car) {
   content.grid(geometry::kCellMm, geometry::kCellsPerSide, geometry::kResolution);
   content.text(car.name);
@@ -115,9 +114,8 @@ void visit_assignment(auto& content, auto& assignment) {
   content.numbers(assignment.free_by_time);
 }
 
-// Every integer goes out most significant byte first in as many bytes as its type has; a truth is a
-// byte, a text its letters and a 0; a format is its name.
-// put(std::uint8_t) takes one after another.
+// Writes integers in big-endian order with the size of their type, a bool as one byte, a string as
+// its letters and a 0, and a format as its name. put(std::uint8_t) takes the bytes one by one.
 template <typename Put>
 class Writer {
  public:
@@ -127,8 +125,8 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Of what it shares, whether it follows the ground and whether heights open it a byte has a bit
-  // each.
+  // Writes one byte with a bit for each of: layers share lines; the sensor follows the ground; the
+  // sensor has limits for low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;
@@ -142,7 +140,7 @@ class Writer {
       numbers(moved.low_mm, moved.tall_mm);
     }
   }
-  // A bit says that nothing is followed although there are classes.
+  // An extra bit is set if there are classes but no tracked objects.
   void grids_and_objects(vehicle::Grids grids, bool has_objects) {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
@@ -155,7 +153,7 @@ class Writer {
     number(std::uint8_t{0});
   }
   void format(lidar::Format format) { text(lidar::name_of(format)); }
-  // Others than radars and ultrasonic units have none.
+  // Only radars and ultrasonic units have an arc.
   void arc(lidar::Format format, const sensor_model::Arc& arc) {
     if (lidar::facts_of(format).is_ultrasonic) {
       visit_cone(*this, arc);
@@ -200,7 +198,7 @@ void write_content(const vehicle::Vehicle& car, auto&& put) {
   content_detail::visit_car(out, car);
 }
 
-// The number by which messages name a car: the CRC-32 of its bytes. Of everything but `id` itself.
+// The CRC-32 that identifies a car in messages. It covers everything but `id` itself.
 inline std::uint32_t identity_of(const vehicle::Vehicle& car) {
   using Field = checksum::ReflectedField<0x04C11DB7>;
   std::uint32_t state = ~0U;

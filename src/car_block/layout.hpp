@@ -1,4 +1,4 @@
-// Where in an image its car stands, and what its records are (docs/spec.md, section 8).
+// Place and layout of the car block in an image (docs/spec.md, section 8).
 #pragma once
 
 #include <cstddef>
@@ -7,25 +7,26 @@
 
 namespace iog::car_block {
 
-// Of the image's first byte, which is that of its vectors; linker/imx6.ld puts the block there.
+// Offset from the image's first byte, where the vectors are. linker/imx6.ld puts the block there.
 inline constexpr std::size_t kOffsetInImage = 0x1000;
 inline constexpr std::size_t kBlockBytes = 65'536;
 
 using Block = std::span<const std::byte, kBlockBytes>;
 using WritableBlock = std::span<std::byte, kBlockBytes>;
 
-// A record: magic, version, 0, bytes of its content, CRC-32 of its content; then the content.
+// A record has a header and its content. The header: magic, version, 0, content bytes, content
+// CRC-32.
 inline constexpr std::size_t kRecordHeaderBytes = 16;
 inline constexpr std::uint16_t kVersion = 1;
 
 struct RecordPlace {
   std::uint32_t magic = 0;
   std::size_t offset = 0;
-  std::size_t capacity = 0;  // with the header
+  std::size_t capacity = 0;  // header included
 };
 
 inline constexpr RecordPlace kFirmwareRecord{0x494F4746, 0, 32};  // "IOGF"
-inline constexpr RecordPlace kKeyRecord{0x494F474B, 32, 32};      // "IOGK"; all 0: there is none
+inline constexpr RecordPlace kKeyRecord{0x494F474B, 32, 32};      // "IOGK"; all 0: no key
 inline constexpr RecordPlace kNetworkRecord{0x494F474E, 64, 64};  // "IOGN"
 inline constexpr RecordPlace kNetworkCopy{0x494F474E, kBlockBytes - 64, 64};
 inline constexpr RecordPlace kCarRecord{0x494F4743, 128, kBlockBytes - 64 - 128};  // "IOGC"

@@ -17,7 +17,7 @@ using vehicle::Vehicle;
 constexpr std::size_t kLongestSensorName = 15;
 constexpr std::size_t kLongestCarName = 31;
 
-// Letters, digits and '_', of which the first is no digit.
+// True if the name has only letters, digits and '_' and does not begin with a digit.
 bool is_name(std::string_view name, std::size_t longest) {
   const auto is_allowed = [](char c) {
     return is_within(c, 'a', 'z') || is_within(c, 'A', 'Z') || is_within(c, '0', '9') || c == '_';
@@ -26,7 +26,7 @@ bool is_name(std::string_view name, std::size_t longest) {
          std::ranges::all_of(name, is_allowed);
 }
 
-// What a car is called, its frames, and how many sensors it has.
+// Checks the car's name, its frames and its number of sensors.
 void check_frames(const Vehicle& car, const Tell& tell) {
   if (!is_name(car.name, kLongestCarName)) {
     tell({.field = "name", .allowed = "at most 31 letters, digits and '_', no digit first"});
@@ -42,8 +42,8 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   }
 }
 
-// Whether the error term of the walk stays below 2^31 along beams of this length: a line spans at
-// most sqrt(2) L in |dx| + |dy|, to which rounding adds less than 10 subcells.
+// True if the error term of the line walk stays below 2^31 for beams of this length. A line spans
+// at most sqrt(2) L in |dx| + |dy|; rounding adds less than 10 subcells.
 bool walk_fits(std::uint32_t range_mm) {
   const std::uint64_t span = subcells_up(range_mm) * 1'414'214 / 1'000'000 + 10;
   return span * geometry::kResolution < std::uint64_t{1} << 31;
@@ -76,7 +76,7 @@ bool is_mode_known(const Sensor& sensor) {
   });
 }
 
-// Whether some of its lasers do not fire with the others, and then have no range.
+// True if some lasers do not fire with the others and then report no range.
 bool has_silent_lasers(lidar::Format format) {
   bool has_some = false;
   lidar::with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
@@ -118,7 +118,7 @@ void check_unit(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// What a radar does not see is not free, and what an ultrasonic unit does not hear hardly is.
+// Silence of a radar is no evidence of free space, and silence of an ultrasonic unit is hardly any.
 void check_arcs(const Vehicle& car, std::size_t number, const Tell& tell) {
   const Sensor& sensor = car.sensors[number];
   const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
@@ -161,7 +161,7 @@ bool is_sensor_address_taken(std::span<const Sensor> sensors, std::size_t number
                           std::ranges::find(others, address, &Sensor::source_ipv4) != others.end());
 }
 
-// Names, ports and addresses, of which each sensor has its own.
+// Checks what must differ between sensors: names, ports and addresses.
 void check_own(std::span<const Sensor> sensors, std::size_t number, const net::Config& network,
                const Tell& tell) {
   const Sensor& sensor = sensors[number];
@@ -205,7 +205,7 @@ void check_network(const net::Config& network, const Tell& tell) {
   }
 }
 
-// Where the poses and the maps come from.
+// Checks the sources of poses and maps.
 void check_sources(const Vehicle& car, const net::Config& network, const Tell& tell) {
   const auto is_allowed = [&](std::uint32_t ipv4) {
     return is_source(ipv4) && ipv4 != network.address.value;
@@ -218,8 +218,9 @@ void check_sources(const Vehicle& car, const net::Config& network, const Tell& t
   }
 }
 
-// Classes need the rule hits_win, by which alone slices of a frame join, and blurring, because
-// nearest calls cells behind a hit occupied; poses and maps have ports of their own.
+// Classes need the rule hits_win, the only one that can merge slices of a frame. They need
+// blurring, because `nearest` marks cells behind a hit as occupied. Poses and maps need ports of
+// their own.
 void check_classes(const Vehicle& car, const Tell& tell) {
   const auto is_sensors_port = [&](std::uint16_t udp_port) {
     return std::ranges::find(car.sensors, udp_port, &Sensor::udp_port) != car.sensors.end();

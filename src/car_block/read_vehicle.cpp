@@ -20,10 +20,10 @@ bool can_be_steps(std::uint32_t steps, std::uint32_t ticks_per_turn, bool turns)
          steps <= vehicle::kMostAzimuthSteps;
 }
 
-// What cannot be read makes ok() false for good, and what is read afterwards is of no meaning.
+// After an invalid value ok() stays false, and values read afterwards are meaningless.
 class Reader {
  public:
-  // Texts are views of the bytes, sensors those of the memory.
+  // Strings are views of `bytes`, sensors are views of `memory`.
   Reader(std::span<const std::byte> bytes, SensorMemory& memory) : in_(bytes), memory_(memory) {}
 
   [[nodiscard]] bool ok() const { return holds_ && in_.ok(); }
@@ -34,7 +34,7 @@ class Reader {
     ((values = number<std::remove_reference_t<decltype(values)>>()), ...);
   }
 
-  // A byte below count.
+  // Reads a byte that must be below `count`.
   template <typename Value>
   void below(unsigned count, Value& value) {
     const std::uint8_t read = in_.u8();
@@ -67,7 +67,7 @@ class Reader {
     }
   }
 
-  // Letters up to a 0, which must be there.
+  // Reads letters up to the required 0.
   void text(std::string_view& text) {
     wire::ByteReader ahead = in_;
     std::size_t length = 0;
@@ -101,14 +101,15 @@ class Reader {
     }
   }
 
-  // A length of 0 has no reciprocal; the limits refuse one that is too short or too long.
+  // A length of 0 has no reciprocal. The limits later check whether the length is too short or too
+  // long.
   void length(traversal::LineLength& length) {
     const auto mm = number<std::uint32_t>();
     demand(mm > 0 && mm < std::uint32_t{1} << 18);
     length = traversal::LineLength(ok() ? mm : 1);
   }
 
-  // Their tables follow from two numbers, of which the format gives the first.
+  // Two numbers determine the tables. The format determines the first of them.
   void azimuths(vehicle::Sensor& sensor) {
     const auto ticks_per_turn = number<std::uint32_t>();
     const auto steps = number<std::uint32_t>();
@@ -129,7 +130,7 @@ class Reader {
     is_of_other_grid_ = differs && ok();
   }
 
-  // One of those that the firmware has, or none.
+  // Reads one of the firmware's own assignments, or none.
   void assignment(const evidence::Assignment*& assignment) {
     bool is_there = false;
     truth(is_there);

@@ -1,4 +1,4 @@
-// A vehicle out of the bytes that car_block/content.hpp writes.
+// Reads a vehicle from the bytes that car_block/content.hpp writes.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace iog::car_block {
 
-// The sensors of a vehicle that was read; 80 KB: belongs into static memory. They do not begin as
-// zeros, and an image is not to carry them: code makes them.
+// Memory for the sensors of a vehicle, 80 KB: make it static. A constructor sets the initial
+// values, which are not zero, so the image need not contain them.
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;
 };
 
-// kNone, kOtherGrid or kNotACar. The vehicle refers to the bytes and to the memory, and must not be
-// used before its limits have been checked (car_block/limits.hpp). What follows from its members
-// is not there yet, but for azimuths.
+// Returns kNone, kOtherGrid or kNotACar. The vehicle refers to the bytes and to the memory. Do not
+// use it before its limits are checked (car_block/limits.hpp). Azimuths are derived here, other
+// derived members are not.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

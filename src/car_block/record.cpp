@@ -8,7 +8,7 @@
 namespace iog::car_block {
 namespace {
 
-// Byte by byte: it is done once.
+// Bytewise is fast enough: this runs once.
 std::uint32_t crc_of(std::span<const std::byte> bytes) {
   checksum::ReflectedCrc32<0x04C11DB7, 1> crc;
   crc.update(bytes);

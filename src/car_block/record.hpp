@@ -1,4 +1,5 @@
-// A record of the car block (docs/spec.md, section 8.1): framed by what it is, how long, and a CRC.
+// A record of the car block: a header with magic, length and CRC, then the content (docs/spec.md,
+// section 8.1).
 #pragma once
 
 #include <cstddef>
@@ -9,29 +10,29 @@
 
 namespace iog::car_block {
 
-// Why a car is not taken. The values are those of docs/spec.md, section 8.5.
+// Why a car is refused. The values are those of docs/spec.md, section 8.5.
 enum class Refusal : std::uint8_t {
   kNone,
-  kNoRecord,      // another magic number
-  kWrongVersion,  // of a later or an earlier form
+  kNoRecord,      // wrong magic number
+  kWrongVersion,  // another version of the format
   kWrongLength,   // longer than its place
-  kDamaged,       // wrong CRC, or something that has to be zero is not
-  kNotACar,       // bytes that are no description
-  kOtherGrid,     // tables of another size of cells or grid
-  kOtherGrids,    // the car asks for grids that this firmware has not
-  kLimit,         // a field is beyond its limit
+  kDamaged,       // wrong CRC, or a reserved byte that is not zero
+  kNotACar,       // the bytes are no car
+  kOtherGrid,     // tables for another cell size or grid size
+  kOtherGrids,    // the car needs grids that this firmware does not make
+  kLimit,         // a field exceeds its limit
 };
 inline constexpr std::size_t kRefusalCount = 9;
 
 struct Record {
   Refusal refusal = Refusal::kNone;
-  std::span<const std::byte> content{};  // of a sound one
-  std::uint32_t crc = 0;                 // of its content
+  std::span<const std::byte> content{};  // only if valid
+  std::uint32_t crc = 0;                 // CRC of the content
 };
 
 [[nodiscard]] Record read_record(Block block, const RecordPlace& place);
 
-// Frames the content that already stands behind the header. bytes: at most what the place holds.
+// Adds the header to content already in place. bytes: length of the content; it must fit the place.
 void frame_record(WritableBlock block, const RecordPlace& place, std::size_t bytes);
 
 }  // namespace iog::car_block

@@ -22,7 +22,7 @@ constexpr std::int32_t subcells(std::int32_t metres) {
 constexpr std::int32_t kFarthest = subcells(kFarthestM);
 constexpr std::int32_t kGridSide = geometry::kCellsPerSide * geometry::kResolution;
 constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
-// A subcell for rounding.
+// One more subcell for rounding.
 constexpr std::int32_t kOffCar = kOffCarMm * geometry::kResolution / geometry::kCellMm + 1;
 
 void check_box(const Vehicle& car, const Tell& tell) {
@@ -57,13 +57,14 @@ void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std:
   }
 }
 
-// Twelfths of a turn, and 10 m, as tools/car/limits.cpp has it of a laser.
+// True if a laser's corrections are at most a twelfth of a turn and 10 m either way, as in
+// tools/car/limits.cpp.
 bool is_within_reach(const lidar::LaserCorrection& laser, std::int32_t ticks_per_turn) {
   return is_within<std::int32_t>(laser.azimuth_ticks, -ticks_per_turn / 12, ticks_per_turn / 12) &&
          is_within<std::int32_t>(laser.range_mm, -10'000, 10'000);
 }
 
-// The elevations of a unit of points rise.
+// Elevations of a unit of points must ascend.
 constexpr std::int32_t kSteepest = 89 * 3'200;
 
 void check_lasers(const Sensor& sensor, std::size_t number, const Tell& tell) {
@@ -83,7 +84,7 @@ void check_lasers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// A vector of a layer's end, in 2^-10 subcells.
+// A vector from a layer's beam ends, in 2^-10 subcells.
 struct Vector {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -93,24 +94,25 @@ struct Vector {
     return vehicle::is_within(x, -most, most) && vehicle::is_within(y, -most, most) &&
            vehicle::is_within(z, -most, most);
   }
-  // Of components below 2^31: the sum is below 2^64.
+  // Components are below 2^31, so the sum is below 2^64.
   [[nodiscard]] std::uint64_t square() const {
     return static_cast<std::uint64_t>(x * x) + static_cast<std::uint64_t>(y * y) +
            static_cast<std::uint64_t>(z * z);
   }
 };
 
-// Components below 2^30.6, as walk_fits() leaves them: three products stay below 2^63.
+// Components are below 2^30.6 (walk_fits()), so three products stay below 2^63.
 std::int64_t product(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Whether start + up + forward cos a + left sin a is a beam of this length at most, whatever a. A
-// rotation makes the three at right angles, and each of the first two with the third as long as
-// the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. Then the end is within 6
-// subcells of its length.
+// True if start + up + forward cos a + left sin a is a beam of at most this length for every a. A
+// rotation makes the three vectors orthogonal, and makes the sum of `up` with either of the others
+// as long as the beam. They are rounded to 1 unit, `up` to a subcell of kUnit. The end is therefore
+// within 6 subcells of its length.
 //
-// Those of a tilted mirror are fitted, and not quite at right angles: the squares may be of a
-// length that is a 128th longer, and the products a 512th of its square. Then the square of an end
-// is at most 1 + 5 / 512 times that of this length, and the end within longest_line_mm().
+// The vectors of a tilted mirror are fitted and not quite orthogonal. Their squares may belong to a
+// length that is longer by 1 / 128, and their products may reach 1 / 512 of its square. The square
+// of an end is then at most 1 + 5 / 512 times the square of this length, so the end is within
+// longest_line_mm().
 bool are_beams(const Vector& forward, const Vector& left, const Vector& up, const Sensor& sensor) {
   const bool is_fitted = lidar::facts_of(sensor.format).has_beam_tilt;
   const std::uint32_t range_mm = sensor.range.mm();
@@ -128,7 +130,7 @@ bool are_beams(const Vector& forward, const Vector& left, const Vector& up, cons
          is_right(forward, left) && is_right(forward, up) && is_right(left, up);
 }
 
-// Farther than any end of a beam, and far from where a difference overflows.
+// The limit is beyond any end of a beam, and far below an overflow of differences.
 bool is_near(const vehicle::EndCoordinate& end) {
   constexpr std::int64_t kFar = std::int64_t{1} << 48;
   return is_within(end.base, -kFar, kFar);
@@ -151,13 +153,14 @@ bool is_sound(const Sensor& sensor, const vehicle::Layer& layer) {
   if (!shares) {
     return layer.range_share == kWhole;
   }
-  // Elevations of 89 degrees have a tangent below 58.
+  // The tangent of an elevation of 89 degrees is below 58.
   const auto most = static_cast<std::int64_t>(subcells_up(sensor.range.mm())) * 58 * kUnit;
   return is_within(up_z, -most, most) && layer.z.forward == 0 && layer.z.left == 0 &&
          is_within<std::uint32_t>(layer.range_share, 1, kWhole);
 }
 
-// Of at most a degree, or 20 of a cone, with an index in its middle at least. Others have none.
+// An angular cell spans at most 1 degree, or 20 degrees for a cone, and its middle has an index.
+// Other sensors have no arc.
 void check_arc(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const sensor_model::Arc& arc = sensor.arc;
   const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
@@ -169,7 +172,7 @@ void check_arc(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// Whether they are beams, by which they can be looked at further.
+// Returns true if all layers are beams, which further checks require.
 bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const auto layers = std::span(sensor.layers).first(sensor.layer_count);
   bool are_sound = true;
@@ -189,7 +192,7 @@ bool check_layers(const Sensor& sensor, std::size_t number, const Tell& tell) {
   return are_sound;
 }
 
-// Beams are followed from their sensor on, so it stands between its limits.
+// A beam is tracked from its sensor, so the sensor's height must be between the ground limits.
 void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const std::int32_t low_mm = sensor.ground.low_mm;
   const std::int32_t top_mm = sensor.ground.top_mm;
@@ -205,7 +208,7 @@ void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
   }
 }
 
-// The limits of what opens ground are heights at which something is an obstacle.
+// Both limits must be heights at which a return is an obstacle.
 void check_moved(const Vehicle& car, std::size_t number, const Tell& tell) {
   const Sensor& sensor = car.sensors[number];
   const vehicle::MovedLimits& moved = sensor.moved;
@@ -223,7 +226,7 @@ void check_moved(const Vehicle& car, std::size_t number, const Tell& tell) {
   }
 }
 
-// Each of those that follow it has a surface.
+// Each sensor that follows the ground needs a ground surface.
 void check_grounds(std::span<const Sensor> sensors, const Tell& tell) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
@@ -237,7 +240,7 @@ void check_grounds(std::span<const Sensor> sensors, const Tell& tell) {
   }
 }
 
-// Level sensors that turn keep their lines.
+// Level rotating sensors cache their lines.
 void check_lines(std::span<const Sensor> sensors, const Tell& tell) {
   std::size_t lines = 0;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
@@ -250,7 +253,7 @@ void check_lines(std::span<const Sensor> sensors, const Tell& tell) {
   }
 }
 
-// Whether any beam of the layer, from the sensor to the end of its range, is somewhere in the band.
+// True if any beam of the layer, from the sensor to the end of its range, enters the band.
 bool meets_band(const Sensor& sensor, const vehicle::Layer& layer, std::int64_t z_min,
                 std::int64_t z_max) {
   const auto size_of = [](std::int64_t value) { return value < 0 ? -value : value; };
@@ -270,7 +273,7 @@ void check_band(const Vehicle& car, std::size_t number, const Tell& tell) {
   }
 }
 
-// What all sensors together mark in a frame.
+// Limits the cells that all sensors together mark in a frame.
 void check_marks(std::span<const Sensor> sensors, const Tell& tell) {
   const auto marks_of = [](const Sensor& sensor) {
     return std::uint64_t{sensor.max_points_per_scan} * grid::max_marks_per_point(sensor);

@@ -1,5 +1,5 @@
-// The two CRC-32 of this project. CMake chooses the way that is fast on the machine: crc32_neon.cpp
-// or crc32_slices.cpp.
+// The two CRC-32 of this project. CMake chooses the faster implementation for the machine:
+// crc32_neon.cpp or crc32_slices.cpp.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace iog::checksum {
 
-// A reflected CRC whose start and final xor are all ones. `kPolynomial` is written as in the
-// standards, with the highest power first and without x^32. There are the two below.
+// A reflected CRC with initial value and final xor of all ones. `kPolynomial` is written as in the
+// standards, highest power first and without x^32. The two instances are below.
 template <std::uint32_t kPolynomial>
 class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
-  // What a part of the bytes adds to their CRC. No bytes before it change that, so that several
-  // cores can find it of a part each.
+  // The contribution of a part to the CRC. It does not depend on the preceding bytes, so several
+  // cores can compute the contributions of different parts.
   static constexpr std::size_t kPartBytes = 1024;
   using Part = std::span<const std::byte, kPartBytes>;
   [[nodiscard]] static std::uint32_t remainder_of(Part part) {
@@ -25,21 +25,21 @@ class FastCrc32 {
     crc.update(part);
     return crc.state_;
   }
-  // As update() with a part that has this remainder.
+  // Does the same as update() with a part that has this remainder.
   void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_) ^ remainder; }
 
   // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
-  // A state after a part of zeros.
+  // The state after a part that is all zeros.
   static std::uint32_t after_zeros(std::uint32_t state);
 
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 
-// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It names grids and vehicles:
-// any tool can compute it.
+// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It names grids and cars,
+// because any tool can compute it.
 using Crc32 = FastCrc32<0x04C11DB7>;
 
 // CRC-32/AUTOSAR: check value of "123456789" 0x1697D06A (AUTOSAR SWS CRCLibrary, CRC-32/P4).

@@ -1,5 +1,5 @@
 // The Cortex-A9 multiplies eight pairs of bytes without carry in one instruction. A tile of 1 KiB
-// is 1.6 cycles a byte, where look-ups take 2.4 (modelled as docs/a9_model.md says).
+// takes 1.6 cycles a byte, against 2.4 with look-ups (modelled as in docs/a9_model.md).
 #include <arm_neon.h>
 #include <array>
 
@@ -10,7 +10,7 @@
 namespace iog::checksum {
 namespace {
 
-// One sum of 16 bits for each lane and byte of the factors.
+// A 16-bit sum for each lane and each byte of the factors.
 class Lanes {
  public:
   void add(poly8x8_t bytes, poly8x16_t low_factors, poly8x16_t high_factors) {
@@ -20,7 +20,7 @@ class Lanes {
     add_product(3, bytes, vget_high_p8(high_factors));
   }
 
-  // Columns of the four by four sums become rows, so that adding the rows adds the lanes.
+  // Transposes the four by four sums, so that adding the rows adds the lanes.
   [[nodiscard]] std::uint64_t sum() const {
     const uint16x4x2_t low = vtrn_u16(lanes_added(0), lanes_added(1));
     const uint16x4x2_t high = vtrn_u16(lanes_added(2), lanes_added(3));
@@ -46,10 +46,10 @@ class Lanes {
   std::array<uint16x8_t, kFactorBytes> sums_{};
 };
 
-// Loads that move their own pointer: the compiler takes an addition for each instead. Both loads of
-// factors are one.
+// Loads with pointer increment, for which the compiler would use a separate addition. One
+// instruction loads both factors.
 poly8x8_t next_eight(const std::byte*& from) {
-  using Eight = const std::byte[kProductLanes];  // all that is read
+  using Eight = const std::byte[kProductLanes];  // everything that is read
   poly8x8_t eight;
   asm("vld1.8 {%P[eight]}, [%[from]]!"
       : [eight] "=w"(eight), [from] "+r"(from)
@@ -64,7 +64,7 @@ poly8x16x2_t next_factors(const Factors*& from) {
   return factors;
 }
 
-// The twin of PlainProducts.
+// The NEON twin of PlainProducts.
 class NeonProducts {
  public:
   using Sums = PlainProducts::Sums;

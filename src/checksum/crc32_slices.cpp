@@ -1,4 +1,4 @@
-// Where nothing multiplies without carry: by look-ups.
+// For machines without carry-less multiplication: uses look-ups.
 #include "checksum/crc32.hpp"
 #include "checksum/reflected_crc32.hpp"
 #include "checksum/reflected_field.hpp"

@@ -1,11 +1,10 @@
-// The CRC-32 of checksum/crc32.hpp where the machine multiplies bytes without carry.
+// Implements checksum/crc32.hpp on machines that multiply bytes without carry.
 //
-// A CRC is linear. A byte that d others follow contributes its product with x^(32 + 8d), modulo the
-// polynomial. So the bytes of a block do not wait for one another: their products are summed, and
-// only the sum is reduced. The two halves of a block use the same factors, so each factor is loaded
-// once.
+// A CRC is linear. A byte followed by d others contributes its product with x^(32 + 8d), modulo the
+// polynomial. The bytes of a block are therefore independent: their products are summed, and only
+// the sum is reduced. Both halves of a block use the same factors, so each factor is loaded once.
 //
-// All of it is reflected: bit 0 of a state is x^31, bit 0 of a byte is x^7, and so bit 0 of their
+// Everything is reflected: bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0 of their
 // product is x^38.
 #pragma once
 
@@ -22,7 +21,7 @@
 
 namespace iog::checksum {
 
-// `Products` is PlainProducts or a twin of it.
+// `Products` is PlainProducts or its NEON twin.
 template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
@@ -38,14 +37,14 @@ class ProductCrc32 {
   // The CRC of all bytes so far; more may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
-  // A state after so many bytes of zeros, eight at least.
+  // The state after kBytes zero bytes; kBytes >= 8.
   template <std::size_t kBytes>
   static std::uint32_t after_zeros(std::uint32_t state) {
     static constexpr Factors kFirst = make_first<kBytes>();
     return reduced(of_state(state, kFirst));
   }
 
-  // As of ReflectedCrc32.
+  // See ReflectedCrc32.
   [[nodiscard]] std::uint32_t state() const { return rest_.state(); }
   void set_state(std::uint32_t state) { rest_.set_state(state); }
 
@@ -54,11 +53,11 @@ class ProductCrc32 {
   using Field = ReflectedField<kPolynomial>;
 
   static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
-  static constexpr std::size_t kLeastBlockBytes = 32;   // below, adding up and reducing costs more
+  static constexpr std::size_t kLeastBlockBytes = 32;   // for shorter blocks, look-ups are faster
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // The state before a half acts as if it were added to the half's first four bytes.
+  // The state before a half has the same effect as adding it to the half's first four bytes.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
     const auto factors = std::span(kFactors).last(half / kProductLanes);
@@ -73,14 +72,14 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. They are reduced like the first byte of a state that a
-  // byte of zeros follows.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A look-up reduces them as if they were the first byte
+  // of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // The factor of the last byte is x^32; each byte before it has eight powers more.
+  // The factor of the last byte is x^32. Each preceding byte has x^8 times the factor of the next.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
     std::uint32_t factor = 0x8000'0000U;  // 1
@@ -94,7 +93,7 @@ class ProductCrc32 {
     return factors;
   }
 
-  // Of the first bytes of so many.
+  // The factors of the first eight of kBytes bytes.
   template <std::size_t kBytes>
   static consteval Factors make_first() {
     Factors first{};

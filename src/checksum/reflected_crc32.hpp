@@ -1,11 +1,11 @@
-// CRC-32 of any reflected polynomial with start and final xor all ones: the form of IEEE 802.3
-// (gzip, zlib) and of AUTOSAR's CRC-32/P4.
+// CRC-32 for any reflected polynomial with initial value and final xor of all ones, as in IEEE
+// 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
 //
-// Slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in a table of its own, and
-// the look-ups do not wait for one another. The tables take kSlices KiB; the compiler makes them.
-// The Cortex-A9 has a faster way (checksum/product_crc32.hpp). With 4, 8 or 16 slices it takes 4.2
-// to 4.3 instructions a byte (measured). For a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a byte
-// (modelled as docs/a9_model.md says, with other tiles encoded in between).
+// It uses slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in its own table,
+// and the look-ups are independent. The tables take kSlices KiB and are computed at compile time.
+// The Cortex-A9 has a faster method (checksum/product_crc32.hpp). With 4, 8 or 16 slices it takes
+// 4.2 to 4.3 instructions a byte (measured). For a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a
+// byte (modelled as in docs/a9_model.md, with other tiles encoded in between).
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 namespace iog::checksum {
 
 // `kPolynomial` is written with the highest power first and without x^32, as in the standards.
-// `kSlices` is 1, that is byte by byte, or 4, 8 or 16.
+// `kSlices` is 1 for bytewise processing, or 4, 8 or 16.
 template <std::uint32_t kPolynomial, std::size_t kSlices>
 class ReflectedCrc32 {
   static_assert(kSlices == 1 || kSlices == 4 || kSlices == 8 || kSlices == 16);
 
  public:
   constexpr void update(std::span<const std::byte> bytes) {
-    std::uint32_t state = state_;  // in a register: bytes may alias the member
+    std::uint32_t state = state_;  // in a register, because `bytes` may alias the member
     if constexpr (kSlices > 1) {
       while (bytes.size() >= kSlices) {
         state = after_group(state, bytes.template first<kSlices>());
@@ -42,12 +42,11 @@ class ReflectedCrc32 {
   // The CRC of all bytes so far; more may follow.
   [[nodiscard]] constexpr std::uint32_t value() const { return ~state_; }
 
-  // The register behind the value, x^31 in bit 0, for code that advances it by other means.
+  // The internal state, x^31 in bit 0, for code that advances it by other means.
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // The state times x^8: what it is after a byte of zeros, or after a byte that has been added to
-  // it.
+  // The state times x^8: the state after a zero byte, or after a byte that was added to it.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }
@@ -61,7 +60,7 @@ class ReflectedCrc32 {
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < kSlices; i += 4) {
       const std::uint32_t word = state ^ wire::load_le32(group.subspan(i).template first<4>());
-      state = 0;  // only the first word meets the bytes before
+      state = 0;  // the state affects only the first word
       const std::size_t table = kSlices - 4 - i;
       next ^= kTables[table + 3][word & 0xFFU] ^ kTables[table + 2][(word >> 8) & 0xFFU] ^
               kTables[table + 1][(word >> 16) & 0xFFU] ^ kTables[table][word >> 24];
@@ -69,7 +68,7 @@ class ReflectedCrc32 {
     return next;
   }
 
-  // Table t: the effect of a byte that lies t bytes before the end of the group.
+  // Table t: the effect of a byte that is t bytes before the end of the group.
   static constexpr Tables make_tables() {
     Tables tables{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {

@@ -1,4 +1,4 @@
-// Polynomials modulo that of a reflected CRC-32: bit 31 is 1, bit 0 is x^31.
+// Arithmetic modulo the polynomial of a reflected CRC-32. Bit 31 is x^0, bit 0 is x^31.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ class ReflectedField {
     return sum;
   }
 
-  // A state after so many bytes of zeros is its product with this.
+  // Returns x^(8 exponent). A state times this is the state after `exponent` zero bytes.
   static consteval std::uint32_t power_of_x8(std::size_t exponent) {
     std::uint32_t power = kOne;
     for (std::uint32_t square = times_x8(kOne); exponent != 0; exponent /= 2) {

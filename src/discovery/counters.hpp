@@ -1,4 +1,4 @@
-// What became of messages of service discovery. All wrap.
+// Counts the outcomes of service discovery messages. All counters wrap.
 #pragma once
 
 #include <array>
@@ -9,26 +9,26 @@
 namespace iog::discovery {
 
 enum class Count : std::uint8_t {
-  kReceived,      // datagrams that came to the port of service discovery
-  kMalformed,     // of these: not a message, or in fragments, or from outside of the subnet
-  kSpoofed,       // in the subscriber's name from another station; or ARP names another one
-  kFlooded,       // wanted an answer, for which the budget was spent
-  kOffered,       // offers that were sent to the group
-  kFound,         // questions for the service that were answered
-  kAcknowledged,  // subscriptions, also renewed ones
+  kReceived,      // datagrams to the service discovery port
+  kMalformed,     // received datagrams that were no message, fragmented, or from outside the subnet
+  kSpoofed,       // sender's Ethernet address contradicted the subscription or ARP
+  kFlooded,       // unanswered because the answer budget was spent
+  kOffered,       // offers sent to the group
+  kFound,         // find entries that were answered
+  kAcknowledged,  // subscriptions acknowledged, renewals included
   kRefused,       // subscriptions: a wrong endpoint, version, event group or instance, or no room
-  kUnconfirmed,   // subscriptions whose host ARP did not find
-  kStopped,       // subscriptions that their subscriber has ended
-  kExpired,       // that ran out of time, or whose host has left
-  kRebooted,      // that ended because their subscriber had started anew
-  kCopied,        // messages that went to the subscriber
-  kNotCopied,     // that did not, because the room belongs to the peer
+  kUnconfirmed,   // subscriptions whose host did not answer ARP
+  kStopped,       // subscriptions stopped by the subscriber
+  kExpired,       // subscriptions that timed out, or whose host has left
+  kRebooted,      // subscriptions that ended because the subscriber rebooted
+  kCopied,        // messages sent to the subscriber
+  kNotCopied,     // messages not sent to the subscriber, because the room belongs to the peer
 };
 inline constexpr std::size_t kCounts = 14;
 static_assert(static_cast<std::size_t>(Count::kNotCopied) + 1 == kCounts);
 
 struct Counts : std::array<std::uint32_t, kCounts> {
-  // In the stream (stream/target_table.hpp).
+  // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
        "SD subscriptions acknowledged", "SD subscriptions refused", "SD subscriptions unconfirmed",

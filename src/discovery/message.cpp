@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::size_t kSessionOffset = 10;
 constexpr std::uint8_t kIpv4Endpoint = 0x04;
-constexpr std::uint16_t kEndpointLength = 9;  // what follows the type
+constexpr std::uint16_t kEndpointLength = 9;  // bytes after the type
 
 struct Option {
   std::uint8_t type = 0;
-  std::span<const std::byte> content{};  // behind the type
+  std::span<const std::byte> content{};  // after the type
 };
 
-// The next option of those that are left; its length says at least that it has a reserved byte.
+// Reads the next option. Its length counts the reserved byte, so it must not be 0.
 std::optional<Option> next_option(wire::ByteReader& in) {
   const std::size_t length = in.u16_be();
   const std::uint8_t type = in.u8();
@@ -55,7 +55,7 @@ bool refers_to(const Entry& entry, std::size_t option) {
   });
 }
 
-// The number behind the last option that it refers to.
+// One past the highest option number that the entry refers to.
 std::size_t options_needed(const Entry& entry) {
   std::size_t needed = 0;
   for (const OptionRun& run : entry.options) {

@@ -1,5 +1,5 @@
 // A message of SOME/IP service discovery (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "SOME/IP-SD
-// Message Format"): big endian, behind a SOME/IP header of service 0xFFFF, event 0x8100.
+// Message Format"): big endian, after a SOME/IP header of service 0xFFFF, event 0x8100.
 //
 //   16  u8 flags: 0x80 reboot, 0x40 unicast, u24 0
 //   20  u32 bytes of the entries, 16 each
@@ -13,7 +13,7 @@
 //    .  options:  0  u16 bytes behind the type, u8 type, u8 0
 //                 4  of an IPv4 endpoint: u32 address, u8 0, u8 protocol, u16 port
 //
-// The wire is hostile: all lengths are checked at once, before an entry is looked at.
+// The sender is not trusted: all lengths are checked before any entry is read.
 #pragma once
 
 #include <array>
@@ -33,11 +33,11 @@ inline constexpr protection::Event kDiscoveryEvent{
 inline constexpr std::uint8_t kFlagReboot = 0x80;
 inline constexpr std::uint8_t kFlagUnicast = 0x40;
 
-// A time to live of 0 makes of an offer its withdrawal, of a subscription its end, and of an
-// acknowledgement a refusal. The longest has no end.
+// A time to live of 0 turns an offer into its withdrawal, a subscription into its end, and an
+// acknowledgement into a refusal. The largest value never expires.
 inline constexpr std::uint32_t kForeverS = 0xFF'FFFF;
 
-// What fits any instance or version of a service that is looked for.
+// Wildcards for the instance and versions in a find entry.
 inline constexpr std::uint16_t kAnyInstance = 0xFFFF;
 inline constexpr std::uint8_t kAnyMajor = 0xFF;
 inline constexpr std::uint32_t kAnyMinor = 0xFFFF'FFFF;
@@ -47,21 +47,21 @@ inline constexpr std::size_t kEndpointBytes = 12;
 
 enum class EntryType : std::uint8_t { kFind = 0, kOffer = 1, kSubscribe = 6, kSubscribeAck = 7 };
 
-// A number and a count of options.
+// A run of options: the number of the first, and how many.
 struct OptionRun {
   std::uint8_t first = 0;
   std::uint8_t count = 0;
 };
 
 struct Entry {
-  EntryType type = EntryType::kFind;  // or a value that has no name here
+  EntryType type = EntryType::kFind;  // may have another value
   std::array<OptionRun, 2> options{};
   std::uint16_t service = 0;
   std::uint16_t instance = 0;
   std::uint8_t major = 0;
   std::uint32_t ttl_s = 0;  // 24 bits
   std::uint32_t minor = 0;  // of a service
-  // Of an event group they stand where a service has its minor version.
+  // For event groups: stored where services have their minor version.
   [[nodiscard]] constexpr std::uint16_t event_group() const {
     return static_cast<std::uint16_t>(minor);
   }
@@ -74,28 +74,28 @@ struct Endpoint {
   friend constexpr bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-// A message whose lengths agree. Views of the datagram.
+// A message with consistent lengths. Its members are views of the datagram.
 struct Message {
   std::uint16_t session_id = 0;
   std::uint8_t flags = 0;
-  std::span<const std::byte> entries{};  // whole ones
-  std::span<const std::byte> options{};  // whole ones
+  std::span<const std::byte> entries{};  // complete entries only
+  std::span<const std::byte> options{};  // complete options only
 
   [[nodiscard]] std::size_t entry_count() const { return entries.size() / kEntryBytes; }
 
   // number < entry_count()
   [[nodiscard]] Entry entry(std::size_t number) const;
 
-  // The one IPv4 endpoint of UDP that the entry refers to; nothing if there is none or another one,
-  // or if it refers to options that are not there. Options of other kinds are not looked at.
+  // The IPv4 UDP endpoint that the entry refers to. Nothing if it refers to none, to several
+  // different ones, or to options that do not exist. Other kinds of options are ignored.
   [[nodiscard]] std::optional<Endpoint> udp_endpoint_of(const Entry& entry) const;
 };
 
-// Nothing if the datagram is no such message, or one whose lengths contradict each other.
+// Returns nothing if the datagram is no such message, or if its lengths are inconsistent.
 [[nodiscard]] std::optional<Message> read_message(std::span<const std::byte> datagram);
 
-// A message with these entries, in which those that refer to an option have the endpoint as theirs.
-// Returns its bytes; `buffer` holds message_bytes(entries.size()).
+// Writes a message with these entries. Its only option is `endpoint`. Returns the number of bytes
+// written; `buffer` must hold message_bytes(entries.size()).
 std::size_t write_message(std::uint16_t session_id, std::uint8_t flags,
                           std::span<const Entry> entries, const Endpoint& endpoint,
                           std::span<std::byte> buffer);

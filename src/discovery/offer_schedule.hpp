@@ -1,6 +1,6 @@
-// When a service is offered to everybody: the phases of a server (AUTOSAR
-// PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). After a delay drawn at random the first
-// offer, then some that follow each other at twice the distance each time, then one a second.
+// Schedules the offers of a service: the phases of a server (AUTOSAR
+// PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). The first offer follows a random delay.
+// Some more follow at intervals that double each time, then one a second.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@ inline constexpr std::uint32_t kRepetitionsBaseUs = 100'000;
 inline constexpr unsigned kRepetitionsMax = 3;
 inline constexpr std::uint32_t kCyclicOfferUs = 1'000'000;
 
-// How long an offer holds: a client that has missed two knows that the target is gone.
+// The lifetime of an offer. A client that has missed two offers knows that the target is gone.
 inline constexpr std::uint32_t kOfferTtlS = 3;
 
-// Time never goes backwards from call to call.
+// Times passed to it never decrease.
 class OfferSchedule {
  public:
-  // noise: what the initial delay is drawn from; another target has another.
+  // noise: the random value for the initial delay; it differs between targets.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
-  // True in the initial wait phase, in which nothing is offered and no question answered.
+  // True in the initial wait phase, in which the server sends no offers and no answers.
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
-  // Whether an offer is due, which then counts as sent. Time begins with the first call. Offers
-  // that were missed are not made up for.
+  // Returns true if an offer is due, and counts it as sent. Time begins with the first call. Missed
+  // offers are not sent later.
   [[nodiscard]] constexpr bool take_due(std::uint64_t now_us) {
     if (!has_begun_) {
       has_begun_ = true;
@@ -42,7 +42,7 @@ class OfferSchedule {
   }
 
  private:
-  // Within its bounds by the upper half of the noise; 2^16 * 90,000 needs more than 32 bits.
+  // Scales the upper half of the noise to the bounds. 2^16 * 90,000 needs more than 32 bits.
   [[nodiscard]] constexpr std::uint32_t initial_delay_us() const {
     constexpr std::uint32_t kRangeUs = kInitialDelayMaxUs - kInitialDelayMinUs;
     return kInitialDelayMinUs +
@@ -51,7 +51,7 @@ class OfferSchedule {
 
   std::uint32_t noise_;
   std::uint64_t next_us_ = 0;
-  unsigned offers_ = 0;  // of the first and the repeated ones
+  unsigned offers_ = 0;  // counts the first and the repeated offers
   bool has_begun_ = false;
 };
 

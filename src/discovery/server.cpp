@@ -14,10 +14,10 @@ net::Destination back_to(const net::Datagram& datagram) {
           .source_port = net::kDiscoveryPort};
 }
 
-// Counter and event group of a subscription; the bits before them are reserved.
+// Counter and event group of a subscription. The higher bits are reserved.
 constexpr std::uint32_t kCounterAndEventGroup = 0x000F'FFFF;
 
-// The same subscription with another time to live: what was asked for, or 0 if it is refused.
+// The acknowledgement of a subscription: ttl_s is the requested lifetime, or 0 to refuse.
 Entry answer_to(Entry entry, std::uint32_t ttl_s) {
   entry.type = EntryType::kSubscribeAck;
   entry.options = {};
@@ -58,7 +58,7 @@ std::optional<Outgoing> Server::receive(const net::Datagram& datagram, std::uint
   return message_to(back_to(datagram), to_one_, std::span(answer.entries).first(answer.count));
 }
 
-// In the order of the entries; an offer answers all that look for us.
+// Answers entries in order. One offer answers all find entries.
 Server::Answer Server::answer_of(const Message& message, const net::Datagram& datagram,
                                  std::uint64_t now_us) {
   Answer answer;
@@ -83,7 +83,7 @@ Server::Answer Server::answer_of(const Message& message, const net::Datagram& da
   return answer;
 }
 
-// Whether the service is looked for.
+// True if a find entry asks for our service.
 bool Server::is_wanted(const Entry& entry) const {
   return entry.type == EntryType::kFind && entry.service == service_.service &&
          (entry.instance == config_.service_instance || entry.instance == kAnyInstance) &&
@@ -105,12 +105,12 @@ bool Server::concerns_us(const Message& message) const {
   return false;
 }
 
-// In its name from another station nothing comes that far.
+// receive() has already dropped datagrams with the subscriber's address from another station.
 bool Server::is_of_subscriber(const net::Datagram& datagram) const {
   return subscription_ && datagram.source == subscription_->endpoint.address;
 }
 
-// A subscriber that has started anew has forgotten that it is one.
+// After a reboot the subscriber no longer knows its subscription.
 void Server::look_for_reboot(const Message& message, const net::Datagram& datagram) {
   if (!is_of_subscriber(datagram)) {
     return;
@@ -122,7 +122,7 @@ void Server::look_for_reboot(const Message& message, const net::Datagram& datagr
   }
 }
 
-// Never but to the host that asks, so that no host can have the stream sent to another.
+// Only the sender itself can be the endpoint, so no host can direct the stream to another.
 bool Server::is_acceptable(const Entry& entry, const std::optional<Endpoint>& endpoint,
                            const net::Datagram& datagram) const {
   return entry.instance == config_.service_instance && entry.major == service_.major &&
@@ -130,7 +130,8 @@ bool Server::is_acceptable(const Entry& entry, const std::optional<Endpoint>& en
          endpoint->address == datagram.source && endpoint->port != 0;
 }
 
-// An endpoint is that of the host that asks.
+// True if there is no subscription, if its candidate has timed out, or if it has this endpoint.
+// is_acceptable() has already compared the endpoint's address with the sender's.
 bool Server::has_room_for(const Endpoint& endpoint, std::uint64_t now_us) const {
   if (!subscription_ ||
       (!subscription_->is_confirmed && now_us - subscription_->since_us >= kConfirmUs)) {
@@ -167,7 +168,8 @@ void Server::take_subscription(const Message& message, const Entry& entry,
   static_cast<void>(subscription_->by_unicast.is_rebooted(session_of(message)));
 }
 
-// A host cannot end the subscription of another. Which port it had is not asked: there is one.
+// A host cannot end the subscription of another host. Its port is not compared: there is only one
+// subscription.
 void Server::stop(const Entry& entry, const net::Datagram& datagram) {
   if (is_of_subscriber(datagram) && entry.instance == config_.service_instance &&
       entry.event_group() == service_.event_group) {
@@ -195,7 +197,7 @@ std::optional<Outgoing> Server::tick(std::uint64_t now_us, const std::optional<n
   return std::nullopt;
 }
 
-// A candidate becomes the subscriber if ARP names the station that has sent its subscription.
+// A candidate becomes the subscriber if ARP gives the station that sent its subscription.
 std::optional<Outgoing> Server::confirm(std::uint64_t now_us,
                                         const std::optional<net::Told>& told) {
   if (!told) {

@@ -1,9 +1,9 @@
-// The server's side of SOME/IP service discovery, for one service with one event group and one
-// subscriber. No I/O and no clock of its own: datagrams and time go in, messages come out.
+// The server of SOME/IP service discovery, for one service with one event group and one subscriber.
+// No I/O and no clock: datagrams and times go in, messages come out.
 //
-// A subscriber has shown that it is where it says: its endpoint is the very host that its
-// subscription came from, and ARP names the station that has sent it. Until ARP has answered it is
-// a candidate, without an acknowledgement and without a message.
+// A subscriber must prove its address. Its endpoint must be the host that sent the subscription,
+// and ARP must give the station that sent it. Until ARP has answered, the host is a candidate: it
+// receives no acknowledgement and no messages.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@
 
 namespace iog::discovery {
 
-// What is offered, at our address and the port that messages come from.
+// The offered service. Its endpoint is our address and the source port of messages.
 struct Service {
   std::uint16_t service = 0;
   std::uint8_t major = 0;
@@ -33,21 +33,21 @@ struct Service {
   std::uint16_t event_group = 0;
 };
 
-// Subscriptions of one datagram that are looked at; those behind them are refused without a word.
+// Subscriptions handled per datagram. Further ones are refused without an answer.
 inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 
-// How long ARP has to find a candidate.
+// The time that ARP has to find a candidate.
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
-// A subscriber that ARP has not found for so long has left. It is asked for every 30 s, and then
-// every second (net/peer_resolver.hpp).
+// A subscriber that has not answered ARP for this long has left. ARP requests go out after 30 s,
+// then every second (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 
-// A message on its way.
+// A message to be sent.
 struct Outgoing {
   net::Destination to{};
   std::size_t bytes = 0;
-  // An offer and the answers to subscriptions.
+  // Room for an offer and the answers to subscriptions.
   std::array<std::byte, message_bytes(1 + kMaxSubscriptionsPerMessage)> buffer{};
 
   [[nodiscard]] std::span<const std::byte> view() const { return std::span(buffer).first(bytes); }
@@ -55,26 +55,27 @@ struct Outgoing {
 
 class Server {
  public:
-  // noise: of this run, for the first delay.
+  // noise: a random value of this run, for the first delay.
   Server(const net::Config& config, const Service& service, std::uint32_t noise)
       : config_(config), service_(service), schedule_(noise) {}
 
-  // A datagram to kDiscoveryPort; what it is answered with, if it is.
+  // Handles a datagram to kDiscoveryPort. Returns the answer, if any.
   [[nodiscard]] std::optional<Outgoing> receive(const net::Datagram& datagram,
                                                 std::uint64_t now_us);
 
-  // Time has passed; what is due. told: what ARP has told of neighbour(), if it has.
+  // Advances the time. Returns a message that is due, if any. told: what ARP knows of neighbour(),
+  // if anything.
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
-  // The withdrawal of the offer. Nothing follows it.
+  // Returns the withdrawal of the offer. Send it last.
   [[nodiscard]] Outgoing withdraw();
 
-  // Whom ARP is to be asked for.
+  // The host to be resolved by ARP.
   [[nodiscard]] std::optional<net::Ipv4Address> neighbour() const;
 
-  // The host that gets a copy of each message. Not a subscriber that is the peer, which gets them
-  // anyway.
+  // The host that receives a copy of each message. Empty if the subscriber is the peer, which
+  // receives them anyway.
   [[nodiscard]] std::optional<net::Destination> subscriber() const;
 
   void count(Count what) { ++counts_[static_cast<std::size_t>(what)]; }
@@ -87,10 +88,10 @@ class Server {
 
  private:
   struct Subscription {
-    Endpoint endpoint{};         // where messages go
-    net::Destination partner{};  // the subscriber: where answers go
-    Entry entry{};               // of the newest subscription
-    std::uint64_t since_us = 0;  // the candidate, or the newest renewal
+    Endpoint endpoint{};         // destination of messages
+    net::Destination partner{};  // the subscriber: destination of answers
+    Entry entry{};               // of the latest subscription
+    std::uint64_t since_us = 0;  // time of the candidacy, or of the last renewal
     bool is_confirmed = false;
     SessionWatch by_group{};
     SessionWatch by_unicast{};
@@ -128,7 +129,7 @@ class Server {
   Service service_;
   OfferSchedule schedule_;
   SessionCounter to_all_;
-  SessionCounter to_one_;  // every receiver sees ids that rise
+  SessionCounter to_one_;  // common to all receivers: each sees ascending ids
   AnswerBudget strangers_;
   AnswerBudget subscribers_;
   std::optional<Subscription> subscription_;

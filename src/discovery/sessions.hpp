@@ -1,5 +1,5 @@
 // Session ids and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
-// "Reboot Detection"): ids count from 1, the flag is set until they have wrapped.
+// "Reboot Detection"). Ids count from 1; the flag is set until they have wrapped.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 namespace iog::discovery {
 
 struct Session {
-  std::uint16_t id = 0;  // 0: none has been heard
+  std::uint16_t id = 0;  // 0: none received
   bool reboot = false;
 };
 
-// Of what we send to one kind of receiver.
+// Numbers the messages that we send to one kind of receiver.
 class SessionCounter {
  public:
   [[nodiscard]] constexpr Session take() {
@@ -28,10 +28,10 @@ class SessionCounter {
   Session next_{.id = 1, .reboot = true};
 };
 
-// What a partner sends, by one way.
+// Watches the sessions that a partner uses on one path, unicast or multicast.
 class SessionWatch {
  public:
-  // True if the partner has started anew since its last message by this way.
+  // True if the partner has rebooted since its last message on this path.
   [[nodiscard]] constexpr bool is_rebooted(Session now) {
     const Session before = last_;
     last_ = now;

@@ -4,8 +4,8 @@
 
 namespace iog::framing {
 
-// A block of 254 bytes needs no zero behind it; at the end of the message none is due either, so
-// the frame of 254 bytes ends with that block and no empty one.
+// A block of 254 bytes implies no zero after it. The message itself does not end with a zero
+// either, so a frame of 254 bytes ends with that block and needs no empty one.
 std::size_t encode_cobs(std::span<const std::byte> message, std::span<std::byte> frame) {
   std::size_t out = 0;
   bool is_last = false;
@@ -15,7 +15,7 @@ std::size_t encode_cobs(std::span<const std::byte> message, std::span<std::byte>
     const auto length = static_cast<std::size_t>(zero - window.begin());
     const bool has_zero = length < window.size();
     is_last = !has_zero && length == message.size();
-    if (frame.size() - out < length + 2) {  // code, block, and the delimiter or another code
+    if (frame.size() - out < length + 2) {  // code, block, and the delimiter or next code
       return 0;
     }
     frame[out] = static_cast<std::byte>(length + 1);

@@ -1,7 +1,7 @@
-// The grid: how many cells and tiles it has, how they are numbered, and where the vehicle stands on
-// it (docs/model.md sections 5 and 8).
+// The grid: its cells and tiles, their numbers, and the vehicle's place on it (docs/model.md
+// sections 5 and 8).
 //
-// Cells are numbered row by row from the lowest y, and so are tiles.
+// Cells and tiles are numbered in row-major order from the lowest y.
 #pragma once
 
 #include <cstddef>
@@ -30,15 +30,15 @@ inline constexpr std::size_t kTileCount = kTilesPerSide * kTilesPerSide;
 static_assert(kCellsPerSide % kTileSide == 0);
 static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
 
-// The tile that holds a cell of the grid.
+// The tile that contains a cell of the grid.
 [[nodiscard]] constexpr std::size_t tile_of(Cell cell) {
   constexpr std::uint32_t kSide = kTileSide;
   const std::uint32_t tile_x = static_cast<std::uint32_t>(cell.x) / kSide;
   return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
-// The vehicle frame's origin: the corner in the middle of the grid. Cell (x, y) of the default grid
-// covers, in metres, [(x - 512) / 10, (x - 511) / 10) and the same of y.
+// The vehicle frame's origin is the corner at the centre of the grid. In metres, cell (x, y) of the
+// default grid covers [(x - 512) / 10, (x - 511) / 10) along x, and the same for y.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;

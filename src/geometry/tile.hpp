@@ -1,4 +1,4 @@
-// Tiles: the squares of cells in which a grid is touched, encoded and sent.
+// Tiles: the squares of cells by which a grid is stored, encoded and sent.
 #pragma once
 
 #include <cstddef>

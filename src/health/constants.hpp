@@ -1,8 +1,8 @@
-// Members that are set at start and never again, beside data that changes. Each is a region of the
-// check of memory (health/memory_check.hpp).
+// Members that are set at start and then never change, although data around them does. Each is a
+// region of the memory check (health/memory_check.hpp).
 //
-// A class with such members has for_each_constant(visit), which calls visit(bytes) for them and for
-// those of its parts.
+// A class with such members has for_each_constant(visit), which calls visit(bytes) for each of
+// them, including those of its members.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// How long something took, of many times: the worst, their sum, and how many took how long. Words
-// as they are in the stream (docs/spec.md 3.7).
+// Statistics of many durations: the maximum, the sum and a histogram. The words are those of the
+// stream (docs/spec.md 3.7).
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace iog::health {
 
 struct Durations {
-  // The first counts what is below 256 us, each other one what is below twice that of the one
-  // before, the last what is longer: from 65,536 us on.
+  // The first bucket counts durations below 256 us. The upper limit doubles with each bucket. The
+  // last one counts all from 65,536 us on.
   static constexpr std::size_t kBuckets = 10;
   static constexpr std::uint32_t kFirstBelowUs = 256;
 

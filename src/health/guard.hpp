@@ -1,9 +1,9 @@
-// Words around memory that many write, such as grids or the rings of a DMA engine. Nothing writes
-// the words, so another value shows an overrun. They are a region of the check of memory
-// (health/memory_check.hpp), where no page can be left unmapped between neighbours.
+// Guard words around memory with many writers, such as grids or the rings of a DMA engine. Nothing
+// writes the words, so a changed value reveals an overrun. They protect neighbours between which no
+// page can be left unmapped. The memory check treats them as regions (health/memory_check.hpp).
 //
-// A class that has such members has for_each_guard(visit), which calls visit(guard) for each of
-// them and those of its parts, from low to high.
+// A class with such members has for_each_guard(visit), which calls visit(guard) for each of them,
+// including those of its members, from low to high addresses.
 #pragma once
 
 #include <array>
@@ -13,10 +13,9 @@
 
 namespace iog::health {
 
-// As long as two lines of the caches. Zeros until it is set: it may lie in memory that begins as
-// zeros.
+// Two cache lines long. Zero until it is set, so it may be in zero-initialised memory.
 struct Guard {
-  static constexpr std::uint32_t kWord = 0x6775'6172;  // no address, no cell, no count
+  static constexpr std::uint32_t kWord = 0x6775'6172;  // not a plausible address, cell or count
 
   void set() { words.fill(kWord); }
   [[nodiscard]] std::span<const std::byte> bytes() const { return std::as_bytes(std::span(words)); }

@@ -10,7 +10,7 @@ std::uint32_t crc_of(std::span<const std::byte> bytes) {
   return crc.value();
 }
 
-// An empty region takes a slice, too.
+// Even an empty region takes one slice.
 MemoryCheck::MemoryCheck(std::span<const Region> regions) : regions_(regions) {
   for (const Region& region : regions) {
     slices_ += std::max<std::size_t>((region.bytes.size() + kSliceBytes - 1) / kSliceBytes, 1);

@@ -1,9 +1,9 @@
-// Whether memory that must not change is what it was: read again and again in small slices, each
-// round of which compares the CRC-32 of every region.
+// Checks that constant memory has not changed. It reads the memory again and again in small slices
+// and compares the CRC-32 of every region once per round.
 //
 // A slice is 1,408 bytes, a block of checksum/crc32.hpp. Slices are spread evenly over a round, so
-// that the share of a core is that of the bytes, whatever the loop does; a loop that comes late
-// makes up for it, a bounded number of slices at a time.
+// the load depends only on the number of bytes, not on the loop. A late loop catches up by a
+// bounded number of slices at a time.
 #pragma once
 
 #include <cstddef>
@@ -27,31 +27,32 @@ struct Region {
 class MemoryCheck {
  public:
   static constexpr std::size_t kSliceBytes = 1408;
-  // A round of a loop that keeps up; longer if a slice would be due more than once a millisecond.
-  // At 4 cycles a byte, every one from DDR, that is 0.7 % of a core of 792 MHz.
+  // The duration of a round if the loop keeps up. It is longer if slices would be due more than
+  // once a millisecond. At 4 cycles a byte, all read from DDR, the load is 0.7 % of a core of 792
+  // MHz.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // Of one step: 45 KB, a quarter of a millisecond at 4 cycles a byte and 792 MHz.
+  // Per step: 45 KB, a quarter of a millisecond at 4 cycles a byte and 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 
-  // The regions and their bytes outlive the check; there may be none.
+  // The regions and their bytes must outlive the check. There may be none.
   explicit MemoryCheck(std::span<const Region> regions);
 
-  // All of it at once: the number of the first region that is not what it was.
+  // Checks everything at once. Returns the number of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // In the background: what is due by now. The same of the region that a slice has completed, if
-  // its CRC is another. The first call only begins.
+  // Checks the slices that are due by now. Returns the number of the region if a slice completes
+  // one that has changed. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
-  // Modulo 2^32: how often every region has been read to its end.
+  // The number of complete rounds, modulo 2^32.
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
 
   [[nodiscard]] std::span<const Region> regions() const { return regions_; }
   [[nodiscard]] std::size_t slices() const { return slices_; }
 
  private:
-  // Whether the region that it ends is what it was; a slice that ends none says so, too.
+  // Returns false if the slice completes a changed region.
   bool look_at_next_slice();
 
   std::span<const Region> regions_;

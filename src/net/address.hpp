@@ -1,4 +1,4 @@
-// The two kinds of address in a frame, as values.
+// Ethernet and IPv4 addresses as values.
 #pragma once
 
 #include <array>
@@ -6,13 +6,13 @@
 
 namespace iog::net {
 
-// A 48-bit Ethernet address in the order of the wire.
+// A 48-bit Ethernet address, octets in wire order.
 struct MacAddress {
   std::array<std::uint8_t, 6> octets{};
 
   friend constexpr bool operator==(const MacAddress&, const MacAddress&) = default;
 
-  // The lowest bit of the first octet marks a group of stations; all zero is no address.
+  // False for group addresses (lowest bit of the first octet set) and for all zeros.
   [[nodiscard]] constexpr bool is_unicast() const {
     return (octets[0] & 1U) == 0 && *this != MacAddress{};
   }
@@ -20,7 +20,7 @@ struct MacAddress {
 
 inline constexpr MacAddress kBroadcastMac{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
 
-// An IPv4 address as a number: 10.0.2.15 is 0x0A00020F, whatever the byte order of the machine.
+// An IPv4 address in host byte order: 10.0.2.15 is 0x0A00020F on every machine.
 struct Ipv4Address {
   std::uint32_t value = 0;
 
@@ -34,7 +34,7 @@ struct Ipv4Address {
 
 inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
 
-// Bits that name a host within a subnet; prefix_bits is 1 to 32.
+// Mask of the host bits. prefix_bits is 1 to 32.
 [[nodiscard]] constexpr std::uint32_t host_mask(std::uint8_t prefix_bits) {
   return (std::uint32_t{1} << (32 - prefix_bits)) - 1;
 }
@@ -44,13 +44,13 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return ((left.value ^ right.value) & ~host_mask(prefix_bits)) == 0;
 }
 
-// The address of every host in the subnet of `address`, such as 10.0.2.255 (RFC 919).
+// The broadcast address of the subnet of `address`, such as 10.0.2.255 (RFC 919).
 [[nodiscard]] constexpr Ipv4Address directed_broadcast(Ipv4Address address,
                                                        std::uint8_t prefix_bits) {
   return {address.value | host_mask(prefix_bits)};
 }
 
-// A group of hosts and the group of stations that its packets are sent to (RFC 1112, section 6.4).
+// True for multicast addresses. group_mac() gives their Ethernet address (RFC 1112, section 6.4).
 [[nodiscard]] constexpr bool is_group(Ipv4Address address) { return address.value >> 28 == 0xE; }
 
 [[nodiscard]] constexpr MacAddress group_mac(Ipv4Address group) {
@@ -58,15 +58,15 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
            static_cast<std::uint8_t>(group.value >> 8), static_cast<std::uint8_t>(group.value)}};
 }
 
-// True for an address that one host on a network can have: not 0/8 ("this network"), not 127/8
-// (loopback), not multicast, reserved or limited broadcast (224/3). RFC 1122, section 3.2.1.3.
+// True if a single host can have this address. Excluded are 0/8 ("this network"), 127/8 (loopback)
+// and 224/3 (multicast, reserved, limited broadcast). RFC 1122, section 3.2.1.3.
 [[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {
   const std::uint32_t network = address.value >> 24;
   return network != 0 && network != 127 && network < 224;
 }
 
-// True if `address` can belong to a host of the subnet that `member` is in: a host address, and
-// neither the subnet's own name nor its broadcast.
+// True if `address` is a host address in the subnet of `member`. The subnet's network address and
+// broadcast address are no host addresses.
 [[nodiscard]] constexpr bool is_host_in_subnet(Ipv4Address address, Ipv4Address member,
                                                std::uint8_t prefix_bits) {
   const std::uint32_t host = address.value & host_mask(prefix_bits);

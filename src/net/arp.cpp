@@ -10,7 +10,7 @@ constexpr std::uint16_t kHardwareEthernet = 1;
 constexpr std::uint8_t kHardwareAddressBytes = 6;
 constexpr std::uint8_t kProtocolAddressBytes = 4;
 
-// A sender that an answer can go to and an address can be learnt from.
+// True if the sender can be answered and its address can be learnt.
 bool is_other_station(const MacAddress& mac, const Config& config) {
   return mac.is_unicast() && mac != config.mac;
 }

@@ -1,4 +1,4 @@
-// ARP for IPv4 on Ethernet (RFC 826): its packet, and what a packet means to us.
+// ARP for IPv4 on Ethernet (RFC 826): parses, writes and interprets packets.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,21 @@ struct ArpPacket {
   Ipv4Address target_address{};
 };
 
-// Nothing if the payload is short, not about Ethernet and IPv4, or neither request nor reply.
+// Returns nothing if the payload is too short, not for Ethernet and IPv4, or neither request nor
+// reply.
 [[nodiscard]] std::optional<ArpPacket> parse_arp(std::span<const std::byte> payload);
 
 void write_arp(wire::ByteWriter& writer, const ArpPacket& packet);
 
-// True if a station that is not us uses our address (RFC 5227, section 2.4).
+// True if another station uses our address (RFC 5227, section 2.4).
 [[nodiscard]] bool claims_our_address(const ArpPacket& packet, const Config& config);
 
-// True if the packet asks for our address and may be answered: the asker is a station, and a host
-// of our subnet or one that probes for a free address (sender 0.0.0.0, RFC 5227, section 2.1.1).
+// True if the packet is a request for our address that we may answer. The sender must be another
+// station with a unicast address. Its IPv4 address must be a host of our subnet, or 0.0.0.0 for an
+// address probe (RFC 5227, section 2.1.1).
 [[nodiscard]] bool asks_for_us(const ArpPacket& packet, const Config& config);
 
-// True if the packet, request or reply, tells the Ethernet address of `host`.
+// True if the packet, request or reply, gives the Ethernet address of `host`.
 [[nodiscard]] bool tells_mac_of(Ipv4Address host, const ArpPacket& packet, const Config& config);
 
 }  // namespace iog::net

@@ -1,6 +1,6 @@
-// The words are read little-endian, which costs no instruction on our machines, and only the sum is
-// swapped: RFC 1071, section 2 (B). The loops are written so that the compiler makes them loops
-// over vectors of 16 bytes.
+// Words are read little-endian, which is free on our machines, and only the sum is byte-swapped
+// (RFC 1071, section 2 (B)). The loops are written so that the compiler vectorises them in steps of
+// 16 bytes.
 #include "net/checksum.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ std::uint32_t word_at(const std::byte* bytes) {
   return wire::load_le16(std::span<const std::byte, kWordBytes>(bytes, kWordBytes));
 }
 
-// Copies so many words and returns their sum.
+// Copies `words` 16-bit words and returns their sum.
 std::uint32_t copy_words(const std::byte* __restrict in, std::byte* __restrict out,
                          std::size_t words) {
   std::uint32_t sum = 0;

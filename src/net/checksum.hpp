@@ -1,7 +1,7 @@
 // The Internet checksum (RFC 1071): the complement of the one's complement sum of 16-bit words.
 //
-// Ranges: 2^16 = 1 modulo 2^16 - 1, so carries may wait. A sum of n words is below 2^16 n; 32 bits
-// hold 2^16 words, and nothing here sums more than two datagrams of 2^15.
+// Ranges: 2^16 = 1 modulo 2^16 - 1, so carries can be folded at the end. A sum of n words is below
+// 2^16 n, so 32 bits hold 2^16 words. No caller sums more than two datagrams of 2^15 words.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace iog::net {
 
-// Sums bytes piece by piece, as if the pieces followed one another in memory. A piece may have an
-// odd number of bytes. Data that contains its own correct checksum sums to the checksum 0.
+// Sums pieces as if they were contiguous in memory. A piece may have an odd number of bytes. Data
+// that contains its own correct checksum sums to 0.
 class Checksum {
  public:
   void add(std::span<const std::byte> bytes);
@@ -21,11 +21,11 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies the bytes to the front of `to`, which does not overlap them, and sums them on the way.
-  // `to` is written once, in order, and never read, so it may be uncached.
+  // Copies `bytes` to the front of `to` and sums them. The two must not overlap. `to` is written
+  // once, in order, and never read, so it may be uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // The value for the checksum field, if that field was summed as 0.
+  // The value for the checksum field. That field must have been summed as 0.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }
@@ -35,15 +35,15 @@ class Checksum {
     return static_cast<std::uint16_t>(word << 8 | word >> 8);
   }
 
-  // The first addition leaves at most 2 (2^16 - 1), that is a carry of 1 and a lower half of at
-  // most 2^16 - 2; so the second leaves at most 2^16 - 1.
+  // The first addition leaves at most 2 (2^16 - 1): a carry of 1 and a lower half of at most 2^16 -
+  // 2. The second addition therefore leaves at most 2^16 - 1.
   static constexpr std::uint16_t fold(std::uint32_t sum) {
     const std::uint32_t once = (sum >> 16) + (sum & 0xFFFFU);
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));
   }
 
-  // After an odd number of bytes, each byte of this piece belongs in the other half of its word.
-  // The sum of swapped words is the swapped sum.
+  // After an odd number of bytes, each byte of this piece belongs to the other half of its word.
+  // The sum of byte-swapped words is the byte-swapped sum.
   constexpr void add_sum(std::uint16_t sum, std::size_t size) {
     sum_ += odd_ ? swapped(sum) : sum;
     odd_ ^= (size % 2 != 0);
@@ -51,7 +51,7 @@ class Checksum {
   void add_little_endian(std::uint32_t sum, std::size_t size);
 
   std::uint32_t sum_ = 0;  // of 16-bit words, carries included
-  bool odd_ = false;       // an odd number of bytes lies before the next piece
+  bool odd_ = false;       // an odd number of bytes precedes the next piece
 };
 
 [[nodiscard]] std::uint16_t internet_checksum(std::span<const std::byte> bytes);

@@ -1,9 +1,9 @@
-// What became of every frame that arrived and of every message that was to be sent.
+// Counts the outcome of every received frame and of every message to be sent.
 //
-// Two laws hold at any moment, modulo 2^32 (every counter wraps):
+// Two invariants hold at any moment, modulo 2^32 (every counter wraps):
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
 //     + fragments.joined
-//   calls of send_message() that failed = the sum of refusals
+//   failed calls of send_message() = the sum of refusals
 #pragma once
 
 #include <array>
@@ -13,27 +13,27 @@
 
 namespace iog::net {
 
-// Why a received frame was dropped. Each frame counts under the first cause that applies.
+// Why a received frame was dropped. Each frame is counted under the first cause that applies.
 enum class Drop : std::uint8_t {
-  kShort,            // less than an Ethernet header
-  kNotForUsMac,      // destination neither our Ethernet address nor broadcast nor our group
+  kShort,            // shorter than an Ethernet header
+  kNotForUsMac,      // destination is not our Ethernet address, broadcast or our group
   kVlanTagged,       // 802.1Q or 802.1ad tag; the sensors' network is untagged
   kNotIpv4OrArp,     // another EtherType, or an 802.3 length
-  kBadIpHeader,      // version, header length or total length contradict the frame
+  kBadIpHeader,      // version, header length or total length inconsistent with the frame
   kBadIpChecksum,    // header checksum wrong
-  kFragment,         // part of a datagram, and of no use (Reassembly says why, or it is not of UDP)
-  kNotForUsIp,       // destination neither our address nor a broadcast or group that reaches us
-  kBadSource,        // source that no other host can have: 0/8, 127/8, 224/3, broadcast, our own
-  kNotUdpOrIcmp,     // another protocol
-  kBadUdpLength,     // UDP length less than its header or more than the datagram
+  kFragment,         // unusable fragment (FragmentCounters says why), or not UDP
+  kNotForUsIp,       // destination is not our address, nor a broadcast or group that we receive
+  kBadSource,        // source cannot be another host: 0/8, 127/8, 224/3, broadcast, our own
+  kNotUdpOrIcmp,     // another IP protocol
+  kBadUdpLength,     // UDP length below its header or beyond the datagram
   kBadUdpChecksum,   // UDP checksum present and wrong
   kBadIcmp,          // ICMP message too short or checksum wrong
-  kPingIgnored,      // echo request from another than the peer, to a broadcast, or peer unresolved
+  kPingIgnored,      // echo request not from the peer or to a broadcast, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
-  kBadArp,           // ARP packet short, or not for Ethernet and IPv4
-  kArpIgnored,       // ARP packet that neither asks for us nor tells what we want to know
+  kBadArp,           // ARP packet too short, or not for Ethernet and IPv4
+  kArpIgnored,       // ARP packet that neither asks for our address nor gives one that we need
   kAddressConflict,  // another station claims our address in its ARP packet
-  kReplyRingFull,    // an ARP or ping reply was due, but the transmit ring was full
+  kReplyRingFull,    // no transmit buffer for an ARP or ping reply
 };
 inline constexpr std::size_t kDropCauses = 19;
 
@@ -45,32 +45,34 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t kRefusalCauses = 3;
 
-// What became of fragments. joined, duplicates, overlaps, bad and refused count frames, the others
-// datagrams. duplicates, overlaps, bad and refused are among the frames dropped as kFragment.
+// Outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames; the
+// others count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are also counted
+// as Drop::kFragment.
 struct FragmentCounters {
-  std::uint32_t joined = 0;  // taken into a datagram; the one that completes it is not among them
-  std::uint32_t duplicates = 0;  // say again what is there
-  std::uint32_t overlaps = 0;    // say otherwise: their datagram is given up (RFC 5722)
-  std::uint32_t bad = 0;         // a length or an end that cannot be: likewise
-  std::uint32_t refused = 0;     // of a datagram that has been given up, or of a stranger
+  std::uint32_t joined = 0;      // added to a datagram that is still incomplete
+  std::uint32_t duplicates = 0;  // same bytes at the same place as an earlier fragment
+  std::uint32_t overlaps = 0;  // contradict an earlier fragment: the datagram is refused (RFC 5722)
+  std::uint32_t bad = 0;       // impossible length or end: the datagram is refused
+  std::uint32_t refused = 0;   // belong to a refused datagram or to an unlisted sender
   std::uint32_t completed = 0;
-  std::uint32_t expired = 0;    // not complete in time
-  std::uint32_t displaced = 0;  // by a newer one of the same sender
+  std::uint32_t expired = 0;    // incomplete at the timeout
+  std::uint32_t displaced = 0;  // replaced by a newer datagram
 };
 
 struct Counters {
   std::uint32_t received = 0;       // frames taken from the port
   std::uint32_t delivered = 0;      // datagrams returned by poll()
-  std::uint32_t arp_answered = 0;   // requests for our address answered
-  std::uint32_t arp_learned = 0;    // others that told the Ethernet address of peer or neighbour
-  std::uint32_t ping_answered = 0;  // echo requests of the peer answered
+  std::uint32_t arp_answered = 0;   // requests for our address that we answered
+  std::uint32_t arp_learned = 0;    // other packets that gave an Ethernet address we need
+  std::uint32_t ping_answered = 0;  // echo requests from the peer that we answered
   std::uint32_t sent = 0;           // messages committed to the port
   std::uint32_t arp_requested = 0;  // ARP requests committed to the port
   std::array<std::uint32_t, kDropCauses> drops{};
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};
 
-  // In the stream (stream/target_table.hpp), in the order of the members and their enumerators.
+  // Names in the stream (stream/target_table.hpp), in the order of the members and their
+  // enumerators.
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
        "messages sent", "ARP requested",

@@ -29,7 +29,7 @@ MacAddress read_mac(wire::ByteReader& reader) {
   for (std::uint8_t& octet : mac.octets) {
     octet = reader.u8();
   }
-  // A reader that ran out half way leaves half an address, which is none.
+  // If the reader ran out, the address is incomplete and must not be used.
   return reader.ok() ? mac : MacAddress{};
 }
 

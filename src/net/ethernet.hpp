@@ -1,4 +1,4 @@
-// Ethernet II framing: destination, source, type, payload; no preamble and no FCS.
+// Ethernet II framing: destination, source, type and payload, without preamble and FCS.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace iog::net {
 inline constexpr std::size_t kEthernetHeaderBytes = 14;
 inline constexpr std::size_t kMtuBytes = 1500;
 inline constexpr std::size_t kMaxFrameBytes = kEthernetHeaderBytes + kMtuBytes;
-inline constexpr std::size_t kMinFrameBytes = 60;  // IEEE 802.3: 64 with the FCS
+inline constexpr std::size_t kMinFrameBytes = 60;  // IEEE 802.3: 64 including the FCS
 
 inline constexpr std::uint16_t kEtherTypeIpv4 = 0x0800;
 inline constexpr std::uint16_t kEtherTypeArp = 0x0806;
@@ -29,8 +29,8 @@ struct EthernetFrame {
   std::span<const std::byte> payload;  // may end in padding
 };
 
-// Nothing if `frame` is shorter than a header. A frame below kMinFrameBytes is accepted: some
-// virtual links do not pad.
+// Returns nothing if `frame` is shorter than a header. Frames below kMinFrameBytes are accepted,
+// because some virtual links do not pad.
 [[nodiscard]] std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame);
 
 void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,

@@ -1,12 +1,12 @@
-// A small network host on one Ethernet port: frames in, datagrams out, messages to one peer.
+// A small network host on one Ethernet port: receives datagrams and sends messages to one peer.
 //
-// It answers ARP for its address to every host of its subnet, so that sensors can reach it. It
-// answers ping to the peer alone, and of its own accord it sends messages to no other host:
-// send_to() is told its destination. Besides the peer it may know one more host by ARP, the
-// neighbour. It has no clock and no memory but the port's buffers; the memory for joining fragments
-// is lent to it. Nothing else is copied on the way in. On the way out everything is copied once,
-// and summed on the way: the port's memory is uncached, and reading it for the checksum would be
-// slow.
+// It answers ARP requests from every host of its subnet, so sensors can reach it. It answers pings
+// only from the peer. send_message() sends only to the peer; send_to() sends to any given
+// destination. Besides the peer, the host can resolve one more address by ARP: the neighbour.
+//
+// The host has no clock, and no memory but the port's buffers. The caller lends it the memory for
+// reassembly. Received data is copied only for reassembly. Sent data is copied once and summed
+// during the copy: the port's memory is uncached, so reading it for the checksum would be slow.
 //
 // The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
 #pragma once
@@ -27,39 +27,40 @@
 
 namespace iog::net {
 
-// A poll() that finds no datagram in this many frames returns, so that a flood of foreign frames
-// cannot hold the loop: at 100 Mbit/s, 32 of the smallest frames arrive in 215 us.
+// poll() returns after this many frames without a datagram, so a flood of foreign frames cannot
+// block the loop. At 100 Mbit/s, 32 of the smallest frames arrive in 215 us.
 inline constexpr int kMaxFramesPerPoll = 32;
 
 template <hal::EthernetPort Port>
 class Host {
  public:
-  // `config` satisfies is_valid(). The port outlives the host and belongs to it.
+  // `config` satisfies is_valid(). The port must outlive the host, which has exclusive use of it.
   Host(Port& port, const Config& config) : port_{port}, config_{config} {}
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // The next datagram addressed to us, valid until the next poll(). Nothing if none has come, or if
-  // kMaxFramesPerPoll other frames came before it. `now_us` never goes backwards.
+  // Returns the next datagram addressed to us, valid until the next poll(). Returns nothing if none
+  // has arrived, or after kMaxFramesPerPoll other frames. `now_us` never decreases.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // From now on fragments are joined in this memory; until then they are dropped.
+  // Fragments are reassembled in this memory from now on. Before this call they are dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
-  // True once the peer's Ethernet address has been learnt; stays true.
+  // True from the moment the peer's Ethernet address is learnt.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
-  // Sends the peer a copy of `payload`. False if nothing was sent, because the payload is longer
-  // than kMaxUdpPayloadBytes, the peer unresolved or the transmit ring full (each counted).
+  // Sends a copy of `payload` to the peer. Returns false, sends nothing and counts the cause if the
+  // payload is longer than kMaxUdpPayloadBytes, the peer is unresolved or the transmit ring is
+  // full.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
-  // The same to anybody, whose Ethernet address the caller knows.
+  // Sends a copy of `payload` to any destination whose Ethernet address the caller knows.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Another host of the subnet that ARP is to be asked for, or none any more.
+  // Sets the neighbour, another host of the subnet to resolve by ARP, or clears it.
   void know(std::optional<Ipv4Address> neighbour);
 
-  // What ARP has told of the neighbour: its Ethernet address, and when it last did so.
+  // The neighbour's Ethernet address and the time when ARP last confirmed it.
   [[nodiscard]] std::optional<Told> neighbour() const;
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
@@ -70,12 +71,12 @@ class Host {
   }
 
  private:
-  // The front of a transmit buffer, empty if the ring is full.
+  // Returns the front of a free transmit buffer, or nothing if the ring is full.
   [[nodiscard]] std::optional<FrameBuffer> acquire();
 
   void release_frame();
   void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
-  // The datagram that this fragment completes, or that it is kept, or dropped.
+  // Returns the datagram that this fragment completes. Otherwise the fragment is stored or dropped.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
   [[nodiscard]] bool learn(const ArpPacket& packet, std::uint64_t now_us);
@@ -87,11 +88,11 @@ class Host {
   Config config_;
   PeerResolver resolver_;
   std::optional<Ipv4Address> neighbour_;
-  PeerResolver neighbour_resolver_;  // of neighbour_, if there is one
+  PeerResolver neighbour_resolver_;  // for neighbour_, if set
   Counters counters_;
   Reassembly* reassembly_ = nullptr;
-  std::uint16_t identification_ = 0;  // of the next IPv4 packet
-  bool holds_frame_ = false;          // the datagram returned last is still in the port
+  std::uint16_t identification_ = 0;  // for the next IPv4 packet
+  bool holds_frame_ = false;          // the last datagram returned still occupies the port's buffer
 };
 
 template <hal::EthernetPort Port>
@@ -226,8 +227,8 @@ void Host<Port>::release_frame() {
   }
 }
 
-// The first poll() asks at once. That also tells the network who we are, which QEMU's user network
-// needs before it passes anything to us. A request that finds the ring full is not kept: the next
+// The first poll() sends a request at once. This also announces us to the network: QEMU's user
+// network passes us nothing before that. A request that finds the ring full is not stored; the next
 // one is due a second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
@@ -241,7 +242,7 @@ void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t
   }
 }
 
-// Whether it tells the Ethernet address of the peer or the neighbour.
+// True if the packet gives the Ethernet address of the peer or the neighbour.
 template <hal::EthernetPort Port>
 bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   const bool tells_peer = tells_mac_of(config_.peer, packet, config_);
@@ -255,8 +256,8 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// RFC 826, "Packet Reception": the sender is learnt first, then the request answered. A packet of
-// the peer that asks for us does both and is counted as answered.
+// RFC 826, "Packet Reception": first learn the sender, then answer the request. A request from the
+// peer does both and is counted as answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {
@@ -281,7 +282,7 @@ void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   ++counters_.arp_answered;
 }
 
-// The reply goes to the address that ARP told, not to wherever the request claims to come from.
+// The reply goes to the address learnt by ARP, not to the source address of the request.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_ping(std::span<const std::byte> request) {
   if (!resolver_.known()) {

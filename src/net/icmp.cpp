@@ -28,7 +28,7 @@ IcmpStatus classify_icmp(std::span<const std::byte> message) {
 
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request) {
   wire::ByteReader reader{request};
-  reader.skip(4);  // type, code and checksum are ours
+  reader.skip(4);  // type, code and checksum are written anew
   wire::ByteWriter writer{target};
   writer.u8(kTypeEchoReply);
   writer.u8(kCodeEcho);

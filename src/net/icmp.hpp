@@ -1,4 +1,4 @@
-// ICMP echo (RFC 792), the only ICMP we speak.
+// ICMP echo (RFC 792), the only ICMP messages that we answer.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@ enum class IcmpStatus : std::uint8_t { kEchoRequest, kOther, kBad };
 // kBad: shorter than a header, or the checksum over all of `message` is wrong.
 [[nodiscard]] IcmpStatus classify_icmp(std::span<const std::byte> message);
 
-// The reply to `request`, which classify_icmp() called an echo request: the same identifier,
-// sequence number and data under another type. `target` is as long as `request` and elsewhere.
+// Writes the reply to `request`, which classify_icmp() classified as an echo request. Identifier,
+// sequence number and data are copied. `target` has the length of `request` and must not overlap
+// it.
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request);
 
 }  // namespace iog::net

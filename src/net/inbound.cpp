@@ -13,7 +13,7 @@ bool is_vlan(std::uint16_t type) { return type == kEtherTypeVlan || type == kEth
 
 bool has_joined(const Config& config) { return config.service_instance != 0; }
 
-// Lidars commonly broadcast, to the limited address or to that of the subnet.
+// Lidars commonly broadcast, to the limited or the subnet's broadcast address.
 bool reaches_us(Ipv4Address destination, const Config& config) {
   return destination == config.address || destination == kLimitedBroadcast ||
          destination == directed_broadcast(config.address, config.prefix_bits) ||
@@ -43,8 +43,8 @@ Inbound classify_udp(const Ipv4Packet& packet) {
   return dropped(Drop::kBadUdpLength);
 }
 
-// Pings of others and to broadcasts (RFC 1122, section 3.2.2.6) are not answered, and what could
-// not be sent back in one frame cannot have come in one.
+// Pings from other hosts or to a broadcast address (RFC 1122, section 3.2.2.6) are not answered.
+// Neither is a request whose reply would not fit one frame.
 Inbound classify_ping(const Ipv4Packet& packet, const Config& config) {
   switch (classify_icmp(packet.payload)) {
     case IcmpStatus::kEchoRequest:
@@ -97,7 +97,7 @@ Inbound classify_ipv4(std::span<const std::byte> payload, const Config& config) 
   return dropped(Drop::kBadIpHeader);
 }
 
-// Only what is sound in all its parts speaks for the peer.
+// Only a packet that is valid in every layer counts as traffic from the peer.
 bool is_of_peer(const Inbound& inbound, const Config& config) {
   return inbound.kind == InboundKind::kEchoRequest ||
          (inbound.kind == InboundKind::kDatagram && inbound.datagram.source == config.peer);

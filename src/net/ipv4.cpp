@@ -24,9 +24,9 @@ Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
   const std::size_t total_bytes = reader.u16_be();
   const std::uint16_t identification = reader.u16_be();
   const std::uint16_t fragment = reader.u16_be();
-  reader.skip(1);  // time to live: a host takes what has arrived (RFC 1122, section 3.2.1.7)
+  reader.skip(1);  // time to live: a host accepts any value (RFC 1122, section 3.2.1.7)
   const std::uint8_t protocol = reader.u8();
-  reader.skip(2);  // checksum, summed with the rest of the header below
+  reader.skip(2);  // checksum, verified below together with the rest of the header
   const Ipv4Address source{reader.u32_be()};
   const Ipv4Address destination{reader.u32_be()};
 
@@ -49,7 +49,7 @@ Ipv4Result parse_ipv4(std::span<const std::byte> bytes) {
                      .payload = bytes.first(total_bytes).subspan(header_bytes)}};
 }
 
-// The words are summed as they are written, because the target may be uncached.
+// Sums the words while writing them, because the target may be uncached.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header) {
   constexpr std::uint16_t kVersionLengthAndService =
       (kVersion << 4 | kIpv4HeaderBytes / kHeaderWordBytes) << 8;  // type of service: routine

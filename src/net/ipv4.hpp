@@ -1,4 +1,4 @@
-// The IPv4 header (RFC 791), without options on the way out.
+// The IPv4 header (RFC 791). Sent headers have no options.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,11 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // Where the payload belongs in its datagram, bytes, a multiple of 8 below 2^16; and whether more
-  // of the datagram lies behind it.
+  // Offset of the payload in its datagram, in bytes: a multiple of 8 below 2^16. has_more_fragments
+  // is true if this is not the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
-  std::span<const std::byte> payload{};  // as long as the header says, options and padding removed
+  std::span<const std::byte> payload{};  // length from the header; options and padding removed
 };
 
 struct [[nodiscard]] Ipv4Result {
@@ -35,12 +35,12 @@ struct [[nodiscard]] Ipv4Result {
   Ipv4Packet packet{};  // meaningful only with kOk and kFragment
 };
 
-// kBadHeader: version, header length or total length contradict each other or the bytes there are.
-// kBadChecksum: the header's checksum is wrong. kFragment: the packet is sound and part of a
-// datagram.
+// kBadHeader: version, header length or total length is inconsistent with the others or with the
+// number of bytes. kBadChecksum: the header checksum is wrong. kFragment: the packet is valid and
+// is part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
-// What the header of one of our packets says; the rest is the same in all of them.
+// The fields that vary between our packets.
 struct Ipv4Header {
   Ipv4Address source{};
   Ipv4Address destination{};
@@ -51,7 +51,8 @@ struct Ipv4Header {
   bool has_more_fragments = false;
 };
 
-// Don't Fragment set unless it is one, time to live 64 (RFC 1700), checksum computed.
+// Sets Don't Fragment unless the packet is a fragment, sets time to live 64 (RFC 1700), and
+// computes the checksum.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
 
 }  // namespace iog::net

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kIpv4Offset = kEthernetHeaderBytes;
 constexpr std::size_t kIpv4PayloadOffset = kIpv4Offset + kIpv4HeaderBytes;
 
-// A transmit buffer is used again and again; zeros keep old messages out of the padding.
+// Transmit buffers are reused. Zeros keep old messages out of the padding.
 std::size_t padded(FrameBuffer frame, std::size_t frame_bytes) {
   if (frame_bytes >= kMinFrameBytes) {
     return frame_bytes;
@@ -26,7 +26,7 @@ std::size_t build_arp(FrameBuffer frame, const MacAddress& destination, const Ar
   return padded(frame, kEthernetHeaderBytes + writer.written().size());
 }
 
-// The IPv4 payload is in place already.
+// The IPv4 payload must already be in place.
 std::size_t wrap_ipv4(FrameBuffer frame, const MacAddress& to, const MacAddress& from,
                       const Ipv4Header& header) {
   write_ethernet_header(frame.first<kEthernetHeaderBytes>(), to, from, kEtherTypeIpv4);

@@ -1,6 +1,6 @@
-// Builds the kinds of frame that we send: ARP, echo replies, datagrams. Each function fills the
-// front of a buffer that holds the largest frame, pads it with zeros to the smallest, and returns
-// the length to commit.
+// Builds the frames that we send: ARP, echo replies and datagrams. Each function fills the front of
+// a buffer for the largest frame, pads with zeros to the minimum length, and returns the length to
+// commit.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace iog::net {
 
 using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 
-// Where in its frame the payload of a message begins.
+// Offset of a message's payload in its frame.
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
 
-// Where a datagram goes, and from which of our ports.
+// Destination of a datagram, and our source port.
 struct Destination {
   MacAddress mac{};
   Ipv4Address address{};
@@ -32,21 +32,21 @@ struct Destination {
   friend constexpr bool operator==(const Destination&, const Destination&) = default;
 };
 
-// Asks a station, or everyone, for the Ethernet address of `host`.
+// Asks one station or, by broadcast, all of them for the Ethernet address of `host`.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Tells our Ethernet address to the sender of `request` alone.
+// Sends our Ethernet address to the sender of `request` alone.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 
-// Answers the ICMP echo request of the peer, at most kMaxIpv4PayloadBytes long.
+// Answers an ICMP echo request from the peer, at most kMaxIpv4PayloadBytes long.
 [[nodiscard]] std::size_t build_echo_reply(FrameBuffer frame, const Config& config,
                                            const MacAddress& peer_mac, std::uint16_t identification,
                                            std::span<const std::byte> request);
 
-// A datagram with a copy of the payload, which is at most kMaxUdpPayloadBytes long. The frame is
-// only written: on the target it lies in uncached memory.
+// Builds a datagram with a copy of the payload, at most kMaxUdpPayloadBytes long. The frame is
+// written and never read: on the target it is in uncached memory.
 [[nodiscard]] std::size_t build_datagram(FrameBuffer frame, const Config& config,
                                          const Destination& to, std::uint16_t identification,
                                          std::span<const std::byte> payload);

@@ -52,7 +52,7 @@ void Reassembly::expire(std::uint64_t now_us, FragmentCounters& counters) {
   }
 }
 
-// Among the sender's own datagrams, or among those of all unlisted senders.
+// Chooses among the sender's own datagrams, or among those of all unlisted senders.
 Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender, bool is_its_own) {
   Joining* least = nullptr;
   std::ptrdiff_t most = 0;
@@ -76,7 +76,7 @@ Reassembly::Joining& Reassembly::displaced_by(Ipv4Address sender, bool is_its_ow
   return *least;
 }
 
-// The place where the piece's datagram is, or begins.
+// Finds the slot of the fragment's datagram, or opens one.
 Reassembly::Joining* Reassembly::joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                             FragmentCounters& counters) {
   const std::size_t allowed = senders_.datagrams_of(piece.source);
@@ -114,7 +114,8 @@ Reassembly::Joining* Reassembly::joining_of(const Ipv4Packet& piece, std::uint64
   return place;
 }
 
-// All but the last piece are whole units, nothing lies behind the end, and there is one end only.
+// Every fragment but the last has a length that is a multiple of 8, none exceeds the end, and the
+// end is unique.
 bool Reassembly::is_possible(const Joining& joining, const Extent& extent, bool has_more) {
   const std::uint32_t bytes = extent.end - extent.begin;
   if (bytes == 0 || extent.end > kMaxBytes || (has_more && bytes % kUnitBytes != 0)) {

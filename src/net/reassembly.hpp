@@ -1,16 +1,17 @@
-// Fragments of UDP datagrams become datagrams again (RFC 791, section 3.2), in bounded memory.
+// Reassembles fragmented UDP datagrams (RFC 791, section 3.2) in bounded memory.
 //
-// A lidar whose packets do not fit into one frame sends them in pieces. A datagram is named by its
-// source, destination, protocol and identification. It is complete when its pieces, none of which
-// may overlap another, are together as long as the last one says. A piece that contradicts another
-// ends its whole datagram, and what still comes of it is dropped, too (RFC 5722, section 4); one
-// that says again, byte for byte, what is there is a duplicate and does no harm.
+// Some lidars send packets that do not fit into one frame, so they arrive as fragments. Source,
+// destination, protocol and identification identify a datagram. It is complete when its fragments,
+// which must not overlap, cover the length given by the last fragment. A fragment that contradicts
+// another one invalidates its datagram, and all further fragments of that datagram are dropped (RFC
+// 5722, section 4). A fragment that repeats another one byte for byte is a harmless duplicate.
 //
-// Only pieces of listed senders are kept, for each as many datagrams at once as it has streams.
-// There is room for all of them, so no sender displaces a datagram of another listed one: a sender
-// that begins too many loses its own oldest. If anybody may send, the unlisted ones share the
-// remaining room. If that is full, the address with most datagrams gives way, then the datagram of
-// which least has come, then the oldest. So a flood of orphans gives way before a unit's datagram.
+// Only fragments of listed senders are stored. Each listed sender may have as many incomplete
+// datagrams as it has streams, and their slots are reserved. A sender that starts too many loses
+// its own oldest. If unlisted senders are allowed, they share the remaining slots. When those are
+// full, the address with the most datagrams loses the one with the fewest fragments, the oldest of
+// these if several are equal. A flood of orphaned fragments is therefore evicted before a sensor's
+// datagram.
 #pragma once
 
 #include <array>
@@ -23,19 +24,20 @@
 
 namespace iog::net {
 
-// The senders whose pieces are kept. At most kMostSenders addresses, and kMostDatagrams together.
+// The senders whose fragments are stored: at most kMostSenders addresses with kMostDatagrams in
+// total.
 class FragmentSenders {
  public:
-  // A car has eight sensors, each of which sends one datagram after the other, poses and maps, and
-  // a replayer of all these sensors.
+  // A car has eight sensors, each sending one datagram at a time, a pose source, a map source, and
+  // one replayer of all eight sensors.
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // Allows this sender that many more datagrams at once. 0.0.0.0: each unlisted sender, in the room
-  // that the listed ones leave.
+  // Allows this sender `datagrams` more incomplete datagrams at a time. 0.0.0.0 stands for each
+  // unlisted sender; these use the slots that the listed ones leave.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
-  // How many datagrams at once (0: none), and whether room is reserved for them.
+  // The allowed number of incomplete datagrams (0: none), and whether slots are reserved for them.
   [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
     return of(address).datagrams;
   }
@@ -53,41 +55,42 @@ class FragmentSenders {
   Sender others_{};
   std::array<Sender, kMostSenders> senders_{};
   std::size_t count_ = 0;
-  std::size_t datagrams_ = 0;  // of all that are listed
+  std::size_t datagrams_ = 0;  // sum over the listed senders
 };
 
-// 35.7 KB for each datagram, 642 KB.
+// 642 KB: 35.7 KB for each datagram.
 class Reassembly {
  public:
   static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
-  // The longest payload of a unit, 35,336 bytes of a Continental ARS548 (an Ouster of 128 rows with
-  // two returns has 33,024), and the UDP header.
+  // The UDP header and the longest payload of a sensor: 35,336 bytes from a Continental ARS548. An
+  // Ouster with 128 rows and two returns sends 33,024 bytes.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // 35,344 bytes in pieces of 1480 are 24. No sender makes pieces smaller than 984 bytes.
+  // 35,344 bytes take 24 fragments of 1480 bytes. No sender uses fragments below 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
-  // From the first piece that came. The pieces of one datagram follow one another within 3 ms at
-  // 100 Mbit/s; the identification of a lidar that sends 1,280 a second repeats after 51 s.
+  // Counted from the first fragment received. At 100 Mbit/s the fragments of a datagram arrive
+  // within 3 ms. At 1,280 datagrams a second a lidar's identification repeats after 51 s.
   static constexpr std::uint64_t kTimeoutUs = 100'000;
 
   enum class Fate : std::uint8_t {
-    kJoined,     // waits for the rest
-    kCompleted,  // `packet` is the whole
+    kJoined,     // stored; the datagram is incomplete
+    kCompleted,  // `packet` is the whole datagram
     kDropped,
   };
   struct [[nodiscard]] Result {
     Fate fate = Fate::kDropped;
-    // Only with kCompleted; the payload is valid until the next add(). Of so many pieces.
+    // Meaningful only with kCompleted. The payload is valid until the next add(). `pieces` is the
+    // number of fragments.
     Ipv4Packet packet{};
     std::size_t pieces = 0;
   };
 
   explicit Reassembly(const FragmentSenders& senders) : senders_(senders) {}
-  // Of whoever sends, as who reads a capture wants it.
+  // Accepts every sender, for reading captures.
   Reassembly() { senders_.add({}, kDatagrams); }
 
-  // piece: of an Ipv4Status::kFragment. now_us never goes backwards. Each call counts one of
-  // joined, completed, duplicates, overlaps, bad and refused, and whatever it displaces or finds
-  // expired.
+  // `piece` is a packet with Ipv4Status::kFragment. now_us never decreases. Each call increments
+  // one of joined, completed, duplicates, overlaps, bad and refused, and also counts displaced and
+  // expired datagrams.
   Result add(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
 
  private:
@@ -96,25 +99,25 @@ class Reassembly {
     std::uint32_t end = 0;
   };
   struct Joining {
-    bool is_refused = false;  // given up; its name is kept until it expires
+    bool is_refused = false;  // the datagram's key is kept until it expires
     Ipv4Packet name;
     std::uint64_t first_us = 0;
-    std::uint32_t total_bytes = 0;  // 0: the last piece has not come
+    std::uint32_t total_bytes = 0;  // 0: the last fragment has not arrived
     std::uint32_t joined_bytes = 0;
     std::size_t pieces = 0;
-    std::array<Extent, kMaxPieces> extents{};  // of the pieces, disjoint, as they came
+    std::array<Extent, kMaxPieces> extents{};  // of the fragments, disjoint, in order of arrival
     std::array<std::byte, kMaxBytes> bytes{};
   };
 
   void expire(std::uint64_t now_us, FragmentCounters& counters);
-  // None: nothing is kept of this sender.
+  // Null if the sender may not send fragments.
   [[nodiscard]] Joining* joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                     FragmentCounters& counters);
   [[nodiscard]] Joining& displaced_by(Ipv4Address sender, bool is_its_own);
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
-  // Kept apart, so that the many unopened ones need not be read.
+  // The open flags are kept apart so that scans skip the memory of unused slots.
   [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
     return std::uint32_t{1} << (&joining - joinings_.data());
   }

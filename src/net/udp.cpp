@@ -7,7 +7,7 @@
 namespace iog::net {
 namespace {
 
-// Over the pseudo header: source, destination, protocol and length (RFC 768).
+// Sums the pseudo header: source, destination, protocol and length (RFC 768).
 Checksum pseudo_checksum(Ipv4Address source, Ipv4Address destination, std::size_t datagram_bytes) {
   Checksum checksum;
   checksum.add_u32(source.value);
@@ -60,7 +60,7 @@ std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
   writer.u16_be(header.source_port);
   writer.u16_be(header.destination_port);
   writer.u16_be(static_cast<std::uint16_t>(datagram_bytes));
-  // A computed 0 is sent as its other representation, because 0 says "no checksum".
+  // A computed 0 is sent as 0xFFFF, its other representation, because 0 means "no checksum".
   const std::uint16_t checksum = sum.value();
   writer.u16_be(checksum == 0 ? 0xFFFF : checksum);
   return datagram_bytes;

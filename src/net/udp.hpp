@@ -12,14 +12,14 @@ namespace iog::net {
 inline constexpr std::size_t kUdpHeaderBytes = 8;
 inline constexpr std::size_t kMaxUdpPayloadBytes = kMaxIpv4PayloadBytes - kUdpHeaderBytes;
 
-// A UDP datagram that has been addressed to us. The payload is a view of the received frame.
+// A UDP datagram addressed to us. The payload is a view of the received frame.
 struct Datagram {
   Ipv4Address source{};
   Ipv4Address destination{};  // our address, a broadcast that reaches us, or our group
   std::uint16_t source_port = 0;
   std::uint16_t destination_port = 0;
   std::span<const std::byte> payload{};
-  MacAddress station{};  // that sent the frame; all zero if it came in fragments
+  MacAddress station{};  // source of the frame; all zero for a reassembled datagram
 };
 
 enum class UdpStatus : std::uint8_t { kOk, kBadLength, kBadChecksum };
@@ -29,8 +29,8 @@ struct [[nodiscard]] UdpResult {
   Datagram datagram{};  // meaningful only with kOk
 };
 
-// kBadLength: the UDP length is below its header or above the packet's payload; bytes of the packet
-// behind the UDP length are ignored. kBadChecksum: a checksum is there (not 0) and wrong.
+// kBadLength: the UDP length is below its header or beyond the packet's payload. Bytes after the
+// UDP length are ignored. kBadChecksum: a checksum is present (not 0) and wrong.
 UdpResult parse_udp(const Ipv4Packet& packet);
 
 struct UdpHeader {
@@ -40,9 +40,9 @@ struct UdpHeader {
   std::uint16_t destination_port = 0;
 };
 
-// Writes a header and a copy of the payload, at most kMaxUdpPayloadBytes, to the front of `target`,
-// which has room for both and is never read. The checksum is always computed and never 0. Returns
-// the bytes written.
+// Writes the header and a copy of the payload, at most kMaxUdpPayloadBytes, to the front of
+// `target`. `target` must have room for both and is never read. The checksum is always computed and
+// never 0. Returns the number of bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

@@ -5,9 +5,9 @@
 namespace iog::numeric {
 namespace {
 
-constexpr int kHeadBits = 16;  // of the 32 of an angle
+constexpr int kHeadBits = 16;  // of the 32 bits of an angle
 
-// x > 0, y >= 0: 0 ... 2^14, since what is almost a quarter is rounded up to it.
+// x > 0, y >= 0. Returns 0 ... 2^14, because an angle just below a quarter is rounded up to it.
 std::uint32_t angle_in_quarter(std::int64_t x, std::int64_t y) {
   std::uint32_t angle = 0;
   for (std::uint32_t bit = 1U << 14; bit != 0; bit >>= 1) {
@@ -28,7 +28,7 @@ std::uint16_t angle_of(std::int32_t x, std::int32_t y) {
   std::int64_t along = x;
   std::int64_t across = y;
   std::uint32_t quarters = 0;
-  while (along <= 0 || across < 0) {  // a quarter back, three times at most
+  while (along <= 0 || across < 0) {  // rotates back by a quarter, at most three times
     const std::int64_t before = along;
     along = across;
     across = -before;

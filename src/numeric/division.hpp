@@ -1,4 +1,4 @@
-// Integer division with the rounding said in the name.
+// Integer division with the rounding mode in the name.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,8 @@ constexpr T div_floor(T dividend, T divisor) {
   return (dividend % divisor != 0 && dividend < 0) ? quotient - 1 : quotient;
 }
 
-// The nearest integer to dividend / divisor, a tie goes towards plus infinity. divisor > 0,
-// |dividend| + divisor / 2 must fit T.
+// The integer nearest to dividend / divisor, a tie towards plus infinity. Requires divisor > 0, and
+// that |dividend| + divisor / 2 fits T.
 template <std::signed_integral T>
 constexpr T div_nearest(T dividend, T divisor) {
   return div_floor<T>(dividend + divisor / 2, divisor);

@@ -1,11 +1,13 @@
-// Exact division by a divisor that is known only now, without a divide instruction.
+// Exact division by a divisor known only at run time, without a divide instruction.
 //
 // The Cortex-A9 has no integer divide, and the compiler's own routine takes some 400 instructions
-// for 64 bits. Moeller and Granlund, "Improved division by invariant integers" (IEEE Transactions
-// on Computers 60, 2011): with d shifted until its upper bit is set, algorithm 2 finds
+// for 64 bits. This follows Moeller and Granlund, "Improved division by invariant integers" (IEEE
+// Transactions on Computers 60, 2011). With d shifted until its top bit is set, algorithm 2
+// computes
 //     inverse = floor((2^64 - 1) / d) - 2^32
-// from a table of 512 entries and two Newton steps, and algorithm 4 divides 64 bits by d with one
-// product by it and two corrections. All words wrap, as the paper proves they may.
+// from a table of 512 entries and two Newton steps. Algorithm 4 divides 64 bits by d with one
+// product by the inverse and two corrections. All words may wrap; the paper proves that this is
+// correct.
 #pragma once
 
 #include <array>
@@ -27,8 +29,8 @@ consteval Inverses make_inverses() {
   return inverses;
 }
 
-// By the upper ten bits of a divisor without the first, floor((2^24 - 2^14 + 2^9) / those ten). A
-// constant within the function that reads it would be copied to the stack by each call.
+// floor((2^24 - 2^14 + 2^9) / u) for the upper ten bits u of the divisor; the index is u without
+// its top bit. The table is global because each call would copy a local one to the stack.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail
@@ -41,7 +43,7 @@ class Divisor {
         divisor_(divisor << shift_),
         inverse_(inverse_of(divisor_)) {}
 
-  // floor(dividend / divisor), if that is below 2^32.
+  // floor(dividend / divisor), which must be below 2^32.
   [[nodiscard]] constexpr std::uint32_t divide(std::uint64_t dividend) const {
     const std::uint64_t shifted = dividend << shift_;
     const std::uint64_t estimate = (shifted >> 32) * inverse_ + shifted;

@@ -1,10 +1,10 @@
-// exp, log, sin and cos for the tables that the compiler computes.
+// exp, log, sin and cos for tables computed at compile time.
 //
-// The target's code reaches them only from consteval functions (that no floating-point instruction
-// is left in the image is checked when it is linked); the PC's references call them at run time
-// too. Only +, -, * and / of IEEE doubles are used, each correctly rounded, so that every compiler
-// computes the same table. Relative error below 1e-14 in the ranges stated (checked against the C
-// library in tests/host/numeric/).
+// The target's code calls them only from consteval functions, and a check at link time ensures that
+// the image contains no floating-point instruction. The PC's references also call them at run time.
+// They use only +, -, * and / of IEEE doubles, each correctly rounded, so every compiler computes
+// the same table. The relative error is below 1e-14 in the stated ranges (tests/host/numeric/
+// compares with the C library).
 #pragma once
 
 namespace iog::numeric {
@@ -12,7 +12,7 @@ namespace iog::numeric {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kLn2 = 0.69314718055994530942;
 
-// 2^n for |n| <= 1022, exact. By squaring: the compiler computes every table many times.
+// 2^n for |n| <= 1022, exact. Uses squaring, because the compiler computes every table many times.
 constexpr double power_of_two(int n) {
   double square = n < 0 ? 0.5 : 2;
   double result = 1;
@@ -20,7 +20,7 @@ constexpr double power_of_two(int n) {
     if (rest % 2 == 1) {
       result *= square;
     }
-    if (rest > 1) {  // 2^1024 is no double
+    if (rest > 1) {  // 2^1024 would overflow
       square *= square;
     }
   }
@@ -63,7 +63,7 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// The Taylor series sum of (-1)^i x^(2i + first) / (2i + first)!, |x| <= pi / 4.
+// Sum of (-1)^i x^(2i + first) / (2i + first)!, the Taylor series for |x| <= pi / 4.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;
@@ -74,12 +74,12 @@ constexpr double alternating_series(double x, int first) {
   return sum;
 }
 
-// sine and cosine of an angle in the first quadrant, 0 <= x <= pi / 2.
+// Sine of an angle in the first quadrant, 0 <= x <= pi / 2.
 constexpr double sin_first_quadrant(double x) {
   return x <= kPi / 4 ? alternating_series(x, 1) : alternating_series(kPi / 2 - x, 0);
 }
 
-// sine of any |x| < 1000.
+// Sine for |x| < 1000.
 constexpr double sin(double x) {
   while (x < 0) {
     x += 2 * kPi;
@@ -94,7 +94,7 @@ constexpr double sin(double x) {
 
 constexpr double cos(double x) { return sin(x + kPi / 2); }
 
-// The nearest integer, a tie goes away from zero; |x| < 2^62.
+// The nearest integer, a tie away from zero; |x| < 2^62.
 constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric

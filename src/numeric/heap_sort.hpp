@@ -1,5 +1,5 @@
-// Sorts in place, in n log n steps, without recursion: std::sort calls itself, so how deep the
-// stack becomes below it would follow from the data.
+// Sorts in place in O(n log n) steps without recursion. std::sort is recursive, so the data would
+// determine its stack depth.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace iog::numeric {
 
-// is_less(a, b): a strict order. Of two values of which neither is less, either may come first.
+// is_less(a, b): a strict order. Equivalent values may end up in either order.
 template <typename T, typename IsLess>
 constexpr void heap_sort(std::span<T> values, IsLess is_less) {
   std::ranges::make_heap(values, is_less);

@@ -1,11 +1,11 @@
-// How large a number is, whatever its sign.
+// The absolute value of an integer.
 #pragma once
 
 #include <concepts>
 
 namespace iog::numeric {
 
-// value is not the least of its type.
+// value must not be the lowest value of its type.
 template <std::signed_integral T>
 constexpr T magnitude(T value) {
   return value < 0 ? -value : value;

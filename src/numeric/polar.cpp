@@ -9,22 +9,22 @@
 namespace iog::numeric {
 namespace {
 
-// The arctangents of 2^-i, 2^-32 turns.
+// The arctangents of 2^-i in 2^-32 turns.
 constexpr std::array<std::uint32_t, 22> kArctangents{
     536'870'912, 316'933'406, 167'458'907, 85'004'756, 42'667'331, 21'354'465,
     10'679'838,  5'340'245,   2'670'163,   1'335'087,  667'544,    333'772,
     166'886,     83'443,      41'722,      20'861,     10'430,     5'215,
     2'608,       1'304,       652,         326};
-// A vector becomes longer by 1.64676; 2^32 over that.
+// The rotations lengthen a vector by 1.64676. This is 2^32 over that.
 constexpr std::uint64_t kShorter = 2'608'131'496;
-constexpr int kBits = 29;  // of the longest component: of three, turned twice, one is below 2^31
+constexpr int kBits = 29;  // of the longest component: below 2^31 after two rotations
 
 struct Turned {
   std::uint32_t angle = 0;
   std::int32_t length = 0;
 };
 
-// Turns a vector, not (0, 0), onto the first axis.
+// Rotates a vector onto the first axis. It must not be (0, 0).
 Turned turned(std::int32_t along, std::int32_t across) {
   std::uint32_t angle = 0;
   if (along < 0) {

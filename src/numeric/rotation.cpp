@@ -2,7 +2,8 @@
 
 namespace iog::numeric {
 
-// A step of the table is below 2^21 and a fraction below 2^20, so the product is below 2^41.
+// The difference of two table entries is below 2^21 and a fraction below 2^20, so the product is
+// below 2^41.
 std::int32_t sine_of(std::uint32_t angle) {
   constexpr int kTickBits = 12;
   constexpr int kFractionBits = 32 - kTickBits;

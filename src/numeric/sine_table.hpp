@@ -1,4 +1,4 @@
-// sine and cosine of an integer angle, as exact table look-ups.
+// Sine and cosine of an integer angle by exact table look-up.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace iog::numeric {
 
-// Sine and cosine are given in units of 2^-30.
+// Unit of all sines and cosines: 2^-30.
 inline constexpr int kSineFractionBits = 30;
 
-// The first quadrant of the sine, kTicksPerTurn / 4 + 1 values, each rounded to the nearest 2^-30.
+// The first quadrant of the sine: kTicksPerTurn / 4 + 1 values, each rounded to the nearest 2^-30.
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
@@ -29,7 +29,7 @@ consteval auto make_sine_quadrant() {
 template <std::int32_t kTicksPerTurn>
 inline constexpr auto kSineQuadrant = make_sine_quadrant<kTicksPerTurn>();
 
-// A view of one quadrant that answers for the whole turn.
+// Covers a whole turn with a view of one quadrant.
 class SineTable {
  public:
   constexpr SineTable() = default;

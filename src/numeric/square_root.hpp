@@ -1,7 +1,7 @@
-// The square root of a whole number, rounded down, without a divide instruction.
+// The square root of an integer, rounded down, without a divide instruction.
 //
-// Bit by bit from the highest, as by hand: each bit of the root costs a comparison and a
-// subtraction, of one word where that is enough.
+// Computes the root bit by bit from the highest. Each bit costs one comparison and one subtraction,
+// in single words if the argument fits one.
 #pragma once
 
 #include <bit>
@@ -17,7 +17,7 @@ template <std::unsigned_integral Word>
 [[nodiscard]] constexpr std::uint32_t square_root(Word square) {
   Word rest = square;
   Word root = 0;
-  // The highest power of four that is not above it.
+  // The highest power of four that does not exceed `square`.
   const int pairs = (static_cast<int>(std::bit_width(square)) - 1) / 2;
   Word bit = square == 0 ? 0 : Word{1} << 2 * pairs;
   while (bit != 0) {

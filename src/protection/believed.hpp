@@ -1,4 +1,4 @@
-// Whose messages are believed, and what becomes of the others.
+// Decides whether a message is accepted: allow-listed source, and valid headers.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 
 namespace iog::protection {
 
-// By its address: the described sender's, 0: any; or that of the replayer, which may send in
-// the name of every sender, 0: none.
+// True if this source address may send. described_ipv4 is the sender in the car file, 0 for any.
+// The replayer may send in the name of every sender; replayer_ipv4 is 0 if there is none.
 [[nodiscard]] constexpr bool may_send(std::uint32_t ipv4, std::uint32_t described_ipv4,
                                       std::uint32_t replayer_ipv4) {
   return described_ipv4 == 0 || described_ipv4 == ipv4 ||
          (replayer_ipv4 != 0 && replayer_ipv4 == ipv4);
 }
 
-// By both headers, in the words of whoever takes the message: `sound`, or kNotOurs, kWrongVersion
-// or kDamaged. In which order messages come is not asked.
+// The outcome after checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged, as an
+// enumerator of the caller's Fate. The order of messages is not checked.
 template <typename Fate>
 [[nodiscard]] constexpr Fate fate_of(const Received& received, Fate sound) {
   switch (received.header) {

@@ -1,15 +1,15 @@
-// A message as it travels: SOME/IP header, E2E header, content.
+// A message on the wire: SOME/IP header, E2E header, content.
 //
 //    0  SOME/IP header, 16 bytes (protection/some_ip.hpp)
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
 //   28  content
 //
-// This is how AUTOSAR combines the two (PRS_SOMEIPProtocol: the E2E header follows the return code,
-// at an offset of 64 bits; PRS_E2EProtocol: the example with that offset). Protection begins after
-// the length field of the SOME/IP header. So the CRC covers bytes 8 to 23, which are request id,
-// versions, message type, return code, E2E length, counter and data id, and the content from byte
-// 28. It does not cover bytes 0 to 7, the message id and the SOME/IP length; the data id and the
-// E2E length stand for them. Both lengths count the same bytes.
+// AUTOSAR combines the two headers in this way (PRS_SOMEIPProtocol: the E2E header follows the
+// return code, at an offset of 64 bits; PRS_E2EProtocol: the example with that offset). Protection
+// begins after the length field of the SOME/IP header. The CRC covers bytes 8 to 23, which are
+// request id, versions, message type, return code, E2E length, counter and data id, and the content
+// from byte 28. It does not cover bytes 0 to 7, the message id and the SOME/IP length: the data id
+// and the E2E length stand for them. Both lengths count the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,15 @@ namespace iog::protection {
 
 inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
 
-// A whole message; so the payload of SOME/IP, in which automotive tools count the E2E header, stays
-// below 1392 bytes, the largest that SOME/IP's own segmentation (TP) puts into one datagram.
+// A whole message. Its SOME/IP payload, to which automotive tools count the E2E header, stays below
+// 1392 bytes, the largest that SOME/IP segmentation (TP) puts into one datagram.
 inline constexpr std::size_t kMaxMessageBytes = 1392;
 inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
 
 struct Channel {
   Event event;
   std::uint32_t data_id;
-  std::uint16_t
-      max_delta_counter;  // messages lost in a row, plus one, that do not alarm a receiver
+  std::uint16_t max_delta_counter;  // the largest counter step that raises no alarm
 
   [[nodiscard]] constexpr Profile4 profile() const {
     return {.data_id = data_id,
@@ -46,8 +45,8 @@ class Sender {
   constexpr explicit Sender(const Channel& channel)
       : event_{channel.event}, protector_{channel.profile()} {}
 
-  // The content stands behind kProtectionBytes; fills in what is before it.
-  // kProtectionBytes <= message.size() <= kMaxMessageBytes
+  // Fills in both headers; the content must already follow them. kProtectionBytes <= message.size()
+  // <= kMaxMessageBytes
   void protect(std::span<std::byte> message);
 
  private:
@@ -57,12 +56,11 @@ class Sender {
 };
 
 struct Received {
-  SomeIpStatus header =
-      SomeIpStatus::kTooShort;         // if not kOk, the rest but the version says nothing
-  std::uint8_t interface_version = 0;  // that the sender speaks, of kWrongVersion
+  SomeIpStatus header = SomeIpStatus::kTooShort;  // unless kOk, only the version is valid
+  std::uint8_t interface_version = 0;             // the sender's version, with kWrongVersion
   CheckStatus check = CheckStatus::kError;
-  std::uint16_t delta_counter = 0;  // how far it is ahead of the message before; 0 after an error
-  std::span<const std::byte> content{};  // empty unless the message is whole
+  std::uint16_t delta_counter = 0;       // counter step from the previous message; 0 after an error
+  std::span<const std::byte> content{};  // empty unless the message is valid
 };
 
 class Receiver {
@@ -70,7 +68,7 @@ class Receiver {
   constexpr explicit Receiver(const Channel& channel)
       : event_{channel.event}, checker_{channel.profile()} {}
 
-  // Any datagram may come. One whose header is not ours leaves the state as it is.
+  // Accepts any datagram. One with a foreign header does not change the state.
   [[nodiscard]] Received receive(std::span<const std::byte> datagram);
 
  private:

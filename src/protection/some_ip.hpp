@@ -1,5 +1,5 @@
-// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"):
-// big endian, 16 bytes.
+// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"): 16
+// bytes, big endian.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
 //    4  u32 length: bytes behind this field, 8 of header included
@@ -9,8 +9,8 @@
 //   14  u8 message type: 0x02 notification
 //   15  u8 return code: 0
 //
-// A sender counts its notifications by session ids 1 to 0xFFFF and wraps to 1: 0 would mean that
-// sessions are not counted.
+// A sender numbers its notifications with session ids from 1 to 0xFFFF, then 1 again. 0 would mean
+// that sessions are not counted.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,9 @@
 namespace iog::protection {
 
 inline constexpr std::size_t kSomeIpHeaderBytes = 16;
-inline constexpr std::size_t kSomeIpLengthOffset = 8;  // where the bytes of the field length begin
+inline constexpr std::size_t kSomeIpLengthOffset = 8;  // of the first byte that the length counts
 
-// Which notifications these are. `event_id` has its highest bit set.
+// Identifies the notifications. `event_id` has its highest bit set.
 struct Event {
   std::uint16_t service_id;
   std::uint16_t event_id;
@@ -33,22 +33,22 @@ struct Event {
 
 enum class SomeIpStatus : std::uint8_t {
   kOk,
-  kTooShort,  // for a header, or than its length says
-  kTooLong,   // than its length says: SOME/IP may put several messages into one datagram, we do not
-  kNotOurs,   // another version of the protocol, another service or event
-  kWrongVersion,  // of the interface; interface_version_of() says which
-  kWrongType,     // not a notification, or one with an error as return code
+  kTooShort,      // shorter than a header or than its length field says
+  kTooLong,       // longer than its length field says: we send one message per datagram
+  kNotOurs,       // another protocol version, service or event
+  kWrongVersion,  // another interface version; see interface_version_of()
+  kWrongType,     // no notification, or its return code is an error
 };
 
-// Fills in the header of a whole message, `message` >= 16 bytes.
+// Writes the header of a whole message; message.size() >= 16.
 void write_some_ip_header(const Event& event, std::uint16_t session_id,
                           std::span<std::byte> message);
 
-// Whether the datagram is one message of this event.
+// Checks that the datagram is exactly one message of this event.
 [[nodiscard]] SomeIpStatus check_some_ip_header(const Event& event,
                                                 std::span<const std::byte> datagram);
 
-// What a datagram with such a header says; 0 if it is too short for it.
+// The interface version of a datagram with a SOME/IP header; 0 if it is too short.
 [[nodiscard]] std::uint8_t interface_version_of(std::span<const std::byte> datagram);
 
 [[nodiscard]] constexpr std::uint16_t session_after(std::uint16_t session_id) {

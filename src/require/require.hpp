@@ -1,9 +1,9 @@
-// Programmer errors: what cannot happen unless the program itself is wrong.
+// Programmer errors: conditions that can only fail if the program itself is wrong.
 //
-// They are never mixed with operating errors, which have a status. A broken requirement stops the
-// program with its place; the board prints it as a last word and lets the watchdog reset, the PC
-// aborts. programmer_error() is defined by the program that links the core: board/imx6/ or tools/
-// or tests/.
+// They are separate from operating errors, which have a status. A failed requirement stops the
+// program with its source location. The board prints it as a last word and lets the watchdog reset;
+// the PC aborts. The program that links the core defines programmer_error(): board/imx6/, tools/ or
+// tests/.
 #pragma once
 
 namespace iog {

@@ -13,13 +13,13 @@ constexpr std::size_t kFinePerRough = std::size_t{1}
 static_assert(kFinePerTile >= 1, "a tile has at least one fine cell");
 static_assert(geometry::kTilesPerSide * kFinePerTile == CoarseLevels::kFineTilesPerSide * kSide);
 
-// The loops work on arrays of their own, so that compilers make whole registers of them.
+// The loops work on local arrays so that compilers vectorise them.
 template <std::size_t kCount>
 using Indexes = std::array<std::int8_t, kCount>;
 
 std::int8_t index_of(std::byte cell) { return static_cast<std::int8_t>(cell); }
 
-// Of each column of the rows that a fine cell has; there are four at least.
+// The highest index in each column of a fine cell's rows. A fine cell has at least four rows.
 void copy_highest_of_columns(const std::byte* rows, std::int8_t* highest) {
   for (std::size_t x = 0; x < kSide; ++x) {
     highest[x] = std::max(index_of(rows[x]), index_of(rows[kSide + x]));
@@ -40,7 +40,7 @@ Indexes<kCount / 2> highest_of_pairs(const Indexes<kCount>& in) {
   return out;
 }
 
-// Of a row of kSide cells those of kFineSide neighbours.
+// The highest index of each kFineSide neighbours in rows of kSide cells.
 template <std::size_t kWidth, std::size_t kCount>
 auto highest_of_neighbours(const Indexes<kCount>& in) {
   if constexpr (kWidth == 1) {
@@ -60,7 +60,7 @@ void CoarseLevels::clear() {
 }
 
 void CoarseLevels::add_tile(std::size_t tile, tile_coding::TileCells cells) {
-  // The fine cell at the tile's corner, counted over the whole fine grid.
+  // The fine cell at the tile's corner, in coordinates of the fine grid.
   const std::size_t fine_x = tile % geometry::kTilesPerSide * kFinePerTile;
   const std::size_t fine_y = tile / geometry::kTilesPerSide * kFinePerTile;
   const std::size_t fine_tile = fine_y / kSide * kFineTilesPerSide + fine_x / kSide;
@@ -68,7 +68,7 @@ void CoarseLevels::add_tile(std::size_t tile, tile_coding::TileCells cells) {
   for (std::size_t y = 0; y < kFinePerTile; ++y) {
     copy_highest_of_columns(&cells[y * kFineSide * kSide], &columns[y * kSide]);
   }
-  // All rows of the tile's fine cells in one go, which fills the registers.
+  // All rows of the tile's fine cells at once, which fills the registers.
   const auto fine = highest_of_neighbours<kFineSide>(columns);
   std::int8_t* out = &fine_[fine_tile][fine_y % kSide * kSide + fine_x % kSide];
   for (std::size_t y = 0; y < kFinePerTile; ++y, out += kSide) {

@@ -1,9 +1,9 @@
-// The coarse grids of a frame: two levels of its quadtree, a fine one of 128 by 128 cells and a
-// rough one of 32 by 32. With 1024 by 1024 cells of 0.1 m they are levels 3 and 5, cells of 0.8 and
-// 3.2 m.
+// The coarse grids of a frame, two levels of its quadtree: a fine one of 128 x 128 cells and a
+// rough one of 32 x 32. With 1024 x 1024 cells of 0.1 m they are levels 3 and 5, with cells of 0.8
+// m and 3.2 m.
 //
-// A coarse cell has the highest index of the cells below it: where something is occupied it is,
-// too; where it is free, all of it is; else it is unknown.
+// A coarse cell has the highest index of the cells below it. It is occupied if any of them is, free
+// if all of them are, and otherwise unknown.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ class CoarseLevels {
   static constexpr std::size_t kFineTilesPerSide = 4;
   static constexpr std::size_t kFineTileCount = kFineTilesPerSide * kFineTilesPerSide;
 
-  // Everything is unknown.
+  // Sets all cells to unknown.
   void clear();
 
-  // A tile of the grid, by its number, while its cells are at hand.
+  // Adds a tile of the grid by its number.
   void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
-  // The tiles of the fine grid. If one is not known, none of its cells is.
+  // The tiles of the fine grid. All cells of a tile that is not known are unknown.
   [[nodiscard]] bool is_fine_known(std::size_t fine_tile) const {
     return (known_fine_tiles_ >> fine_tile & 1U) != 0;
   }
@@ -39,7 +39,7 @@ class CoarseLevels {
     return std::as_bytes(std::span(fine_[fine_tile]));
   }
 
-  // The one tile of the rough grid.
+  // The only tile of the rough grid.
   [[nodiscard]] bool is_rough_known() const { return known_fine_tiles_ != 0; }
   void copy_rough(tile_coding::MutableTileCells rough) const;
 

@@ -1,6 +1,6 @@
-// A few tiles of a frame: the known ones from a given number on, as many as the serial link can
-// carry before the next frame comes. So a frame is handed over for the price of a few copies,
-// however many tiles it has.
+// Copies of a few known tiles of a frame, from a given number on: as many as the serial link can
+// carry before the next frame. A new frame therefore costs only a few copies, however many tiles it
+// has.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,17 @@ namespace iog::serial {
 
 class DetailWindow {
  public:
-  // At 115200 baud the link carries 460 bytes while a frame lasts; a known tile takes more than 14.
+  // At 115200 baud the link carries 460 bytes per frame; a known tile takes more than 14.
   static constexpr std::size_t kTiles = 32;
 
-  // Forgets what it holds. Tiles below this number will not be taken.
+  // Empties the window. Tiles below `first_tile` will be ignored.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
     count_ = 0;
   }
 
-  // The frame's known tiles, in rising order.
+  // Adds the frame's known tiles in ascending order.
   void add_tile(std::size_t tile, tile_coding::TileCells cells) {
     if (tile < first_ || tile >= end_) {
       return;
@@ -40,11 +40,11 @@ class DetailWindow {
     ++count_;
   }
 
-  // The window speaks of the tiles from the first one up to this one, which is no longer in it.
-  // Those of them that find() does not find are unknown.
+  // One past the last tile that the window covers. A covered tile that find() does not find is
+  // unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
-  // The place of the first known tile whose number is at least `tile`; count() if there is none.
+  // The place of the first known tile with a number of at least `tile`; count() if there is none.
   [[nodiscard]] std::size_t find(std::size_t tile) const {
     const auto numbers = std::span(numbers_).first(count_);
     return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());

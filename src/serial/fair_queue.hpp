@@ -1,7 +1,6 @@
-// Which flow sends next on a link that is too slow for all of them: the one that has had the least
-// service in proportion to its weight (start-time fair queueing: Goyal, Vin and Cheng, IEEE/ACM
-// Transactions on Networking 5, 1997). A flow that has nothing to send for a while neither loses
-// nor saves anything by it.
+// Chooses which flow sends next on a link that is too slow for all of them: the one with the least
+// service relative to its weight (start-time fair queueing: Goyal, Vin and Cheng, IEEE/ACM
+// Transactions on Networking 5, 1997). A flow neither loses nor gains by being idle.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +14,14 @@ namespace iog::serial {
 template <std::size_t kFlows>
 class FairQueue {
  public:
-  // weights: the flows' parts of the link, each a divisor of kUnit.
+  // weights: the flows' shares of the link, each a divisor of kUnit.
   static constexpr std::uint32_t kUnit = 24;
 
   constexpr explicit FairQueue(const std::array<std::uint32_t, kFlows>& weights)
       : weights_{weights} {}
 
-  // The next of the flows that have something to send; the first one of equals. Idle flows are
-  // brought up to the one that is chosen: they must not come back with a claim on the past.
+  // Chooses among the waiting flows, the first one if several are equal. Idle flows are raised to
+  // the service of the chosen one, so that they cannot claim service for their idle time.
   [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
     std::optional<std::size_t> chosen;
     for (std::size_t flow = 0; flow < kFlows; ++flow) {
@@ -37,18 +36,18 @@ class FairQueue {
     return chosen;
   }
 
-  // The flow has sent so many bytes.
+  // Charges the flow for the bytes that it has sent.
   void charge(std::size_t flow, std::size_t bytes) {
     service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
     const std::uint32_t least = *std::ranges::min_element(service_);
     for (std::uint32_t& service : service_) {
-      service -= least;  // only differences count, and so they never overflow
+      service -= least;  // only differences count, so there is no overflow
     }
   }
 
  private:
   std::array<std::uint32_t, kFlows> weights_;
-  std::array<std::uint32_t, kFlows> service_{};  // bytes, times kUnit / weight
+  std::array<std::uint32_t, kFlows> service_{};  // in bytes, times kUnit / weight
 };
 
 }  // namespace iog::serial

@@ -14,7 +14,7 @@ constexpr std::array<std::size_t, 3> kTileCounts{1, CoarseLevels::kFineTileCount
 
 }  // namespace
 
-// What was composed of the previous frame is still true of that frame, so it is sent as it is.
+// A message composed from the previous frame is still true of that frame, so it is sent unchanged.
 GridSender::GridSender() = default;
 
 void GridSender::begin_frame(const stream::Header& header) {
@@ -95,8 +95,7 @@ void GridSender::finish_message(std::size_t end_tile) {
   is_composing_ = false;
 }
 
-// The flow's first known tile whose number is at least `tile`; beyond the grid's last if there is
-// none.
+// The flow's first known tile with a number of at least `tile`, or one past the grid's last tile.
 std::size_t GridSender::find_known(std::size_t tile) const {
   if (flow_ == kCells) {
     const std::size_t place = window_.find(tile);

@@ -1,14 +1,14 @@
-// Sends the grid over a serial link that is far too slow for it (docs/spec.md 3.8). What goes next
-// is always of the newest frame.
+// Sends the grid over a serial link that is far too slow for it (docs/spec.md 3.8). Every tile is
+// taken from the newest frame.
 //
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
 // Three flows share the link: the rough grid of 3.2 m, the fine one of 0.8 m, and the cells
-// themselves. A flow goes round the tiles of its grid, at most once in a frame, and continues in
-// the next frame where it stopped. A message states the cells of every tile that it speaks of, or
-// that all of them are unknown; so nothing that a receiver has is older than one round. A frame in
-// which no sensor took part says nothing of any cell. Of such a frame only an empty rough grid is
-// sent, as a sign of life.
+// themselves. A flow sends the tiles of its grid in rounds. It sends at most one round per frame,
+// and continues in the next frame where it stopped. A message gives the cells of every tile that it
+// covers, or leaves the whole tile unknown, so no tile of a receiver is older than one round. A
+// frame without any sensor has no known cells. Only an empty rough grid is sent for it, as a sign
+// of life.
 #pragma once
 
 #include <algorithm>
@@ -30,24 +30,24 @@
 
 namespace iog::serial {
 
-// Holds 64 KB: belongs into static memory.
+// Holds 64 KB: make it static.
 class GridSender {
  public:
-  // At most so many tiles are encoded in one pump().
+  // The most tiles that one pump() encodes.
   static constexpr std::size_t kTilesPerPump = 2;
 
-  // Not constexpr: in static memory it is set up at start-up, not carried by the image.
+  // Not constexpr: the object is initialised at start-up and takes no space in the image.
   GridSender();
 
-  // Takes a closed frame: first its header, then its known tiles in rising order, then its end.
-  // This costs a look at each cell and at most DetailWindow::kTiles copies of a tile. No pump() in
-  // between.
+  // Takes a closed frame: its header, its known tiles in ascending order, then its end. This reads
+  // each cell once and copies at most DetailWindow::kTiles tiles. Do not call pump() in between.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Once per pass of the loop. One call encodes at most kTilesPerPump tiles, protects and frames at
-  // most one message, and hands over at most 40 ms of the link. now_us must not go back.
+  // Call it once per pass of the loop. It encodes at most kTilesPerPump tiles, protects and frames
+  // at most one message, and passes at most 40 ms worth of bytes to the port. now_us must not
+  // decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
     bucket_.refill(now_us, port.bytes_per_second());
@@ -58,27 +58,27 @@ class GridSender {
     port.pump();
   }
 
-  // Messages made since start.
+  // Messages composed since start.
   [[nodiscard]] std::uint32_t messages() const { return sequence_; }
 
  private:
   enum Flow : std::size_t { kRough, kFine, kCells };
   static constexpr std::size_t kFlows = 3;
-  // Twelfths of the link. At 115200 baud each coarse grid is then sent whole about four times a
-  // second. The rest is for the cells, of which there are always more than the link can carry.
+  // Twelfths of the link. At 115200 baud the link then sends each coarse grid about four times a
+  // second. The rest is for the cells, which always need more than the link can carry.
   static constexpr std::array<std::uint32_t, kFlows> kWeights{1, 3, 8};
 
-  // What of a flow's grid is still to be sent of this frame.
+  // The part of a flow's grid that is still to be sent from this frame.
   struct Round {
     std::size_t next = 0;  // tile
-    std::size_t left = 0;  // tiles from there on, around the end of the grid
+    std::size_t left = 0;  // number of tiles from there on, wrapping at the end of the grid
   };
 
-  // Goes on with composing a message, while the link is still busy with the one before for some 40
-  // ms. True when the message is complete and in frame_left_.
+  // Continues a message while the link is busy with the previous one for some 40 ms. Returns true
+  // when the message is complete and in frame_left_.
   [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
-  // False when the message is finished.
+  // Returns false when the message is complete.
   [[nodiscard]] bool append_tile();
   void finish_message(std::size_t end_tile);
   [[nodiscard]] std::size_t find_known(std::size_t tile) const;
@@ -100,7 +100,7 @@ class GridSender {
   std::array<Round, kFlows> rounds_{};
   FairQueue<kFlows> queue_{kWeights};
 
-  // The message that is being composed: of which flow, its next tile, and where it must end.
+  // The message being composed: its flow, its next tile and its end.
   bool is_composing_ = false;
   std::size_t flow_ = kRough;
   std::size_t tile_ = 0;
@@ -113,7 +113,7 @@ class GridSender {
   std::uint32_t sequence_ = 0;
   protection::Sender sender_{stream::kSerialChannel};
 
-  // The message that is being sent, and what of it is left.
+  // The message being sent, and its remaining bytes.
   std::array<std::byte, framing::max_framed_bytes(protection::kMaxMessageBytes)> frame_{};
   std::span<const std::byte> frame_left_;
   TokenBucket bucket_;

@@ -1,4 +1,4 @@
-// What a target says that has refused the car of its image, and so sends no grid
+// The message of a target that has refused the car in its image and therefore sends no grid
 // (docs/spec.md 3.11).
 #pragma once
 
@@ -14,13 +14,13 @@ inline constexpr std::size_t kMaxRefusalWords = 255;
 
 struct CarRefusal {
   std::uint8_t reason = 0;  // car_block::Refusal
-  std::string_view words;   // ASCII, at most kMaxRefusalWords; longer ones are cut
+  std::string_view words;   // ASCII, truncated to kMaxRefusalWords
 };
 
-// Returns the bytes written, 0 if the buffer is too small.
+// Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_car_refusal(const CarRefusal& refusal, std::span<std::byte> buffer);
 
-// Its words are a view of the body. Nothing: too short.
+// The words are a view of the body. Returns nothing if the body is too short.
 [[nodiscard]] std::optional<CarRefusal> read_car_refusal(std::span<const std::byte> body);
 
 }  // namespace iog::stream

@@ -32,8 +32,8 @@ CauseRecord read_cause(wire::ByteReader& in) {
   return cause;
 }
 
-// Reads `count` records of `bytes` each into a list of ours; the ones beyond it are skipped, and so
-// is what is behind the `known` bytes of each.
+// Reads `count` records of `bytes` bytes each into `records`. Skips surplus records, and the bytes
+// of a record beyond the first `known` ones.
 template <typename Record>
 void read_records(std::size_t count, std::size_t bytes, std::size_t known,
                   std::span<Record> records, Record (*read)(wire::ByteReader&),
@@ -121,7 +121,7 @@ ReadStatus read_class_end(std::span<const std::byte> body, ClassEnd& end) {
   if (!in.ok()) {
     return ReadStatus::kTooShort;
   }
-  // A target that knows nothing of maps ends here.
+  // Older targets send no map state.
   const std::span<const std::byte> rest = in.bytes(in.remaining());
   end.map = read_map_state(rest);
   return end.map || rest.empty() ? ReadStatus::kOk : ReadStatus::kTooShort;

@@ -1,4 +1,4 @@
-// The name of a class grid: what it says, and where (docs/spec.md 3.10).
+// The CRC that names a class grid: its content and its place (docs/spec.md 3.10).
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@
 
 namespace iog::stream {
 
-// CRC-32 over the corner's a and b, each as i32, and the tiles of which a cell has a class, in the
-// order of their numbers, each as its number, u16, and its 1024 cells; all big endian. A grid
-// without classes has CRC 0.
+// CRC-32 over the window's corner a and b, each as i32, then over each tile with a classified cell,
+// in order of tile number: its number as u16, then its 1024 cells. All integers are big endian. A
+// grid without classes has CRC 0.
 class ClassHash {
  public:
   explicit ClassHash(window::TileNumber corner = {});
 
-  // A tile of which a cell has a class. number: window::slot_of().
+  // Adds a tile with a classified cell. number: window::slot_of().
   void add(std::size_t number, tile_coding::TileCells cells);
-  // The same of cells that have this remainder (checksum::FastCrc32::remainder_of()).
+  // Adds a tile whose cells have this remainder (checksum::FastCrc32::remainder_of()).
   void add_remainder(std::size_t number, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }

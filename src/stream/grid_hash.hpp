@@ -1,4 +1,4 @@
-// The name of a grid.
+// The CRC that names a grid.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace iog::stream {
 
-// CRC-32 over the grid's known tiles in order of tile y, then tile x, each as u16 tile x and u16
-// tile y, big endian, then its 1024 cells. A grid in which nothing is known has CRC 0.
+// CRC-32 over the grid's known tiles in order of tile y, then tile x. Each tile contributes its x
+// and y as big-endian u16, then its 1024 cells. A grid without known cells has CRC 0.
 class GridHash {
  public:
-  // tile: its number, row by row.
+  // tile: its number in row-major order.
   void add(std::size_t tile, tile_coding::TileCells cells);
-  // The same of cells that have this remainder (checksum::FastCrc32::remainder_of()).
+  // Adds a tile whose cells have this remainder (checksum::FastCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }

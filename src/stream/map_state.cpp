@@ -11,7 +11,7 @@ constexpr std::size_t kFixedBytes = 72;
 constexpr std::uint8_t kFlagInUse = 0x01;
 constexpr std::uint8_t kFlagTransform = 0x02;
 
-// A character of UTF-8 begins with a byte that is not 10xxxxxx.
+// In UTF-8, every byte of a character except the first is 10xxxxxx.
 bool begins_character(char letter) { return (static_cast<unsigned char>(letter) & 0xC0U) != 0x80U; }
 
 std::uint8_t flags_of(const MapState& state) {
@@ -45,7 +45,7 @@ void write_delivery(const map::DeliveryReport& delivery, wire::ByteWriter& out) 
   out.u32_be(delivery.chunks_there);
 }
 
-// Counts of a later version beyond ours are skipped.
+// Skips counts that a later version appends.
 void read_counts(std::size_t count, std::span<std::uint32_t> counts, wire::ByteReader& in) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t value = in.u32_be();
@@ -55,7 +55,7 @@ void read_counts(std::size_t count, std::span<std::uint32_t> counts, wire::ByteR
   }
 }
 
-// Causes, states and refusals of a later version stay numbers without a name.
+// Unknown causes, states and refusals of a later version keep their numeric values.
 void read_fields(wire::ByteReader& in, MapState& state) {
   map::LayerReport& layer = state.layer;
   layer.cause = static_cast<map::Cause>(in.u8());

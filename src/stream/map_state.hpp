@@ -1,5 +1,5 @@
-// What the end of a frame's classes says of the map (docs/spec.md 3.10): which block is in use, by
-// which transform, why cells have no class of it, and what comes of the next block.
+// The map state at the end of a frame's classes (docs/spec.md 3.10): the block in use, its
+// transform, why cells have no class from the map, and the delivery of the next block.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 
 namespace iog::stream {
 
-// Longer ones are cut at a character.
+// Longer attributions are truncated at a character boundary.
 inline constexpr std::size_t kMaxShownAttribution = 96;
 
-// Of a block in use, beside its name.
+// The block in use, apart from its CRC.
 struct MapInUse {
   std::uint8_t source = 0;  // map::Source
   std::uint8_t attribution_bytes = 0;
@@ -32,14 +32,14 @@ struct MapInUse {
 
 struct MapState {
   std::optional<MapInUse> in_use{};
-  map::LayerReport layer{};  // but for what is of its frame alone
+  map::LayerReport layer{};  // fields that describe only one frame are not sent
   map::DeliveryReport delivery{};
 };
 
-// Returns the bytes written, 0 if the buffer is too small.
+// Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_map_state(const MapState& state, std::span<std::byte> buffer);
 
-// What is behind the fields of this version is skipped. Empty: too short, or says so.
+// Skips fields that a later version appends. Returns nothing if the state is too short.
 [[nodiscard]] std::optional<MapState> read_map_state(std::span<const std::byte> bytes);
 
 }  // namespace iog::stream

@@ -7,9 +7,9 @@
 namespace iog::stream {
 namespace {
 
-// A list that may grow in later versions: how many entries, how long each.
+// The list may grow in later versions: the message gives the number of records and their length.
 constexpr std::uint8_t kSensorRecordBytes = 16;
-// Behind the sectors that nobody watches.
+// After the bitmap of blocked sectors.
 constexpr std::size_t kTemperatureBytes = 8;
 
 constexpr std::size_t kSequenceOffset = 4;
@@ -24,7 +24,7 @@ void write_counters(std::span<const std::uint32_t> counters, wire::ByteWriter& o
   }
 }
 
-// Reads `count` counters into a list of ours; the ones beyond it are skipped.
+// Reads `count` counters and skips those beyond ours.
 void read_counters(std::uint8_t count, std::span<std::uint32_t> counters, wire::ByteReader& in) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t value = in.u32_be();

@@ -56,7 +56,8 @@ bool has_known_state(const ObjectRecord& object) {
   return object.state >= ObjectState::kYoung && object.state <= ObjectState::kStopped;
 }
 
-// A speed is of what moves, a deviation of what is believed.
+// Only moving objects have a speed. Moving and stopped objects have standard deviations of
+// velocity, others do not.
 bool has_due_velocity(const ObjectRecord& object) {
   const bool rests = object.vx_cm_s == 0 && object.vy_cm_s == 0;
   const bool has_deviations =
@@ -67,7 +68,7 @@ bool has_due_velocity(const ObjectRecord& object) {
          (object.is_believed() ? has_deviations : has_none);
 }
 
-// Whether so many objects may be in one of these parts. None is empty but that of no objects.
+// True if this part can hold `count` objects. Only an empty list has an empty part.
 bool can_hold(const ObjectsHeader& header, std::size_t part, std::size_t count) {
   const std::size_t objects = header.objects;
   const std::size_t parts = header.parts;
@@ -78,7 +79,7 @@ bool can_hold(const ObjectsHeader& header, std::size_t part, std::size_t count) 
   if (parts == 1) {
     return count == objects;
   }
-  // The other parts have one at least, and at most as many as fit.
+  // Each other part holds 1 to kMaxObjectsOfAPart objects.
   const std::size_t others = parts - 1;
   return count > 0 && objects >= count + others && objects <= count + others * kMaxObjectsOfAPart;
 }

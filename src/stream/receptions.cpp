@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint16_t kReceptionBytes = 12;
 constexpr std::uint8_t kWasLeft = 0x01;
-constexpr std::size_t kKeyedBytes = 64;  // at either end
+constexpr std::size_t kKeyedBytes = 64;  // at each end
 
-// How many records the part of this number has.
+// The number of records in this part.
 constexpr std::size_t count_of_part(std::size_t receptions, std::size_t part) {
   return std::min(receptions - std::min(receptions, part * kMaxReceptionsOfAPart),
                   kMaxReceptionsOfAPart);

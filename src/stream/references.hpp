@@ -1,5 +1,5 @@
-// What a tile may be encoded against: the last cells of each tile that were sent by themselves,
-// that is without a reference. The sender and its receivers keep the same cells (docs/spec.md 3.4).
+// Reference tiles for encoding differences: the last self-contained version of each tile. Sender
+// and receivers store the same tiles (docs/spec.md 3.4).
 #pragma once
 
 #include <array>
@@ -14,33 +14,31 @@
 
 namespace iog::stream {
 
-// A reference is never older than this. So a receiver that has received one frame more than this is
-// complete.
+// The maximum age of a reference. A receiver is complete after receiving one frame more than this.
 inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
 
-// Whether a tile with this encoding can be decoded without a reference.
+// True if a tile with this encoding is self-contained.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {
   return encoding != tile_coding::Encoding::kRunStartsSince;
 }
 
 class References {
  public:
-  // Keeps a tile that is sent by itself. payload_bytes: the length in which it is sent.
+  // Stores a tile that is sent self-contained. payload_bytes: the length of its payload.
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // What has changed of a tile since then took so many bytes. If these are hardly fewer than the
-  // tile took by itself, it is sent by itself the next time: that is shorter in the frames that
-  // follow.
+  // Records the payload length of a tile sent as changes against its reference. If that exceeds
+  // seven eighths of the self-contained length, the tile is next sent self-contained. This makes
+  // the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
-  // What is kept of a tile. Nothing if it was never sent by itself.
+  // The stored reference of a tile. Nothing if the tile was never sent self-contained.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // What a sender may encode the tile against in this frame. Nothing if the reference is too old,
-  // or if too much has changed since. Nothing either in one of every kMaxReferenceAge + 1 frames;
-  // which one depends on the tile, so that the tiles that must be sent by themselves are spread
-  // evenly over the frames.
+  // The reference that a sender may use for this tile in this frame. Returns nothing if it is too
+  // old or too much has changed since. In addition, each tile is sent self-contained once in
+  // kMaxReferenceAge + 1 frames; the tile number spreads these turns evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

@@ -1,5 +1,5 @@
-// The target's counters by name: where each is on the wire, and how they get there. Names are
-// looked up by the compiler; an image has only those that it prints.
+// Finds the target's counters by name and gives their places on the wire. Names are resolved at
+// compile time; an image contains only the names that it prints.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Counter {
   return Group::kNet <= counter.group && counter.group <= Group::kCommand;
 }
 
-// All counters of the table, one by one.
+// All counters of the table in order.
 inline constexpr auto kCounters = [] {
   constexpr std::string_view kBetween = ", ";
   constexpr std::size_t kCount = [=] {
@@ -54,13 +54,13 @@ inline constexpr std::size_t kDurationWords = 13;
   return kind == Kind::kDuration ? kDurationWords : kind == Kind::kMac ? 2 : 1;
 }
 
-// Of each counter's first word among the link counters; the last: how many they are.
+// The index of each counter's first word among the link counters. The last entry is their number.
 inline constexpr auto kPlaces = [] {
   std::array<std::uint8_t, kCounterCount + 1> places{};
   for (std::size_t i = 0; i < kCounterCount; ++i) {
     const Counter& counter = kCounters[i];
     const std::size_t end = places[i] + (is_link(counter) ? words_of(counter.kind) : 0);
-    require(end <= 0xFF);  // a frame's end says in a byte how many there are
+    require(end <= 0xFF);  // the frame end gives their number in one byte
     places[i + 1] = static_cast<std::uint8_t>(end);
   }
   return places;
@@ -69,13 +69,13 @@ inline constexpr auto kPlaces = [] {
 inline constexpr std::size_t kMaxLinkCounters = kPlaces.back();
 using LinkCounters = std::array<std::uint32_t, kMaxLinkCounters>;
 
-// Where a group's link counters begin.
+// The index of the first link counter of a group.
 [[nodiscard]] consteval std::size_t place_of(Group group) {
   const auto* const counter = std::ranges::find(kCounters, group, &Counter::group);
   return kPlaces[static_cast<std::size_t>(counter - kCounters.begin())];
 }
 
-// The names of a group, in their order.
+// The names of a group in order.
 template <Group kGroup>
 [[nodiscard]] consteval auto names_of() {
   constexpr auto kCount = std::ranges::count(kCounters, kGroup, &Counter::group);
@@ -89,7 +89,7 @@ template <Group kGroup>
   return names;
 }
 
-// The number of a link counter that is in the table.
+// The table index of a link counter.
 [[nodiscard]] constexpr std::size_t number_of(std::string_view name) {
   std::size_t i = 0;
   while (!is_link(kCounters[i]) || kCounters[i].name != name) {
@@ -99,14 +99,13 @@ template <Group kGroup>
   return i;
 }
 
-// Where a link counter is among them: the first of its words. A name that is not in the table does
-// not compile.
+// The index of a link counter's first word. A name that is not in the table does not compile.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
   return kPlaces[number_of(name)];
 }
 
-// Whoever counts has a struct of 32-bit words alone whose `kNames` are their names, in the order of
-// its members. The place of each word:
+// The index of each word of `Counts`. Such a struct has only 32-bit words; its `kNames` names its
+// members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -121,7 +120,7 @@ template <typename Counts>
   return places;
 }
 
-// Whether every link counter is counted by somebody, and by nobody else.
+// True if each link counter belongs to exactly one of these structs.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -143,7 +142,7 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// What `counts` has of counters, of which the target has sent the first so many. Empty: not all.
+// Reads the counters of `Counts`. Empty unless all are among the first `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();
@@ -173,7 +172,7 @@ inline constexpr auto kLosses = [] {
   return losses;
 }();
 
-// How many datagrams the link has lost, modulo 2^32.
+// The number of datagrams lost by the link, modulo 2^32.
 [[nodiscard]] constexpr std::uint32_t losses_of(const LinkCounters& counters) {
   std::uint32_t sum = 0;
   for (const std::uint8_t loss : kLosses) {

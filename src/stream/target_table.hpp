@@ -1,9 +1,10 @@
-// The table of the target's counters and states: how each is called, and where it is on the wire.
+// The table of the target's counters and states: their names and places on the wire.
 //
-// A frame's end has a list of each of the first three groups, and then the link counters in one
-// list: the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The end of the classes has the
-// others. A new counter is a name here and one where it is counted: the loop finds its place by
-// that name (stream/target_state.hpp), and tests/lint/target_state makes what others read of it.
+// The frame end has one list for each of the first three groups, and one list of link counters: the
+// groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The other groups are in the message that
+// ends the classes. To add a counter, add its name here and to the struct that counts it. The loop
+// finds its place by name (stream/target_state.hpp); tests/lint/target_state generates the tables
+// of other readers.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace iog::stream {
 
-// Above each: what its counters are of, for docs/spec.md.
+// The comment above each group is its text in docs/spec.md.
 enum class Group : std::uint8_t {
   // Ticks of the stopwatch.
   kStage,
@@ -59,15 +60,15 @@ enum class Group : std::uint8_t {
 };
 
 enum class Kind : std::uint8_t {
-  kCount,     // grows, modulo 2^32
-  kLoss,      // likewise, of datagrams that a header counts among those that were dropped
-  kState,     // how something is now, or was
+  kCount,     // increases, modulo 2^32
+  kLoss,      // a kCount that adds to the dropped datagrams in the message header
+  kState,     // a present or past state
   kDuration,  // 13 words of health::Durations
   kMac,       // two words
 };
 
-// names: with ", " between them. words: for who does not see what group it is of; empty: the name
-// says it.
+// names: separated by ", ". words: a description for readers that do not show the group; empty if
+// the names suffice.
 struct Row {
   consteval Row(Group of, std::string_view all, Kind what = Kind::kCount,
                 std::string_view said = {})

@@ -1,7 +1,6 @@
-// The message of tiles: which tiles of a grid it speaks of, and the content of those in which
-// something is known (docs/spec.md 3.3). A tile that it speaks of but does not contain is unknown.
-// So the messages of a frame that have arrived say what is known, what is unknown, and what is
-// missing.
+// The message of tiles (docs/spec.md 3.3): the range of tile numbers that it covers, and the
+// content of the known tiles among them. A covered tile without content is unknown. A receiver can
+// therefore tell known, unknown and missing tiles apart.
 #pragma once
 
 #include <array>
@@ -21,21 +20,21 @@ namespace iog::stream {
 
 using tile_coding::Encoding;
 
-// The values are on the wire.
+// Wire values.
 enum class Storage : std::uint8_t {
-  kOccupancyIndex = 0,  // of a cell
-  kHighestIndex = 1,    // of the cells below a coarse cell
-  kClass = 2,           // of a cell of the world-aligned window (stream/class_window.hpp)
+  kOccupancyIndex = 0,  // the index of each cell
+  kHighestIndex = 1,    // the highest index within each coarse cell
+  kClass = 2,  // the class of each cell of the world-aligned window (stream/class_window.hpp)
 };
 
-// What a message of tiles says of its grid.
+// Describes the grid of a message of tiles.
 struct Geometry {
   std::uint8_t tile_side_log2 = 0;  // cells
   Storage storage = Storage::kOccupancyIndex;
   std::uint16_t width = 0;   // cells, a multiple of a tile's side
   std::uint16_t height = 0;  // cells, a multiple of a tile's side
   std::uint16_t cell_mm = 0;
-  // The corner of lowest x and y in the vehicle frame; of classes 0, because their window says it.
+  // The corner of lowest x and y in the vehicle frame. 0 for classes: the window header gives it.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -46,8 +45,8 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The grid of this firmware at a level of its quadtree, from 0 (its cells) to 5 (one coarse cell a
-// tile).
+// The grid of this firmware at a level of its quadtree: 0 for its cells, up to 5 for one coarse
+// cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
   constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
@@ -61,7 +60,7 @@ struct Geometry {
           .origin_y_mm = kOriginMm};
 }
 
-// The window of this firmware: as many cells as its grid.
+// The window of this firmware, with as many cells as the grid.
 [[nodiscard]] constexpr Geometry geometry_of_classes() {
   Geometry geometry = geometry_of_level(0);
   geometry.storage = Storage::kClass;
@@ -71,44 +70,43 @@ struct Geometry {
 }
 
 struct TilesHeader {
-  std::uint16_t first_tile = 0;  // that the message speaks of
-  std::uint16_t end_tile = 0;    // the one behind the last
-  std::uint16_t tile_count = 0;  // of them that follow
+  std::uint16_t first_tile = 0;  // the first tile that the message covers
+  std::uint16_t end_tile = 0;    // one past the last tile that it covers
+  std::uint16_t tile_count = 0;  // tiles with content in this message
   Geometry geometry;
-  std::optional<ClassWindow> window{};  // of classes
+  std::optional<ClassWindow> window{};  // for classes only
 };
 inline constexpr std::size_t kTilesHeaderBytes = 24;
-inline constexpr std::size_t kTileRecordBytes = 5;       // before the payload
-inline constexpr std::size_t kClassTileRecordBytes = 6;  // likewise, with the tile's age
+inline constexpr std::size_t kTileRecordBytes = 5;       // before each payload
+inline constexpr std::size_t kClassTileRecordBytes = 6;  // the same with the tile's age
 static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + kClassWindowBytes +
                   kClassTileRecordBytes + tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes one message of tiles after the other. In front of each it leaves room for the header
-// that protects it.
+// Composes messages of tiles one by one. Leaves room for the protection header in front of each.
 class TilesWriter {
  public:
-  // Begins a grid and its first message, from tile 0 on. `header` is the frame's; its type and
-  // sequence number do not matter.
+  // Begins a grid and its first message, at tile 0. `header` is the frame's header; its type and
+  // sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
-  // The same of classes. Tiles are numbered by window::slot_of().
+  // Begins a grid of classes. Tiles are numbered by window::slot_of().
   void begin_classes(const Header& header, const ClassWindow& window);
-  // Begins the message again, from another tile on.
+  // Discards the tiles of this message and begins it again at another tile.
   void begin_message(std::size_t first_tile);
 
-  // Appends a tile with a higher number than the one before. False, and nothing is changed, if
-  // there is no room for it. A message without tiles always has room, even for a raw tile.
+  // Appends a tile; tile numbers must ascend. Returns false and changes nothing if the tile does
+  // not fit. An empty message always has room, even for a raw tile.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
                             std::span<const std::byte> payload);
-  // The same of classes. age_frames: since the tile was decided, 255: or longer.
+  // Appends a tile of classes. age_frames: frames since the tile was classified; 255: or more.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding, std::uint8_t age_frames,
                             std::span<const std::byte> payload);
 
-  // Ends the message, which speaks of the tiles up to but not including `end_tile`; the next one
-  // begins there. The bytes are valid until append() or a begin function is called.
+  // Ends the message, which covers the tiles below `end_tile`, and begins the next one there. The
+  // bytes are valid until the next append() or begin function.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
-  // Tiles in the message that is being composed.
+  // Tiles in the current message.
   [[nodiscard]] std::uint16_t tile_count() const { return tile_count_; }
 
  private:
@@ -130,19 +128,19 @@ class TilesWriter {
 
 struct TileRecord {
   std::uint16_t tile = 0;
-  Encoding encoding = Encoding::kRaw;  // any value may come
-  std::uint8_t age_frames = 0;         // of classes: since it was decided, 255: or longer
+  Encoding encoding = Encoding::kRaw;  // may have any value
+  std::uint8_t age_frames = 0;  // classes only: frames since the tile was classified; 255: or more
   std::span<const std::byte> payload{};
 };
 
-// The tiles of a message that read_tiles() has found sound, one after the other.
+// Iterates over the tiles of a message that read_tiles() has accepted.
 class TileRecords {
  public:
   TileRecords() = default;
   TileRecords(Storage storage, std::span<const std::byte> records)
       : have_age_{storage == Storage::kClass}, in_{records} {}
 
-  // False after the last one.
+  // Returns false after the last tile.
   [[nodiscard]] bool next(TileRecord& record);
 
  private:
@@ -150,9 +148,9 @@ class TileRecords {
   wire::ByteReader in_{{}};
 };
 
-// Reads a body of tiles. kOk, kTooShort, or kInconsistent: the message speaks of tiles that its
-// grid does not have; or it contains a tile that it does not speak of, the same tile twice, a tile
-// longer than a raw one, or not as many tiles as it says.
+// Reads a body of tiles. Returns kOk, kTooShort or kInconsistent. kInconsistent means one of: the
+// message covers tiles outside its grid; it contains a tile that it does not cover, a repeated tile
+// or a tile longer than a raw one; the number of tiles is wrong.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);
 

@@ -1,4 +1,4 @@
-// Bits to bytes and back, the highest bit of a byte first.
+// Bits to bytes and back, most significant bit first.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace iog::tile_coding {
 
-// The buffer has room for all that is put: whoever writes has counted the bits before.
+// The buffer must have room for all bits written. The caller counts them beforehand.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)
       : begin_{buffer.data()}, next_{buffer.data()} {}
 
-  // `value` < 2^count, 1 <= count <= 31.
+  // `value` < 2^count; 1 <= count <= 31.
   constexpr void put(std::uint32_t value, unsigned count) {
     if (count <= free_) {
       free_ -= count;
@@ -29,8 +29,8 @@ class BitWriter {
     word_ = value << free_;
   }
 
-  // Pads the last byte with zeros and returns the bytes written. Nothing more may be put after
-  // that.
+  // Pads the last byte with zeros and returns the number of bytes written. Do not call put()
+  // afterwards.
   constexpr std::size_t finish() {
     for (unsigned used = 32 - free_; used > 0; used -= used < 8 ? used : 8) {
       *next_++ = static_cast<std::byte>(word_ >> 24);
@@ -43,11 +43,11 @@ class BitWriter {
  private:
   std::byte* begin_;
   std::byte* next_;
-  std::uint32_t word_ = 0;  // bits that wait, from the top
-  unsigned free_ = 32;      // bits of word_ that do not
+  std::uint32_t word_ = 0;  // pending bits, from the top
+  unsigned free_ = 32;      // free bits of word_
 };
 
-// A read beyond the end gives 0 bits; ok() is false from then on.
+// Reading beyond the end returns 0 bits; from then on ok() is false.
 class BitReader {
  public:
   explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -72,7 +72,7 @@ class BitReader {
     return value;
   }
 
-  // Whether all that is left is the padding of the last byte, zeros.
+  // True if only zero padding of the last byte is left.
   [[nodiscard]] constexpr bool ends_here() {
     const std::size_t padding = bytes_.size() * 8 - position_;
     return ok_ && padding < 8 && bits(static_cast<unsigned>(padding)) == 0;

@@ -1,4 +1,4 @@
-// Symbol by symbol: the specification. digits_neon.cpp is its twin for the Cortex-A9.
+// Processes symbols one by one. This is the specification; digits_neon.cpp is its Cortex-A9 twin.
 #include "tile_coding/digits.hpp"
 
 namespace iog::tile_coding {

@@ -1,4 +1,4 @@
-// Symbols of runs as the digits of numbers.
+// Combines the symbols of runs into numbers.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,17 @@
 
 namespace iog::tile_coding {
 
-// Of a run that is as in the reference. Values have the symbols above.
+// The symbol of a run that equals the reference. The symbols of values are above it.
 inline constexpr std::uint8_t kLowestSymbol = 1;
 
-// Makes a number of each word, whose bytes are the symbols of four runs, the first the lowest.
-// Those less kLowestSymbol, and less one more if they are above the one before, are the digits of
-// the number to the base of `alternatives`, the first the highest; before the first symbol is the
-// lowest one. Symbols are at most kLowestSymbol + alternatives, and no run has that of the run
-// before it; the lowest one may fill up the last word. alternatives: 2 to kMostAlternatives.
-// There must be room up to a multiple of four words: what is there may be changed.
+// Converts each word in place. A word holds the symbols of four runs, the first in the lowest byte;
+// the result is the number made of their digits. The digit of a run is its symbol minus
+// kLowestSymbol, minus one more if the symbol is above that of the previous run. Digits are to the
+// base `alternatives`, most significant first. The symbol before the first run is kLowestSymbol.
+//
+// Symbols are at most kLowestSymbol + alternatives, and adjacent runs have different symbols.
+// kLowestSymbol may pad the last word. alternatives: 2 to kMostAlternatives. The buffer must extend
+// to a multiple of four words; words after the span may be overwritten.
 void make_numbers(std::span<std::uint32_t> fours, std::uint32_t alternatives);
 
 }  // namespace iog::tile_coding

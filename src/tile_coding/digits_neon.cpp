@@ -1,4 +1,4 @@
-// The twin of digits.cpp for the Cortex-A9: sixteen symbols at a time.
+// The Cortex-A9 twin of digits.cpp: sixteen symbols at a time.
 #include <arm_neon.h>
 
 #include "tile_coding/digits.hpp"
@@ -6,8 +6,7 @@
 namespace iog::tile_coding {
 namespace {
 
-// What digits are multiplied by to become numbers of two digits, and these to become numbers of
-// four.
+// Factors that combine digits into two-digit numbers, and these into four-digit numbers.
 struct Weights {
   uint8x8_t of_digits;
   uint16x4_t of_pairs;
@@ -37,7 +36,7 @@ void make_numbers(std::span<std::uint32_t> fours, std::uint32_t alternatives) {
   std::uint32_t* next = fours.data();
   for (const std::uint32_t* const end = next + fours.size(); next < end; next += 4) {
     const uint8x16_t symbols = vreinterpretq_u8_u32(vld1q_u32(next));
-    const uint8x16_t is_above = vcgtq_u8(symbols, vextq_u8(last, symbols, 15));  // -1 if so
+    const uint8x16_t is_above = vcgtq_u8(symbols, vextq_u8(last, symbols, 15));  // -1 if above
     const uint8x16_t digits = vaddq_u8(vsubq_u8(symbols, lowest), is_above);
     vst1q_u32(next, vcombine_u32(numbers_of(vget_low_u8(digits), weights),
                                  numbers_of(vget_high_u8(digits), weights)));

@@ -17,7 +17,7 @@ EncodedTile raw(TileCells cells, MutableTileCells payload) {
 
 constexpr std::uint8_t kNoSymbol = 0;
 
-// Not zero if a byte is; the lowest bit that is set is the highest one of the first such byte.
+// Non-zero if some byte is zero. The lowest set bit is then the top bit of the first zero byte.
 std::uint32_t zero_bytes(std::uint32_t word) {
   return (word - 0x0101'0101U) & ~word & 0x8080'8080U;
 }
@@ -50,9 +50,9 @@ EncodedTile Encoder::encode(TileCells cells, std::uint32_t frame_number,
   return {.encoding = encoding, .bytes = bytes};
 }
 
-// Numbers the values of the runs as they come, and keeps the symbols of all runs: the lowest is "as
-// in the reference". Returns how many values there are; if they are more than kMostAlternatives,
-// what is kept is of no use.
+// Numbers the values of the runs in order of appearance and stores the symbols of all runs. The
+// lowest symbol means "as in the reference". Returns the number of values. If that exceeds
+// kMostAlternatives, the stored symbols are invalid.
 std::size_t Encoder::number_values(std::span<std::byte, kMostAlternatives> values) {
   symbols_.fill(kNoSymbol);
   symbols_[runs_.as_reference()] = kLowestSymbol;
@@ -94,7 +94,7 @@ std::size_t Encoder::write_symbols(std::uint32_t alternatives, std::span<std::by
   const std::uint32_t of_four = alternatives * alternatives * alternatives * alternatives;
   BitWriter bits(out);
   std::uint32_t number = 0;
-  std::uint32_t joined = 0;  // fours in the number
+  std::uint32_t joined = 0;  // words in the number
   for (const std::uint32_t four : fours) {
     number = number * of_four + four;
     if (++joined == packing.fours) {

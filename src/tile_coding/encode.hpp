@@ -1,7 +1,7 @@
-// From a tile's cells to what is sent of them.
+// Encodes the cells of a tile for sending.
 //
-// A payload never exceeds the 1024 bytes of the raw one. Encoding is a few passes over the cells
-// and two over the runs: its time has a bound, whatever they are.
+// A payload never exceeds the 1024 bytes of the raw encoding. Encoding takes a few passes over the
+// cells and two over the runs, so its time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@
 
 namespace iog::tile_coding {
 
-// The values are on the wire (docs/spec.md 3.4).
+// Wire values (docs/spec.md 3.4).
 enum class Encoding : std::uint8_t {
-  kRaw = 0,             // one byte a cell
-  kRunStarts = 4,       // where runs start, and their values
+  kRaw = 0,             // one byte per cell
+  kRunStarts = 4,       // the places where runs start, and the values of the runs
   kRunStartsSince = 5,  // u8 frames since the reference, then run starts against it
 };
-inline constexpr std::size_t kEncodingCount = 6;  // the highest and those below it
+inline constexpr std::size_t kEncodingCount = 6;  // highest value plus one
 
-// A tile as it was in an earlier frame that the receiver is meant to have.
+// A tile from an earlier frame, which the receiver is expected to have.
 struct Reference {
   TileCells cells;
   std::uint32_t frame_number;
@@ -35,11 +35,11 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Holds what an encoding is made from, so that no stack has to.
+// Holds the intermediate data of an encoding, which keeps them off the stack.
 class Encoder {
  public:
-  // Writes kRunStartsSince if there is a reference, at most 255 frames older than the frame, else
-  // kRunStarts; raw where these might be longer. No cell is -128.
+  // Writes kRunStartsSince if there is a reference, kRunStarts if there is none, and kRaw if these
+  // might be longer. The reference is at most 255 frames old. No cell may be -128.
   [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,
                                    const std::optional<Reference>& reference,
                                    MutableTileCells payload);
@@ -50,8 +50,8 @@ class Encoder {
   [[nodiscard]] std::uint32_t symbols_of(std::uint32_t four) const;
   [[nodiscard]] std::size_t write_symbols(std::uint32_t alternatives, std::span<std::byte> out);
 
-  alignas(16) std::array<std::uint8_t, 256> symbols_{};            // by value
-  alignas(16) std::array<std::uint32_t, kTileBytes / 4> fours_{};  // of the runs: their symbols
+  alignas(16) std::array<std::uint8_t, 256> symbols_{};            // symbol of each value
+  alignas(16) std::array<std::uint32_t, kTileBytes / 4> fours_{};  // symbols of the runs
   TileRuns runs_;
 };
 

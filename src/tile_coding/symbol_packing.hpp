@@ -1,9 +1,10 @@
-// Symbols of n alternatives, many to a number.
+// Packs symbols with n alternatives into numbers.
 //
-// A symbol is worth log2 n bits, seldom a whole number of them. So as many symbols as fit, a
-// multiple of four, are the digits of one number to base n, the first the highest. A number has as
-// many bits as the largest one needs. The last number of a tile has the symbols that are left, and
-// zeros behind them up to a multiple of four. It has no more bits than fours would have one by one.
+// A symbol carries log2 n bits, rarely a whole number. As many symbols as fit, a multiple of four,
+// are therefore the digits of one number to base n, most significant first. A number has as many
+// bits as its largest value needs. The last number of a tile holds the remaining symbols, padded
+// with zeros to a multiple of four. It has no more bits than its groups of four would have one by
+// one.
 #pragma once
 
 #include <algorithm>
@@ -14,24 +15,25 @@
 
 namespace iog::tile_coding {
 
-// What BitWriter takes at once.
+// The most bits that BitWriter takes in one call.
 inline constexpr unsigned kMostNumberBits = 31;
 
-// Four digits to this base fit, but not to the next one.
+// The largest base in which four digits fit.
 inline constexpr std::uint32_t kMostAlternatives = 215;
 
 struct Packing {
-  std::uint8_t fours = 0;  // of digits, in a number
-  std::uint8_t bits = 0;   // of a number
+  std::uint8_t fours = 0;  // groups of four digits in a number
+  std::uint8_t bits = 0;   // bits of a number
   std::uint8_t bits_of_four = 0;
 
-  // Of the last number of a tile, which has so many fours.
+  // The number of bits of a tile's last number if it has `of_fours` groups of four.
   [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
     return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
   }
 };
 
-// By the number of alternatives. Of one there is nothing to say, and it has no bits.
+// Indexed by the number of alternatives. A single alternative carries no information and takes no
+// bits.
 inline constexpr std::size_t kPackingCount = 216;
 static_assert(kPackingCount == kMostAlternatives + 1);
 

@@ -1,5 +1,4 @@
-// The cells of a tile, as they travel: 32 by 32 occupancy indexes, int8, row by row from the lowest
-// y.
+// The cells of a tile in wire order: 32 x 32 occupancy indexes, int8, row by row from the lowest y.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +19,7 @@ inline constexpr std::byte kNoIndex{0x80};
 using TileCells = std::span<const std::byte, kTileBytes>;
 using MutableTileCells = std::span<std::byte, kTileBytes>;
 
-// All cells are 0.
+// True if all cells are 0.
 [[nodiscard]] inline bool is_blank(TileCells cells) {
   for (std::size_t at = 0; at < cells.size(); at += sizeof(std::uint64_t)) {
     std::uint64_t eight = 0;

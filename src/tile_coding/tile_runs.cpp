@@ -1,4 +1,4 @@
-// Cell by cell: the specification. tile_runs_neon.cpp is its twin for the Cortex-A9.
+// Processes cells one by one. This is the specification; tile_runs_neon.cpp is its Cortex-A9 twin.
 #include "tile_coding/tile_runs.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ void TileRuns::find(TileCells cells, const std::optional<TileCells>& reference) 
   starts_ = {};
   const std::span<std::byte> values = std::as_writable_bytes(std::span(values_));
   count_ = 0;
-  bool is_of_value = false;  // the cell before is of a run of a value
+  bool is_of_value = false;  // the previous cell belongs to a run with a value
   for (std::size_t i = 0; i < kTileBytes; ++i) {
     const bool differs = cells[i] != (reference ? (*reference)[i] : std::byte{0});
     const bool changes = i > 0 && cells[i] != cells[i - 1];

@@ -1,10 +1,10 @@
-// The runs of a tile against a reference: cells that are as in the reference, and cells of one
-// value, row by row.
+// Divides a tile into runs, in row-major order. A run either equals a reference tile or has one
+// value.
 //
-// A *stretch* is the cells from one change of value to the next. A run of a value starts at the
-// first cell of a stretch that differs from the reference, and ends with the stretch. All that lies
-// between such runs is as in the reference, and so is what comes before the first of them. A tile
-// that stands by itself has the unknown tile for its reference, all zeros.
+// A *stretch* is the cells between two changes of value. A run with a value starts at the first
+// cell of a stretch that differs from the reference, and ends with the stretch. All cells outside
+// such runs equal the reference. The reference of a self-contained tile is the unknown tile, all
+// zeros.
 #pragma once
 
 #include <array>
@@ -19,22 +19,23 @@ namespace iog::tile_coding {
 
 class TileRuns {
  public:
-  // Without a reference against the unknown tile.
+  // If there is no reference, compares with the unknown tile.
   void find(TileCells cells, const std::optional<TileCells>& reference);
 
-  // Of each run in order, but one as in the reference that begins with the tile, its value or
-  // as_reference(). They come in fours, which as_reference() fills up.
+  // One byte per run in order: its value, or as_reference(). A run that equals the reference at the
+  // beginning of the tile is left out. as_reference() pads the last word.
   [[nodiscard]] std::span<const std::uint32_t> fours() const {
     return std::span(values_).first((count_ + 3) / 4);
   }
   [[nodiscard]] std::uint8_t as_reference() const { return as_reference_; }
 
-  // Where they start, by blocks of four cells by two rows: a bit for each block, whether a run
-  // starts in it, and then a byte for each block whose bit is set, with a bit for each of its
-  // cells. The lowest bit is of the first block or cell, row by row. Returns the bytes written.
+  // Writes where the runs start, by blocks of four cells by two rows. First comes one bit per
+  // block, set if a run starts in it. Then each block with a set bit has one byte with a bit per
+  // cell. Blocks and cells are in row-major order, the first in the lowest bit. Returns the number
+  // of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;
   static constexpr std::size_t kBlocksPerRow = kTileSide / 4;
-  static constexpr std::size_t kSets = kBlocks / 8;  // bytes of the blocks' bits
+  static constexpr std::size_t kSets = kBlocks / 8;  // bytes of the block bits
   static constexpr std::size_t kMostStartBytes = kSets + kBlocks;
   std::size_t write_starts(std::span<std::byte, kMostStartBytes> out) const;
 
@@ -42,7 +43,7 @@ class TileRuns {
   static_assert(kTileSide == 32, "a row of cells is a word of bits");
 
   alignas(16) std::array<std::uint32_t, kTileSide> starts_{};  // bit x of word y
-  // Eight bytes more, as eight are written at once from any place on.
+  // Eight spare bytes, because writes of eight bytes can start at any place.
   alignas(8) std::array<std::uint32_t, kTileBytes / 4 + 2> values_{};
   std::size_t count_ = 0;
   std::uint8_t as_reference_ = 0;

@@ -1,13 +1,14 @@
-// The twin of tile_runs.cpp for the Cortex-A9: no loop here goes from run to run.
+// The Cortex-A9 twin of tile_runs.cpp. No loop iterates over runs.
 //
-// 1. Two rows at a time, every cell is compared with the one before and with the reference. The
-// loads
-//    deal the cells to four registers in turn, so that the cell before is mostly in the same lane
-//    of another one, and shifts gather one bit of each.
-// 2. A carry runs through the ones of a sum as a run of a value goes on through cells that do not
-//    change. The tile is one number of 1024 bits, cell 0 the lowest: one addition finds every cell
-//    that follows a run of a value.
-// 3. The cells at which runs start are moved together, eight at a time, by a table of bytes.
+// 1. Two rows at a time, every cell is compared with the previous cell and with the reference. The
+// loads distribute cells over four registers, so the previous cell is mostly in the same lane of
+// another register. Shifts gather one bit of each.
+//
+// 2. A run continues through unchanged cells as a carry ripples through ones. The tile is one
+// number of 1024 bits with cell 0 lowest, and one addition finds every cell that continues a run
+// with a value.
+//
+// 3. The cells at which runs start are compacted, eight at a time, by a byte table.
 #include <arm_neon.h>
 
 #include "tile_coding/tile_runs.hpp"
@@ -22,14 +23,14 @@ constexpr auto kNone = std::to_integer<std::uint8_t>(kNoIndex);
 
 constexpr std::size_t kTwoRows = 2 * kTileSide;
 
-// Cells 0, 4, 8 ... of two rows, then 1, 5, 9 ... and so on.
+// Cells 0, 4, 8 ... of two rows, then cells 1, 5, 9 ..., and so on.
 using Dealt = uint8x16x4_t;
 
 const std::uint8_t* bytes_of(TileCells cells) {
   return reinterpret_cast<const std::uint8_t*>(cells.data());
 }
 
-// By row, a bit for each cell, of bytes that are all ones or all zeros.
+// One bit per cell in row order. Each input byte is all ones or all zeros.
 uint8x8_t bits_of(const Dealt& set) {
   const uint8x16_t high = vsriq_n_u8(set.val[3], set.val[2], 1);
   const uint8x16_t low = vsriq_n_u8(set.val[1], set.val[0], 1);
@@ -39,15 +40,14 @@ uint8x8_t bits_of(const Dealt& set) {
 
 void store(uint8x8_t bits, Word* words) { vst1_u8(reinterpret_cast<std::uint8_t*>(words), bits); }
 
-// Of a tile: which cells differ from the reference, which are as the cell before, and which are one
-// or the other.
+// Bits of a tile's cells: differs from the reference; same as the previous cell; either of these.
 struct Marks {
   alignas(16) Bits differ;
   alignas(16) Bits same;
   alignas(16) Bits open;
 };
 
-// last: the last register of the two rows before. The tile's first cell is as the one before.
+// last: the last register of the previous two rows. The tile's first cell counts as unchanged.
 Dealt same_as_before(const Dealt& cells, uint8x16_t last) {
   const uint8x16_t before = vextq_u8(last, cells.val[3], 15);
   return {{vceqq_u8(cells.val[0], before), vceqq_u8(cells.val[1], cells.val[0]),
@@ -74,7 +74,7 @@ void mark(const std::uint8_t* cells, Marks& marks) {
   }
 }
 
-// kNoIndex where the cells are equal. The compiler would copy what it needs of `equal` later.
+// Replaces equal cells by kNoIndex. The assembly saves a copy that the compiler would make.
 uint8x16_t none_where(uint8x16_t equal, uint8x16_t cells) {
   asm("vbit %q[cells], %q[none], %q[equal]"
       : [cells] "+w"(cells)
@@ -82,7 +82,7 @@ uint8x16_t none_where(uint8x16_t equal, uint8x16_t cells) {
   return cells;
 }
 
-// `values`: the cells, and kNoIndex for those that are as in the reference.
+// `values`: the cells, with kNoIndex for those equal to the reference.
 void mark(const std::uint8_t* cells, const std::uint8_t* reference, Marks& marks,
           std::uint8_t* values) {
   uint8x16_t last = vdupq_n_u8(*cells);
@@ -102,7 +102,7 @@ void mark(const std::uint8_t* cells, const std::uint8_t* reference, Marks& marks
   }
 }
 
-// sum := a + b, 1024 bits. The carry is kept in the flags, so nothing else here may change them.
+// sum := a + b, 1024 bits. The flags hold the carry, so no other instruction here may change them.
 void add(const Bits& a, const Bits& b, Bits& sum) {
   const Word* from_a = a.data();
   const Word* from_b = b.data();
@@ -122,9 +122,9 @@ void add(const Bits& a, const Bits& b, Bits& sum) {
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// A cell is of a run of a value if it differs, or if it is as the cell before and that is of one.
-// Adding the cells that differ to all that let a run through carries into each cell that follows
-// one. A run starts where that ends at a change; elsewhere, where a cell differs.
+// A cell belongs to a run with a value if it differs from the reference, or if it is unchanged and
+// the previous cell belongs to one. Adding `differ` to `open` carries into each cell after such a
+// cell. In these cells a run starts at a change of value, in all others where the cell differs.
 void find_starts(const Marks& marks, Bits& starts) {
   alignas(16) Bits sum;
   add(marks.open, marks.differ, sum);
@@ -136,7 +136,7 @@ void find_starts(const Marks& marks, Bits& starts) {
   }
 }
 
-// By eight bits the places of those that are set, in order.
+// For each byte: the positions of its set bits, in ascending order.
 using Places = std::array<std::array<std::uint8_t, 8>, 256>;
 
 consteval Places make_places() {
@@ -153,8 +153,8 @@ consteval Places make_places() {
 }
 alignas(32) constexpr Places kPlaces = make_places();
 
-// Moves those of eight bytes together whose bit is set, `count` of them; eight are written. The
-// store moves its own pointer: the compiler takes an addition instead.
+// Moves the bytes whose bit is set to the front. Writes eight bytes, `count` of them valid. The
+// store increments its pointer, for which the compiler would add an instruction.
 void gather(uint8x8_t bytes, Word bits, Word count, std::uint8_t*& out) {
   using Eight = std::uint8_t[8];
   const uint8x8_t together = vtbl1_u8(bytes, vld1_u8(kPlaces[bits & 0xFFU].data()));
@@ -163,7 +163,7 @@ void gather(uint8x8_t bytes, Word bits, Word count, std::uint8_t*& out) {
       : [together] "w"(together), [count] "r"(count & 0xFFU));
 }
 
-// Of each byte, how many of its bits are set.
+// The number of set bits of each byte.
 void count(const Bits& bits, Bits& counts) {
   for (std::size_t y = 0; y < kTileSide; y += 4) {
     const uint8x16_t four_rows = vreinterpretq_u8_u32(vld1q_u32(&bits[y]));
@@ -178,7 +178,7 @@ void gather_row(uint8x16_t left, uint8x16_t right, Word bits, Word counts, std::
   gather(vget_high_u8(right), bits >> 24, counts >> 24, out);
 }
 
-// Moves those bytes of a tile together whose bit is set, and returns where they end.
+// Compacts the bytes of a tile whose bit is set, and returns the end of the result.
 std::uint8_t* gather(const std::uint8_t* bytes, const Bits& bits, std::uint8_t* out) {
   alignas(16) Bits counts;
   count(bits, counts);
@@ -193,7 +193,7 @@ std::uint8_t* gather(const std::uint8_t* bytes, const Bits& bits, std::uint8_t* 
 constexpr std::size_t kSets = TileRuns::kSets;
 using Blocks = std::array<std::uint8_t, TileRuns::kBlocks>;
 
-// Joins four bits of a row with the four above them in the next row.
+// Joins four bits of a row with the four bits above them in the next row.
 void join_rows(const Bits& rows, Blocks& blocks) {
   std::uint8_t* out = blocks.data();
   for (std::size_t y = 0; y < kTileSide; y += 8, out += 32) {
@@ -206,7 +206,7 @@ void join_rows(const Bits& rows, Blocks& blocks) {
   }
 }
 
-// A bit for each byte that says whether it is not zero.
+// One bit per byte, set if the byte is not zero.
 uint8x16_t nonzero_bytes(const Blocks& blocks) {
   constexpr std::uint64_t kOneOfEach = 0x8040201008040201;
   const uint8x16_t one_of_each = vreinterpretq_u8_u64(vdupq_n_u64(kOneOfEach));

@@ -1,15 +1,16 @@
-// The azimuths to which a sensor's points are rounded (docs/model.md section 5).
+// Rounds a sensor's azimuths to steps (docs/model.md section 5).
 //
 // Azimuth t, one of T ticks of a turn, is rounded to the nearest of N steps, a tie upwards:
 //     floor(t N / T + 1 / 2);
-// a whole turn is step 0 again. Where N = T, steps are ticks.
+// a whole turn is step 0 again. If N = T, steps are ticks.
 //
-// With one product of two words. Let s be as large as m = ceil(2^(16 + s) N / T) < 2^32 allows.
-// Then
+// The code needs one product of two words. Choose s as large as m = ceil(2^(16 + s) N / T) < 2^32
+// allows. Then
 //     floor((2^16 t m + 2^(31 + s)) / 2^(32 + s))
-// is that step. m is too large by less than 1, so the quotient is by less than t / 2^(16 + s). Let
-// T' = T / gcd(T, N). What is rounded down is a multiple of 1 / 2T', so nothing shows as long as
-// (T - 1) 2T' <= 2^(16 + s). is_valid() says so, and that no word overflows.
+// is that step. Proof: m is too large by less than 1, so the quotient is too large by less than t /
+// 2^(16 + s). Let T' = T / gcd(T, N). The exact value before rounding down is a multiple of 1 /
+// 2T', so the error changes nothing if (T - 1) 2T' <= 2^(16 + s). is_valid() checks this, and that
+// no word overflows.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace iog::vehicle {
 class AzimuthSteps {
  public:
   constexpr AzimuthSteps() = default;
-  // Both are above 0 and below 2^30.
+  // Both arguments are above 0 and below 2^30.
   constexpr AzimuthSteps(std::uint32_t ticks_per_turn, std::uint32_t steps_per_turn)
       : ticks_per_turn_(ticks_per_turn), steps_per_turn_(steps_per_turn), shift_(1) {
     while (std::uint64_t{steps_per_turn} << (17 + shift_) < std::uint64_t{ticks_per_turn} << 32) {
@@ -42,7 +43,7 @@ class AzimuthSteps {
   [[nodiscard]] constexpr std::uint32_t ticks_per_turn() const { return ticks_per_turn_; }
   [[nodiscard]] constexpr std::uint32_t steps_per_turn() const { return steps_per_turn_; }
 
-  // The step of an azimuth: 0 ... steps_per_turn() - 1. azimuth_ticks < one turn.
+  // The step of an azimuth, 0 ... steps_per_turn() - 1. azimuth_ticks is less than one turn.
   [[nodiscard]] constexpr std::uint32_t nearest(std::uint32_t azimuth_ticks) const {
     const std::uint64_t sum =
         std::uint64_t{azimuth_ticks << 16} * factor_ + (std::uint64_t{half_} << 32);

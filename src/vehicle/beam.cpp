@@ -1,6 +1,7 @@
-// Ranges. Grid coordinates stay below 2^21 subcells (the grid is 2^20 wide, a line at most 2^20
-// long), heights below 2^27 (those of beams of 89 degrees that end over a line of 2^20), lengths
-// below 2^18 mm, so every product of the two below fits 64 bits with room.
+// Ranges: grid coordinates stay below 2^21 subcells, because the grid is 2^20 wide and a line at
+// most 2^20 long. Heights stay below 2^27, even at the end of an 89-degree beam over a line of
+// 2^20. Lengths stay below 2^18 mm. Every product of a length with one of these fits 64 bits with
+// room to spare.
 
 #include "vehicle/beam.hpp"
 
@@ -11,7 +12,8 @@ namespace iog::vehicle {
 namespace {
 
 // The end of a beam along one axis, rounded to the nearest subcell, a tie towards plus infinity.
-// The base's whole subcells are added last: in units of 2^-40 subcells 64 bits hold 2^23 of them.
+// The base's whole subcells are added last: in units of 2^-40 subcells, 64 bits hold only 2^23 of
+// them.
 std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
   constexpr int kFractionBits = kAxisFractionBits + numeric::kSineFractionBits;
   constexpr std::int64_t kFractionMask = (std::int64_t{1} << kAxisFractionBits) - 1;
@@ -23,7 +25,7 @@ std::int32_t end_of(const EndCoordinate& axis, Direction direction) {
       ((end + (std::int64_t{1} << (kFractionBits - 1))) >> kFractionBits));
 }
 
-// Is low <= start + (end - start) * range / length <= high ? Exact.
+// True if low <= start + (end - start) * range / length <= high. Exact.
 bool lies_between(std::int32_t low, std::int32_t start, std::int64_t extent, std::uint32_t range_mm,
                   std::uint32_t length_mm, std::int32_t high) {
   const std::int64_t length = length_mm;
@@ -61,8 +63,8 @@ Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks) 
   return {line_of(sensor, axes, direction), end_height_of(axes, direction)};
 }
 
-// Asked of each new beam. Where the axis leaves the limits before the first range or after the last
-// one, as most do, nothing is divided.
+// Called for each new beam. Most beams leave the limits before the first range or after the last
+// one and need no division.
 Ranges ranges_between(const RangeProducts& limits, std::int32_t extent, std::uint32_t from_mm,
                       std::uint32_t to_mm) {
   const auto size = static_cast<std::uint32_t>(extent < 0 ? -extent : extent);
@@ -109,7 +111,7 @@ BeamRanges ranges_of(const Sensor& sensor, const Beam& beam) {
 BandPart part_in_band(const HeightBand& band, const Sensor& sensor, std::int32_t end_z,
                       std::uint32_t reach_mm) {
   const bool starts_inside = band.low <= sensor.origin_z && sensor.origin_z <= band.high;
-  // A line is straight: with both ends inside all of it is.
+  // A line is straight: if both ends are inside, all of it is.
   if (starts_inside && is_in_band(band, sensor, end_z, reach_mm)) {
     return {};
   }
@@ -117,7 +119,7 @@ BandPart part_in_band(const HeightBand& band, const Sensor& sensor, std::int32_t
   if (rise == 0) {
     return {.is_whole = starts_inside, .is_empty = !starts_inside, .from = {}, .to = {}};
   }
-  // Measured along the beam's own way up or down, the band lies from `enter` to `leave`.
+  // Measured along the beam's rise or fall, the band extends from `enter` to `leave`.
   const std::int64_t enter = rise > 0 ? std::int64_t{band.low} - sensor.origin_z
                                       : std::int64_t{sensor.origin_z} - band.high;
   const std::int64_t leave = rise > 0 ? std::int64_t{band.high} - sensor.origin_z

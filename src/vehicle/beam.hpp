@@ -1,5 +1,5 @@
-// From a scan point to its beam: the point's fate, the beam's line on the grid, and which part of
-// the line counts (docs/model.md sections 5 and 6).
+// Turns a scan point into its beam: the point's outcome, the beam's line on the grid, and the part
+// of the line that counts (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,29 @@
 
 namespace iog::vehicle {
 
-// What became of a scan point. Each has exactly one fate. If several would fit, the first one in
-// this order of tests counts: no return, flagged dirt or rain, too near, flagged ground, too far,
-// outside the height band or the limits over the ground, later echo, used. The values are on the
-// wire (docs/spec.md).
+// The outcome of a scan point. Each point has exactly one. If several apply, the first in this
+// order counts: no return, flagged dirt or rain, too near, flagged ground, too far, outside the
+// height band or the ground limits, later echo, used. The values are wire values (docs/spec.md).
 enum class Fate : std::uint8_t {
-  kUsed,               // carves and marks
+  kUsed,               // carves and adds a hit
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
-  kTooNear,            // below the sensor's minimum or on the car itself: dropped
-  kTooFar,             // beyond the model's range: carves up to it
-  kOutsideHeightBand,  // carves where the beam is inside the band
+  kTooNear,            // below the sensor's minimum range or on the car itself: dropped
+  kTooFar,             // beyond the model's range: carves up to that range
+  kOutsideHeightBand,  // carves the part of the beam that is inside the band
   kFlagged,            // ground: carves; dirt, rain: dropped
-  kLaterEcho,          // marks
-  kMalformed,          // dropped with its packet, which is wrong or over budget
+  kLaterEcho,          // adds a hit
+  kMalformed,          // dropped with its packet, which is invalid or over budget
   kStale,              // dropped with its packet, which is a duplicate or late
-  kNotTaken,           // dropped with its packet, because the target is too slow
-  // Of a sensor that follows the ground, instead of kOutsideHeightBand. Each carves where the beam
-  // is between the limits.
+  kNotTaken,           // dropped with its packet, which was shed because the target is too slow
+  // Replace kOutsideHeightBand for sensors that follow the ground. Each carves the part of the beam
+  // between the ground limits.
   kGround,
-  kOverhang,     // high enough over the ground to drive under it
+  kOverhang,     // high enough above the ground to drive under it
   kUnderGround,  // a mirror image, a hole or a drop
 };
 inline constexpr std::size_t kFateCount = 13;
 
-// The part of a line between two shares of its length, both counted from its start. Unless the
+// A part of a line. `from` and `to` are shares of its length, counted from its start. Unless the
 // whole line counts, `to` is at most 1.
 struct BandPart {
   bool is_whole = true;
@@ -51,10 +50,10 @@ struct Direction {
 
 struct Beam {
   BeamLine line;
-  std::int32_t end_z;  // height of the line's end in subcells
+  std::int32_t end_z;  // height of the line's end, subcells
 };
 
-// The ranges from one to another, mm, both included; or none.
+// An interval of ranges in mm, both ends included; may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -65,16 +64,15 @@ struct Ranges {
   friend constexpr bool operator==(const Ranges&, const Ranges&) = default;
 };
 
-// Where a scan point of a beam lies, by its range alone: on the car by what the sensor measured, in
-// the band by that along the line. A line goes through a convex part of space in one piece, so
-// these ranges follow one another.
+// The ranges at which a point of the beam lies on the car or in the height band. on_car applies to
+// the measured range, in_band to the horizontal range along the line. Both regions are convex, so
+// one interval describes each.
 struct BeamRanges {
-  Ranges on_car;   // those that the sensor's minimum allows
-  Ranges in_band;  // those of at most L
+  Ranges on_car;   // at least the sensor's minimum range
+  Ranges in_band;  // at most L
 };
 
-// What a scan point says of its beam. Three bits of one word, which the compiler keeps in a
-// register.
+// The evidence of a scan point: three bits of one word, which the compiler keeps in a register.
 class Evidence {
  public:
   static constexpr int kBits = 3;
@@ -88,13 +86,13 @@ class Evidence {
     return its;
   }
 
-  // Whether the beam makes cells freer, and whether its point marks.
+  // True if the beam carves, and if its point adds a hit.
   [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
   [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
   [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
-  // Nothing of the beam up to its point or L is outside the band.
+  // True if the beam is inside the band all the way to its point, or to L if the point is beyond.
   [[nodiscard]] constexpr bool is_whole_in_band() const { return (bits_ & kWhole) != 0; }
-  // All three.
+  // True if all three bits are set.
   [[nodiscard]] constexpr bool is_whole_hit() const { return bits_ == (kWhole | kCarves | kMarks); }
 
   [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }  // below 2^kBits
@@ -112,8 +110,8 @@ struct Classification {
   Evidence evidence;
 };
 
-// What carves and what marks: a point that is used and a later echo mark, and of what is evidence
-// all but a later echo carves, of whose beam the first echo speaks.
+// All evidence carves, except that of a later echo: the first echo carves that beam. Used points
+// and later echoes add a hit.
 [[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
                                                   bool is_whole_in_band = false) {
   return {.fate = fate,
@@ -121,42 +119,41 @@ struct Classification {
                        fate == Fate::kUsed || fate == Fate::kLaterEcho, is_whole_in_band}};
 }
 
-// azimuth_step: of sensor.azimuths.
+// azimuth_step: a step of sensor.azimuths.
 [[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
 
-// The line on the grid and the height of its end, in subcells, of a layer's beam in this direction.
+// The line of a layer's beam in this direction, and the height of the line's end in subcells.
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// Both together, of the step nearest to an azimuth. layer < sensor.layer_count, azimuth_ticks < one
-// turn.
+// The beam at the step nearest to an azimuth. layer < sensor.layer_count; azimuth_ticks is less
+// than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// The ranges with which a point's coordinate lies between the limits of an axis along which the
-// line is so long, of those from one to another. Exact.
+// The ranges from from_mm to to_mm at which a point lies between the limits of one axis. extent:
+// that of the line along this axis. Exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 
-// The parts of BeamRanges: of a line, and of the height of its end.
+// The two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// Those in the band that are tall by Sensor::moved.
+// The ranges in the band at which a return is tall by Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// Whether a return is at the height of an obstacle, which fate it has if not, and whether its beam
-// is so from its start up to there.
+// The height of a return. If it is not the height of an obstacle, `otherwise` is the point's
+// outcome. is_whole: the beam is at obstacle height from its start up to the return.
 struct Height {
   bool is_obstacle = true;
   Fate otherwise = Fate::kUsed;
   bool is_whole = false;
 };
 
-// on_car are the ranges of its beam, along_mm is the point's range along its line,
-// Layer::along_line_mm(). No return and too near are judged by the range itself, all else by that:
-// height_at(reach_mm) is the Height of a return that is a return, and evidence if its sensor does
-// not say otherwise; reach_mm is along_mm, or L beyond it. Inline, because it is asked once for
-// each point.
+// Classifies a point. on_car: the ranges at which its beam is on the car. along_mm: its horizontal
+// range, Layer::along_line_mm(). kNoReturn and kTooNear depend on the measured range, all other
+// outcomes on along_mm. height_at(reach_mm) returns the Height at along_mm, or at L if the point is
+// beyond. Inline because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,
@@ -187,7 +184,8 @@ template <typename HeightAt>
   return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, height.is_whole);
 }
 
-// By the vehicle's height band. A beam is straight: with both ends in the band all of it is.
+// Classifies by the vehicle's height band. A beam is straight: if both ends are in the band, all of
+// it is.
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const BeamRanges& ranges,
                                                                     const lidar::ScanPoint& point,
@@ -208,8 +206,8 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// Which part of a beam between its origin and reach_mm <= L is inside a height band, by the height
-// of its end. Heights at the band's ends are inside.
+// The part of a beam from its origin to reach_mm <= L that is inside a height band. end_z: the
+// height of the beam's end. The band includes its limits.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 

@@ -1,4 +1,4 @@
-// The line of a beam on the grid.
+// The type of a beam's line on the grid.
 #pragma once
 
 #include "geometry/sizes.hpp"

@@ -1,6 +1,6 @@
-// What follows from a sensor's own members and is kept because the loops want it: reciprocals,
-// sines, and where the car and the height band are along its lines. Integers only: the PC does it
-// for a description, the target for the car of its image.
+// Derives members of a sensor from its other members, for the loops: reciprocals, sines, and the
+// extent of the car and the height band along its lines. It uses integers only. The PC derives them
+// for a car file, the target for the car in its image.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace iog::vehicle {
 
-// Of the steps of a turn that a description may ask for.
+// Limits of azimuth_steps_per_turn in a car file.
 inline constexpr std::uint32_t kFewestAzimuthSteps = 256;
 inline constexpr std::uint32_t kMostAzimuthSteps = 16384;
 
@@ -39,19 +39,19 @@ constexpr numeric::SineTable sines_of(std::uint32_t steps_per_turn) {
   }
 }
 
-// low and high: the limits of an axis in subcells, origin within 2^29 of them; length < 2^18.
+// low and high: limits along an axis, subcells; origin within 2^29 of them; length_mm < 2^18.
 constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std::int32_t origin,
                                        std::uint32_t length_mm) {
   return {.low = (std::int64_t{low} - origin) * length_mm,
           .high = (std::int64_t{high} - origin) * length_mm};
 }
 
-// Whether it is higher than the beams that open ground.
+// True if the sensor is above its own limit for low beams.
 constexpr bool looks_over_things(const Sensor& sensor) {
   return sensor.moved.are_given() && sensor.origin_z > subcells_of(sensor.moved.low_mm);
 }
 
-// Sensor::share_over_ground.
+// The value of Sensor::share_over_ground.
 constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origin_z) {
   constexpr std::int64_t kWhole = std::int64_t{1} << numeric::kSineFractionBits;
   return static_cast<std::uint32_t>(
@@ -60,8 +60,8 @@ constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origi
 
 }  // namespace derived_detail
 
-// The ticks of a sensor whose azimuths stand still are its steps. One that turns never sees an
-// azimuth again: its points are rounded to steps, 256 ... 16384 in powers of two.
+// A sensor with fixed azimuths uses its ticks as steps. A rotating sensor never repeats an azimuth
+// exactly, so its points are rounded to 256 ... 16384 steps, a power of two.
 template <typename Decoder>
 constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   if constexpr (Decoder::kTurns) {
@@ -73,7 +73,7 @@ constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   }
 }
 
-// footprint and band: of its car, in subcells.
+// footprint and height band: those of the car, subcells.
 constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std::int32_t z_max,
                              Sensor& sensor) {
   using derived_detail::range_products;
@@ -89,9 +89,9 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
                                length_mm);
 }
 
-// Ground is opened only from below if one of the sensors says how low and how tall. They look over
-// things if one of those is higher than that; what is tall counts farther if one follows the
-// ground.
+// Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
+// such a sensor is above its limit for low beams. Extends the reach of tall hits if a sensor with a
+// limit for tall returns follows the ground.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });

@@ -1,4 +1,4 @@
-// What is wrong with a car: one field, and what it may hold.
+// A fault of a car file: the field, and the values it may have.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,14 @@ namespace iog::vehicle {
 struct Fault {
   static constexpr std::size_t kCar = static_cast<std::size_t>(-1);
 
-  std::size_t sensor = kCar;  // by its number; kCar: a field of the car itself
-  std::string_view field;     // as in a car's file: "udp_port", "mount.yaw_deg"
+  std::size_t sensor = kCar;  // sensor number, or kCar for a field of the car itself
+  std::string_view field;     // as in the car file: "udp_port", "mount.yaw_deg"
   std::string_view allowed;   // "1 ... 65535"
-  std::uint32_t least = 0;    // what is allowed begins with "at least" and this; 0: it does not
-  std::uint64_t sum = 0;      // what is too much, where several fields make it together; else 0
+  std::uint32_t least = 0;    // if not 0, the allowed values begin with "at least" and this
+  std::uint64_t sum = 0;      // the excessive sum, if several fields add up to it; else 0
 };
 
-// Whom a check tells of each fault that it finds: whatever can be called with one, and outlives the
-// check.
+// Reports faults to a listener: any callable that takes a Fault and outlives the check.
 class Tell {
  public:
   template <typename Listener>
@@ -33,7 +32,7 @@ class Tell {
   void (*call_)(void* listener, const Fault& fault);
 };
 
-// What is no number (NaN) is outside.
+// NaN is outside.
 template <typename Number>
 constexpr bool is_within(Number value, Number least, Number most) {
   return value >= least && value <= most;

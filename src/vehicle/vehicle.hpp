@@ -1,5 +1,5 @@
-// A vehicle as the target knows it: integers only. The PC computes them of a description
-// (src/description), the target reads them from the block of its image (src/car_block).
+// A vehicle on the target: integers only. The PC computes it from a car file (tools/car); the
+// target reads it from the block in its image (src/car_block).
 #pragma once
 
 #include <algorithm>
@@ -30,13 +30,13 @@ inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
 inline constexpr std::size_t kMaxGroundSensors = 2;  // that follow the ground
 
-// Lines that are kept of level sensors that turn, of all such sensors of a vehicle together: one
-// for each azimuth step. A line takes some 0.7 KB.
+// Cached lines of all level rotating sensors of a vehicle together: one for each azimuth step. A
+// line takes some 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
-// Coefficients of a beam's end carry this many bits below one subcell. 10 is what fits: a line of
-// 2^20 subcells times 2^10 is 2^30, times a sine of 2^30 is 2^60, and three such terms stay below
-// 2^62. The end is within 0.002 subcells of the real one before it is rounded.
+// Coefficients of a beam's end have this many fraction bits below one subcell. 10 is the maximum: a
+// line of 2^20 subcells times 2^10 is 2^30, times a sine of 2^30 is 2^60, and three such terms stay
+// below 2^62. The end is within 0.002 subcells of the exact one before it is rounded.
 inline constexpr int kAxisFractionBits = 10;
 
 // One coordinate of the end of every beam of a layer, as a function of its azimuth a:
@@ -48,8 +48,8 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// How far a range gets along a line, rounded down. The share is in units of 2^-30, and the range
-// below 2^30, so that the upper word of one product of words is the answer.
+// The horizontal range: range times share, rounded down. The share is in units of 2^-30 and the
+// range is below 2^30, so the result is the upper word of one product of two words.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
@@ -60,11 +60,11 @@ struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
-  // The first layer whose beams have the same lines on the grid. Two layers of opposite elevations
-  // share their lines if the sensor is level.
+  // The first layer with the same lines on the grid. If the sensor is level, two layers of opposite
+  // elevations share their lines.
   std::uint8_t line = 0;
-  // How far along its line a range gets, in units of 2^-30: the cosine of its elevation where all
-  // layers share the line of elevation 0, else 1.
+  // Ratio of horizontal range to range, in units of 2^-30: the cosine of the layer's elevation if
+  // all layers share the line of elevation 0, else 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
@@ -72,15 +72,15 @@ struct Layer {
   }
 };
 
-// Where a point on a beam lies in some part of space, along one axis: where the product of the
-// beam's extent in subcells and the range in millimetres lies between these two, both included.
+// The limits of a region along one axis. A point on a beam is inside if the product of the beam's
+// extent in subcells and the range in mm is between these two, both included.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
-// Of a sensor that follows the ground: the heights over it at which a return is an obstacle, both
-// included (docs/ground.md). Nothing: it keeps to its vehicle's height band.
+// Heights above the ground, both included, at which a return is an obstacle (docs/ground.md).
+// Without them the sensor uses its vehicle's height band instead of following the ground.
 struct GroundLimits {
   std::uint16_t low_mm = 0;
   std::uint16_t top_mm = 0;
@@ -88,13 +88,14 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
-// How low a beam has to be to open ground, and how tall something is that moves, by its returns
-// (perception/opening.hpp): over the car's plane, or over the local ground if the sensor follows
-// it. As it stands here every beam is low and every return is tall.
+// Limits of free-space gating by low beams (perception/opening.hpp). A beam below low_mm opens
+// ground; a return above tall_mm may come from a moving object. Heights are above the car's plane,
+// or above the local ground if the sensor follows it. By default every beam is low and every return
+// is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
-  // A beam that is lower over the ground may pass under a car that stands there, and opens nothing
-  // where its sensor follows the ground.
+  // If the sensor follows the ground, a beam below this height opens nothing: it may pass under a
+  // stationary car.
   static constexpr std::uint16_t kUnderCarsMm = 300;
 
   std::uint16_t low_mm = kAnyHeight;
@@ -103,12 +104,12 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// A height over the car's plane in subcells, rounded down.
+// Converts a height above the car's plane to subcells, rounded down.
 [[nodiscard]] constexpr std::int32_t subcells_of(std::uint16_t height_mm) {
   return std::int32_t{height_mm} * geometry::kResolution / geometry::kCellMm;
 }
 
-// Heights from one to another, both included, in subcells over the car's plane.
+// Limits of height above the car's plane, subcells, both included.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -119,12 +120,12 @@ struct Sensor {
   lidar::Format format = lidar::kFormat<lidar::IbeoLux>;
   std::uint32_t source_ipv4 = 0;
   std::uint16_t udp_port = 0;
-  geometry::SubcellPoint origin;  // S, in grid subcells
-  std::int32_t origin_z = 0;      // height in subcells
+  geometry::SubcellPoint origin;  // S, grid subcells
+  std::int32_t origin_z = 0;      // height, subcells
   std::uint8_t layer_count = 0;
-  bool layers_share_lines = false;  // it turns and is level: one line an azimuth for all layers
+  bool layers_share_lines = false;  // rotating and level: one line per azimuth for all layers
   AzimuthSteps azimuths;
-  numeric::SineTable sines;     // of the steps
+  numeric::SineTable sines;     // sines of the azimuth steps
   traversal::LineLength range;  // L
   std::uint32_t range_min_mm = 0;
   std::uint32_t precision_mm = 1;  // Delta
@@ -134,29 +135,29 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // Of a beam that ends on ground: how far along it is over the band's lower end, by the straight
-  // line from below the sensor to that ground, in units of 2^-30; all of it if the sensor is not,
-  // or looks over things.
+  // The share of a beam that ends on ground, in units of 2^-30, in which it is above the height
+  // band's lower end. Heights are measured from a straight line between the ground below the sensor
+  // and the end. The share is 1 if the sensor is below the band's lower end or looks over things.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
-  // Where its maker calibrated each of its lasers.
+  // True if the car file has the maker's calibration of each laser.
   bool is_calibrated = false;
-  // Of an Ouster, see lidar::Unit.
+  // Ouster only, see lidar::Unit.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
-  bool is_synchronised = false;  // with the poses
-  std::uint32_t latency_us = 0;  // from measurement to arrival, if it is not
+  bool is_synchronised = false;  // its clock is the clock of the poses
+  std::uint32_t latency_us = 0;  // from measurement to arrival, if not synchronised
   sensor_model::Profile profile;
-  sensor_model::Arc arc{};  // of a radar or an ultrasonic unit
-  RangeProducts on_car_x;   // together: within the vehicle's footprint
+  sensor_model::Arc arc{};  // for radars and ultrasonic units
+  RangeProducts on_car_x;   // with on_car_y: inside the vehicle's footprint
   RangeProducts on_car_y;
-  RangeProducts in_band;  // within its height band
-  RangeProducts tall;     // the same of those that are tall by `moved`
-  // What is long comes last, so that the rest is near.
+  RangeProducts in_band;  // inside the height band
+  RangeProducts tall;     // inside the part of the band with tall returns
+  // Long members come last, which keeps the others close together.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
-  std::array<std::int32_t, kMaxLayers> elevations{};  // of a unit of points
+  std::array<std::int32_t, kMaxLayers> elevations{};  // for a unit of points
 
-  // A view of this sensor.
+  // Returns views of this sensor's members.
   [[nodiscard]] constexpr lidar::Unit unit() const {
     return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
             .elevations = std::span(elevations).first(layer_count),
@@ -165,7 +166,7 @@ struct Sensor {
   }
 };
 
-// Which grids the target sends: of occupancy indexes around the vehicle, of classes in the
+// Which grids the target sends: occupancy indexes around the vehicle, or classes in the
 // world-aligned window (docs/perception.md).
 enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
 
@@ -175,7 +176,7 @@ enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
 // The two rules of docs/model.md section 3.
 enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
 
-// A rectangle in subcells, both ends included.
+// A rectangle in subcells, edges included.
 struct Footprint {
   std::int32_t x_min = 0;
   std::int32_t x_max = 0;
@@ -185,14 +186,14 @@ struct Footprint {
 
 struct Vehicle {
   std::string_view name;
-  std::uint32_t id = 0;  // of all that follows and the name (car_block/content.hpp)
+  std::uint32_t id = 0;  // CRC of the name and all members below (car_block/content.hpp)
   std::span<const Sensor> sensors;
   Footprint footprint{};
-  std::int32_t z_min = 0;  // the height band in subcells, both ends included
+  std::int32_t z_min = 0;  // the height band, subcells, both ends included
   std::int32_t z_max = 0;
 
   [[nodiscard]] constexpr HeightBand band() const { return {z_min, z_max}; }
-  // The part of it in which beams of the sensor are low.
+  // The part of the band in which this sensor's beams are low.
   [[nodiscard]] constexpr HeightBand low_band(const Sensor& sensor) const {
     return {z_min, sensor.moved.low_mm == MovedLimits::kAnyHeight
                        ? z_max
@@ -203,13 +204,13 @@ struct Vehicle {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
   std::uint32_t frame_period_us = 0;
   Grids grids = Grids::kIndexes;
-  bool has_objects = false;  // things with a speed on the grid of classes (docs/objects.md)
+  bool has_objects = false;  // tracks objects on the grid of classes (docs/objects.md)
   pose::SourceDescription poses{};
   map::SourceDescription maps{};
   perception::Rules window{};
 
-  // Whether its classes depend on when its packets arrive, because some sensor's clock is not that
-  // of the poses.
+  // True if the classes depend on packet arrival times, because some sensor's clock is not the
+  // clock of the poses.
   [[nodiscard]] constexpr bool depends_on_arrival() const {
     return have_classes(grids) && !std::ranges::all_of(sensors, &Sensor::is_synchronised);
   }

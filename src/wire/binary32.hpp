@@ -1,7 +1,8 @@
-// Numbers in IEEE 754 binary32, as some wires carry them, without floating-point arithmetic.
+// Reads IEEE 754 binary32 numbers, as some wire formats have them, without floating-point
+// arithmetic.
 //
-// Such a number is m 2^(e - 150), m below 2^24. Times a factor below 2^32 it is below 2^56 times a
-// power of two, so one product of 64 bits and one shift are exact.
+// Such a number is m 2^(e - 150) with m below 2^24. Times a factor below 2^32 it is below 2^56
+// times a power of two, so one 64-bit product and one shift are exact.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +10,9 @@
 
 namespace iog::wire {
 
-// The whole number nearest to value * factor / 2^fraction_bits, a tie away from 0. bits: of the
-// value. fraction_bits: 0 ... 32. None: the value is no number, infinite, or 2^(19 + fraction_bits)
-// or more.
+// The integer nearest to value * factor / 2^fraction_bits, a tie away from 0. bits: the encoded
+// value. fraction_bits: 0 ... 32. Returns nothing if the value is NaN, infinite, or 2^(19 +
+// fraction_bits) or more.
 [[nodiscard]] constexpr std::optional<std::int64_t> nearest_product(std::uint32_t bits,
                                                                     std::uint32_t factor,
                                                                     int fraction_bits) {
@@ -22,7 +23,7 @@ namespace iog::wire {
     return std::nullopt;
   }
   if (shift > 57) {
-    return 0;  // below a quarter
+    return 0;  // below one quarter
   }
   const std::uint32_t mantissa = (bits & (kHidden - 1)) | (exponent == 0 ? 0 : kHidden);
   const std::uint64_t product = std::uint64_t{mantissa} * factor;

@@ -1,12 +1,12 @@
-// Integers to and from wire bytes, the one place where byte order is spelled out.
+// Converts integers to and from wire bytes. This is the only place that handles byte order.
 //
-// Each function takes exactly the bytes of its integer, so the length is checked by the type:
+// The parameter type of each function has exactly the size of its integer:
 //     load_be16(frame.subspan<12, 2>())
-// A shorter span does not compile when its extent is static; making a fixed span out of a dynamic
-// one is the caller's claim that the bytes are there. ByteReader and ByteWriter check that claim.
+// A shorter span of static extent does not compile. A caller that makes a fixed span from a dynamic
+// one must know that the bytes exist. ByteReader and ByteWriter check this.
 //
-// The bytewise expressions are merged by GCC into one ldr/str and one rev on ARMv7, where ordinary
-// memory may be accessed unaligned; no function here asks for an alignment.
+// On ARMv7, which can access ordinary memory unaligned, GCC merges the bytewise expressions into
+// one ldr/str and one rev. No function requires alignment.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Writes wire bytes in order and never past the end of their buffer.
 //
-// A write that does not fit writes nothing, and so does every write after it, even a shorter one;
-// ok() is false from then on. An encoder may write a whole message and ask ok() once.
+// A write that does not fit writes nothing, and neither does any later write, even a shorter one;
+// from then on ok() is false. An encoder may write a whole message and then check ok() once.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 namespace iog::wire {
 
 class ByteWriter {
-  // These stand before their callers so that clang 14 can write at compile time, too.
-  // Ending the buffer here is what makes the failure sticky, at no cost to the writes that succeed.
+  // Defined before its callers so that clang 14 can evaluate them at compile time. Ending the
+  // buffer here makes the failure permanent, at no cost for successful writes.
   constexpr void fail() {
     buffer_ = written();
     ok_ = false;
@@ -53,14 +53,14 @@ class ByteWriter {
   constexpr void u64_be(std::uint64_t value) { put(store_be64, value); }
   constexpr void u64_le(std::uint64_t value) { put(store_le64, value); }
 
-  // Two's complement, as every signed field on our wires is.
+  // Two's complement, as in all our wire formats.
   constexpr void i8(std::int8_t value) { u8(static_cast<std::uint8_t>(value)); }
   constexpr void i16_be(std::int16_t value) { u16_be(static_cast<std::uint16_t>(value)); }
   constexpr void i16_le(std::int16_t value) { u16_le(static_cast<std::uint16_t>(value)); }
   constexpr void i32_be(std::int32_t value) { u32_be(static_cast<std::uint32_t>(value)); }
   constexpr void i32_le(std::int32_t value) { u32_le(static_cast<std::uint32_t>(value)); }
 
-  // All of `source`, which must not overlap the buffer, or nothing.
+  // Writes all of `source`, which must not overlap the buffer, or nothing.
   constexpr void bytes(std::span<const std::byte> source) {
     const auto target = claim(source.size());
     for (std::size_t i = 0; i < target.size(); ++i) {
@@ -68,23 +68,23 @@ class ByteWriter {
     }
   }
 
-  // `count` zero bytes, for reserved fields and padding.
+  // Writes `count` zero bytes, for reserved fields and padding.
   constexpr void zeros(std::size_t count) {
     for (std::byte& target : claim(count)) {
       target = std::byte{0};
     }
   }
 
-  // Leaves `count` bytes as they are, for a field that is filled in later.
+  // Skips `count` bytes without writing, for a field that is filled in later.
   constexpr void skip(std::size_t count) { static_cast<void>(claim(count)); }
 
-  // What has been written so far, skipped bytes included.
+  // All bytes so far, skipped ones included.
   [[nodiscard]] constexpr std::span<std::byte> written() const { return buffer_.first(position_); }
 
-  // Bytes that can still be written; 0 once a write has failed.
+  // Free bytes; 0 after a failed write.
   [[nodiscard]] constexpr std::size_t remaining() const { return buffer_.size() - position_; }
 
-  // True as long as every write so far has fitted.
+  // True if every write so far has fitted.
   [[nodiscard]] constexpr bool ok() const { return ok_; }
 
  private:
