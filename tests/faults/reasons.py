@@ -7,10 +7,10 @@ OF_SILENT = {
     "stack": "as registers",
     "index grids": f"cells of the current frame, {_ONCE}; the CRC is made of the wrong cells. Lasts one frame in the grid, "
                    "longer in the classes. Needs ECC of the DDR, which the chip does not have",
-    "class planes": "masses kept from frame to frame. A CRC for each tile, which would change up to 25 times a second, is not built. "
+    "class planes": "masses kept from frame to frame. A CRC for each tile, which would change up to 25 times a second, is missing. "
                     "Lasts until the cell is measured again, or fades",
     "objects": "tracks and hits that change with each frame, as class planes",
-    "intake": "packets kept until the frame ends, after the checks of their datagrams. A checksum of the kept packets is not built",
+    "intake": "packets kept until the frame ends, after the checks of their datagrams. A checksum of the kept packets is missing",
     "poses": "accepted poses; contradictions with the sensors are found later (docs/spec.md), one bit may be small",
     "stream": "sent tiles, to which later ones refer, and messages that have no CRC yet",
     "network and team": "queues and counters in front of the CRC of a message",
