@@ -177,7 +177,7 @@ def measure(drive: KittiRaw | LabelledCapture, text: str, settings: list[str], w
         tables.add("areas", drive.name, setting,
                    [[evaluate.AREA_WITHIN_M, *(f"{area:.2f}" for area in results.areas)]])
         tables.add("things", drive.name, setting, [[*row, *ranges_of(paths[row[0]])] for row in results.things])
-        if "objects" in keys.car:
+        if keys.car.get("objects") == "true":
             tables.add("velocities", drive.name, setting,
                        velocities(results.trajectories, MovingObjects(moving, drive.begin_s)))
         tables.add("runs", drive.name, setting, [[
