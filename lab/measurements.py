@@ -80,7 +80,7 @@ def peers(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
 
 def recorded(folder: pathlib.Path, _parts, drives: typing.Sequence[str]) -> None:
     """drives: folders, each followed by the file of its car."""
-    build("host", "iog", "class_frames")
+    build("host", "iog", "class_frames", "point_fates")
     run("lab/recorded/measure.py", "--out", folder, *drives)
     for found in folder.iterdir():
         keep_other_drives(found)

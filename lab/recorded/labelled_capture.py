@@ -33,6 +33,7 @@ LOW_MM, HIGH_MM, HIGHEST_OF_THINGS_MM = 350, 2100, 2500
 RANGES_M = [(0, 25), (25, 50)]
 CLEAR_CELLS = 3  # of 0.1 m, between the road and things
 GAP_S = 0.7      # after turns that are missing
+SAME_AZIMUTH_DEG, SAME_RANGE_M = 0.15, 0.03
 
 
 def kind_of(row: dict[str, str]) -> str:
@@ -41,6 +42,14 @@ def kind_of(row: dict[str, str]) -> str:
     if row["kind"] in CYCLES:
         return "cycle"
     return "parked vehicle" if row["motion"] == "Parked" and float(row["speed_m_s"]) <= 0.3 else "vehicle"
+
+
+def beams_of(points: np.ndarray, elevations_deg: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The laser that is nearest, counted by elevation, the range, and the azimuth in degrees."""
+    rising = np.sort(elevations_deg)
+    range_m = np.linalg.norm(points, axis=1)
+    laser = np.searchsorted((rising[1:] + rising[:-1]) / 2, np.degrees(np.arcsin(points[:, 2] / range_m)))
+    return laser, range_m, np.degrees(np.arctan2(points[:, 1], points[:, 0])) % 360
 
 
 class LabelledCapture:
@@ -116,6 +125,26 @@ class LabelledCapture:
         last = np.zeros(256, int)
         np.maximum.at(last, self.turn[used], frame)
         return last[last > 0]
+
+    def taken_for_ground(self, text: str, path: pathlib.Path) -> tuple[int, int]:
+        """Hits on vehicles, and how many of them were taken for ground, by the list of point_fates: it has a return
+        of the same laser and turn, at the same azimuth and range."""
+        car, ground, turns = Car(text), np.fromfile(path, "<i8").reshape(-1, 4), np.unique(self.turn)
+        elevations = np.array([laser["elevation_deg"] for laser in car.unit["lasers"]])
+        is_vehicle = np.array([kind_of(box).endswith("vehicle") for box in self.boxes])
+        hits = np.flatnonzero(self.is_hit & (self.row >= 0) & is_vehicle[self.row])
+        begins = np.array([self.times[self.turn == turn].min() for turn in turns]) + self.begin_s
+        laser, range_m, azimuth = beams_of((ground[:, 1:] / 1e3 - car.place) @ car.turn, elevations)
+        beam = (turns[np.searchsorted(begins, ground[:, 0] / 1e6) - 1] * 128.0 + laser) * 360 + azimuth
+        order = np.argsort(beam)
+        laser, hit_range_m, azimuth = beams_of(self.points[hits], elevations)
+        hit_beam = (self.turn[hits] * 128.0 + laser) * 360 + azimuth
+        after = np.searchsorted(beam, hit_beam, sorter=order)
+        found = np.zeros(len(hits), bool)
+        for beside in (order[(after - 1).clip(0)], order[after.clip(max=len(order) - 1)]):
+            found |= ((np.abs(beam[beside] - hit_beam) < SAME_AZIMUTH_DEG)
+                      & (np.abs(range_m[beside] - hit_range_m) < SAME_RANGE_M))
+        return len(hits), int(found.sum())
 
     def counted(self, used: np.ndarray, alone: np.ndarray, named: np.ndarray) -> list[list]:
         counts, r, label, row = Counts(), self.r[used], self.label[used], self.row[used]

@@ -10,7 +10,7 @@ A drive is a folder of one of two kinds, and its car's first sensor is the unit 
 - A capture with labels (lab/recorded/labelled_capture.py says what is in it).
 
 `class_frames` fuses the packets as the firmware does, once for each setting, and evaluate.py or labelled_capture.py
-counts, into recorded_*.csv. Needs `iog` and `class_frames` of build/host.
+counts, into recorded_*.csv. Needs `iog`, `class_frames` and `point_fates` of build/host.
 """
 
 import argparse
@@ -126,6 +126,7 @@ class Tables:
         "hits": evaluate.Counts.COLUMNS,
         "areas": ["within_m", "free_m2", "moving_m2", "standing_m2", "open_m2"],
         "things": [*evaluate.Counts.THINGS, "from_m", "to_m", "from_mps", "to_mps"],
+        "ground": ["kind", "hits", "ground_hits"],
         "velocities": ["thing", "kind", "delay_s", "frames", "median_error_mps"],
         "runs": ["measured_at", "metres", "pitch_deg", "mount_z_m", "band_low_m", "band_high_m", "turns", "frames",
                  *RUN_COUNTS],
@@ -183,6 +184,10 @@ def measure(drive: KittiRaw | LabelledCapture, text: str, settings: list[str], w
         tables.add("runs", drive.name, setting, [[
             measurements.commit(), f"{drive.metres():.0f}", car.pitch_deg, car.place[2], car.low_m, car.high_m,
             len(drive), len(frames), *run_counts(said)]])
+    if isinstance(drive, LabelledCapture):  # each of its returns has a label
+        ground = work / "ground"
+        output_of(HOST / "lab/labelled/point_fates", capture, car_file, ground)
+        tables.add("ground", drive.name, setting, [["vehicle", *drive.taken_for_ground(changed, ground)]])
 
 
 def main() -> None:

@@ -103,6 +103,12 @@ class Capture(unittest.TestCase):
     def test_an_object_has_its_hits_and_apart_those_after_a_gap(self):
         self.assertEqual(self.results().things, [[5, "vehicle", 0, 0, 0, 4, 0, 0], [5, "vehicle", 1, 0, 0, 7, 0, 0]])
 
+    def test_hits_on_vehicles_are_ground_where_the_same_beam_has_a_return_that_is(self):
+        """In turn 9 box 5 is hit at (24.5, 0, 1) and box 6 at (10, 8, 1)."""
+        lines = [(100_900_100, 24_510, 0, 1_000), (100_900_100, 10_000, 8_100, 1_000), (101_000_100, 10_000, 8_000, 1_000)]
+        (self.folder / "ground").write_bytes(np.array(lines, "<i8").tobytes())
+        self.assertEqual(LabelledCapture(self.folder, LEVEL).taken_for_ground(LEVEL, self.folder / "ground"), (22, 2))
+
     def test_the_trajectory_of_what_moves_is_where_its_returns_were_seen(self):
         its, = self.results().trajectories
         self.assertEqual((its.thing, its.length_m, its.width_m, list(its.hits)), ("5", 4, 2, 11 * [1]))
