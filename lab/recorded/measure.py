@@ -85,20 +85,12 @@ def run_counts(text: str) -> list[int]:
     return [int(match[1]) for match in found.values()]
 
 
-class KittiRaw:
+class KittiRaw(Drive):
     SETTINGS = tuple(SETTINGS)
 
     def __init__(self, folder: pathlib.Path, car: str):
-        unit = cars.Hdl64e(car).place
-        self.folder, self.name = folder, folder.resolve().name
-        self.drive = Drive(folder, unit[0], unit[1])
-        self.place, self.begin_s = evaluate.Place(self.drive), self.drive.begin_s
-
-    def __len__(self) -> int:
-        return len(self.drive)
-
-    def metres(self) -> float:
-        return self.drive.metres()
+        super().__init__(folder, *cars.Hdl64e(car).place[:2])
+        self.name, self.place = folder.resolve().name, evaluate.Place(self)
 
     def capture(self, work: pathlib.Path, car: pathlib.Path) -> pathlib.Path:
         made = work / "drive.pcap"
@@ -106,7 +98,7 @@ class KittiRaw:
         return made
 
     def evaluate(self, car: str, frames: evaluate.Frames) -> evaluate.Results:
-        return evaluate.evaluate(self.drive, self.place, cars.Hdl64e(car), frames)
+        return evaluate.evaluate(self, self.place, cars.Hdl64e(car), frames)
 
 
 KINDS = {"velodyne_points": KittiRaw, "truth.npz": LabelledCapture}  # by what their folders have
@@ -116,7 +108,7 @@ def drive_in(folder: pathlib.Path, car: str) -> KittiRaw | LabelledCapture:
     for part, kind in KINDS.items():
         if (folder / part).exists():
             return kind(folder, car)
-    raise ValueError(f"{folder} has neither {' nor '.join(KINDS)}")
+    raise ValueError(f"has neither {' nor '.join(KINDS)}")
 
 
 class Tables:
@@ -184,7 +176,7 @@ def measure(drive: KittiRaw | LabelledCapture, text: str, settings: list[str], w
         tables.add("runs", drive.name, setting, [[
             measurements.commit(), f"{drive.metres():.0f}", car.pitch_deg, car.place[2], car.low_m, car.high_m,
             len(drive), len(frames), *run_counts(said)]])
-    if isinstance(drive, LabelledCapture):  # each of its returns has a label
+    if settings and isinstance(drive, LabelledCapture):  # each of its returns has a label
         ground = work / "ground"
         output_of(HOST / "lab/labelled/point_fates", capture, car_file, ground)
         tables.add("ground", drive.name, setting, [["vehicle", *drive.taken_for_ground(changed, ground)]])
@@ -200,11 +192,10 @@ def main() -> None:
         parser.error("each drive needs its car")
     tables = Tables()
     for folder, car in zip(options.drives[::2], options.drives[1::2]):
-        text = car.read_text()
         try:
-            drive = drive_in(folder, text)
-        except ValueError as error:
-            sys.exit(f"measure.py: {error}")
+            drive = drive_in(folder, text := car.read_text())
+        except (KeyError, OSError, ValueError) as error:
+            sys.exit(f"measure.py: {folder} with {car}: {error}")
         chosen = [name for name in drive.SETTINGS if name in (options.setting or SETTINGS)]
         with tempfile.TemporaryDirectory() as work:
             measure(drive, text, chosen, pathlib.Path(work), tables)
