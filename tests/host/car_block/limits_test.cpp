@@ -151,7 +151,7 @@ TEST(CarLimits, OfTheGround) {
   EXPECT_EQ(fault_of_limits(1'001, 2'200), "0.ground.low_m");
   EXPECT_EQ(fault_of_limits(220, 719), "0.ground.top_m");
   EXPECT_EQ(fault_of_limits(220, 10'001), "0.ground.top_m");
-  EXPECT_EQ(fault_of_limits(220, 1'600), "0.ground");  // the sensor is higher
+  EXPECT_EQ(fault_of_limits(220, 1'600), "0.ground.top_m");  // the sensor is higher
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].ground = {220, 2'200}; }), "0.ground");
 }
 
