@@ -57,8 +57,11 @@ std::optional<GroundConfig> usual_ground(const SensorConfig& sensor) {
   return GroundConfig{.top_m = top_m_over(z_m)};
 }
 
-MovedConfig usual_moved(bool is_over_ground) {
-  return is_over_ground ? MovedConfig{.tall_m = 0.4} : MovedConfig{};
+MovedConfig usual_moved(const std::optional<GroundConfig>& ground) {
+  if (!ground) {
+    return {};
+  }
+  return {.low_m = std::max(MovedConfig{}.low_m, ground->low_m + 0.1), .tall_m = 0.4};
 }
 
 vehicle::Grids usual_grids(const Description& car, std::span<const SensorConfig> sensors) {

@@ -19,8 +19,8 @@ namespace iog::description {
 // A unit that turns follows the ground, unless it is too low to see much of it.
 [[nodiscard]] std::optional<GroundConfig> usual_ground(const SensorConfig& sensor);
 
-// Over the ground, or over the car's plane.
-[[nodiscard]] MovedConfig usual_moved(bool is_over_ground);
+// Over the ground that is followed, or over the car's plane.
+[[nodiscard]] MovedConfig usual_moved(const std::optional<GroundConfig>& ground);
 
 // Both, where classes are possible: without a radar or an ultrasonic unit, by hits_win and
 // blurring.

@@ -93,7 +93,7 @@ void add_usual_moved(std::vector<TomlTable>& tables, Car& car) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     description::SensorConfig& sensor = car.sensors[i];
     if (vehicle::have_classes(car.description.grids) && sensor.ground && !tables[i].has("moved")) {
-      sensor.moved = description::usual_moved(true);
+      sensor.moved = description::usual_moved(sensor.ground);
     }
   }
 }

@@ -65,8 +65,9 @@ description::GroundConfig read_ground(TomlTable table, double top_m) {
   return ground;
 }
 
-description::MovedConfig read_moved(TomlTable table, bool is_over_ground) {
-  description::MovedConfig moved = description::usual_moved(is_over_ground);
+description::MovedConfig read_moved(TomlTable table,
+                                    const std::optional<description::GroundConfig>& ground) {
+  description::MovedConfig moved = description::usual_moved(ground);
   table.read("low_m", moved.low_m);
   table.read("tall_m", moved.tall_m);
   table.refuse_others();
@@ -127,7 +128,7 @@ void read_sensor(TomlTable& table, Car& car) {
     sensor.ground = read_ground(table.table("ground"), description::top_m_over(sensor.mount.z_m));
   }
   if (!table.is_false("moved") && table.has("moved")) {
-    sensor.moved = read_moved(table.table("moved"), sensor.ground.has_value());
+    sensor.moved = read_moved(table.table("moved"), sensor.ground);
   }
   table.demand({"name", "type", "mount"});
   table.refuse_others();

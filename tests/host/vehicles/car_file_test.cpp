@@ -189,7 +189,9 @@ TEST(CarDefaults, ObstaclesEndAboveTheUnit) {
   const Car van = car_of({puck(2.4)});
   EXPECT_EQ(van.tables[0].ground.top_mm, 2'600);
   EXPECT_DOUBLE_EQ(van.description.z_max_m, 2.6);
-  EXPECT_EQ(car_of({puck(2.4, "ground = { low_m = 0.3 }\n")}).tables[0].ground.top_mm, 2'600);
+  const Car low = car_of({puck(2.4, "ground = { low_m = 0.9 }\n")});
+  EXPECT_EQ(low.tables[0].ground.top_mm, 2'600);
+  EXPECT_EQ(low.tables[0].moved.low_mm, 1'000);
   EXPECT_FALSE(car_of({puck(0.4)}).tables[0].ground.is_followed());
 }
 
