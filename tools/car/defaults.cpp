@@ -25,9 +25,8 @@ constexpr std::array<std::pair<std::string_view, std::uint16_t>, 6> kUsualPorts{
     {"velodyne", 2'368},
 }};
 
-// Below that a unit sees little of the ground, and above it nobody drives.
+// Below that a unit sees little of the ground.
 constexpr double kLowestOverGroundM = 0.5;
-constexpr double kHighestMountM = 9.8;
 
 bool turns(const SensorConfig& sensor) { return facts_of(sensor.format).turns; }
 
@@ -47,14 +46,13 @@ std::uint16_t usual_port(std::string_view type) {
   return found == kUsualPorts.end() ? kPortOfLux : found->second;
 }
 
-double top_m_over(double mount_z_m) { return std::max(2.20, std::min(mount_z_m, 10.0) + 0.20); }
+double top_m_over(double mount_z_m) { return std::max(2.20, std::min(mount_z_m + 0.20, 10.0)); }
 
 std::optional<GroundConfig> usual_ground(const SensorConfig& sensor) {
-  const double z_m = sensor.mount.z_m;
-  if (!turns(sensor) || !(kLowestOverGroundM <= z_m && z_m <= kHighestMountM)) {
+  if (!turns(sensor) || !(sensor.mount.z_m >= kLowestOverGroundM)) {
     return std::nullopt;
   }
-  return GroundConfig{.top_m = top_m_over(z_m)};
+  return GroundConfig{.top_m = top_m_over(sensor.mount.z_m)};
 }
 
 MovedConfig usual_moved(const std::optional<GroundConfig>& ground) {
