@@ -51,13 +51,14 @@ class Setting:
 
 
 # A frame is 40 ms long, as a LUX scans; the rest is what a car's file says if it says nothing.
-SCAN = {"frame_period_us": "40_000", "grids": '"classes"'}
+SCAN = {"frame_period_us": "40_000", "grids": '"classes"', "objects": "false"}
+BAND = {"ground": "false"}
 GROUND = {"ground": "{ low_m = 0.22, top_m = 2.2 }"}
 BOTH = GROUND | {"moved": "{ low_m = 0.6, tall_m = 0.4 }"}
 SETTINGS = {
-    "flat band": Setting(SCAN),
-    "ground": Setting(SCAN, GROUND),
-    "opened from below": Setting(SCAN, {"moved": "{ low_m = 0.6, tall_m = 0.7 }"}),
+    "flat band": Setting(SCAN, BAND),
+    "ground": Setting(SCAN, GROUND | {"moved": "false"}),
+    "opened from below": Setting(SCAN, BAND | {"moved": "{ low_m = 0.6, tall_m = 0.7 }"}),
     # Of the last one the page says whether its goals are met.
     "both, followed": Setting(SCAN | {"objects": "true"}, BOTH),
     "both, pitch 0.4° more": Setting(SCAN, BOTH, 0.4),

@@ -143,7 +143,12 @@ TEST(CarLimits, AllStepsOfAnArcMark) {
 
 TEST(CarLimits, OfTheGround) {
   const auto fault_of_limits = [](std::uint16_t low_mm, std::uint16_t top_mm) {
-    return fault_with([&](Changed& c) { c.sensors[0].ground = {low_mm, top_mm}; }, "roof_hdl64e");
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[0].ground = {low_mm, top_mm};
+          c.sensors[0].moved = {};
+        },
+        "roof_hdl64e");
   };
   EXPECT_EQ(fault_of_limits(100, 10'000), "");
   EXPECT_EQ(fault_of_limits(1'000, 2'200), "");
