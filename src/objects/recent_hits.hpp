@@ -23,6 +23,8 @@ class RecentHits {
   // How many epochs ago one of the nine cells around `cell` was first hit, at most kEpochs - 1. 0:
   // not before the current epoch, which is that of the last add().
   [[nodiscard]] int oldest(geometry::Cell cell) const;
+  // Whether one of the nine cells around `cell` was hit in the current epoch or the one before.
+  [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
   // Adds the hits of a frame at its end. Time may run back only after forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
@@ -35,6 +37,8 @@ class RecentHits {
   [[nodiscard]] static std::uint32_t place_of(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(y) % kSide) * kSide + static_cast<std::uint32_t>(x) % kSide;
   }
+  // Of the nine cells around a cell. Bit i is of the epoch 7 - i before the current one.
+  [[nodiscard]] std::uint8_t epochs_around(geometry::Cell cell) const;
   [[nodiscard]] std::uint32_t three_from(std::int32_t x, std::int32_t y) const;
   void drop(std::size_t epoch);
 

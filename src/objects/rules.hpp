@@ -136,10 +136,12 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // The trail of a receding track. In a frame that supports it, the track's own beams pass at least
 // kTrailPlaces of the places that it has left, and kGoodOverBad times as many as are hit again. A
-// passing beam misses the place by at most kBesideMm.
+// passing beam misses the place by at most kBesideMm. A unit that scans its layers in turn hits a
+// place that is still occupied again within kLayersMs.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
+inline constexpr std::int32_t kLayersMs = 160;  // two epochs
 inline constexpr std::int32_t kBesideMm = 200;  // plus kBeamsOfAMetre per metre of range
 
 // Confidence and state.
@@ -179,8 +181,13 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side ar
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// From this confidence on, standing hits in a car's box are its own.
+// Standing hits in a car's box are its own from this confidence on, if kSureUnopposed frames have
+// supported its motion. A frame opposes it by more than one bad place to kGoodOverBad others, and
+// takes kOpposed of these frames back. Any other with kSteadyHits good places supports it.
 inline constexpr std::int32_t kSureConfidence = 8;
+inline constexpr std::int32_t kSureUnopposed = 4;
+inline constexpr std::int32_t kMostUnopposed = 12;
+inline constexpr std::int32_t kOpposed = 2;
 inline constexpr std::uint32_t kMovesFrom = 4;  // updates
 inline constexpr std::int32_t kStopSpeed = 300;
 inline constexpr std::int32_t kStopMs = 400;

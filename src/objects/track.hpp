@@ -83,8 +83,9 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // Whether it has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Whether it has the size of a car and a high confidence of moving. Standing hits in its box are
-  // then its own: a slow car covers each place so long that the grid calls it standing.
+  // Whether it has the size of a car and a high confidence of moving that nothing opposes. Standing
+  // hits in its box are then its own: a slow car covers each place so long that the grid calls it
+  // standing. Walkers beside a parked car have the size of a car, too, but leave places that stand.
   [[nodiscard]] bool is_sure_car() const;
   // Sets is_receding from the velocity and the position relative to the car.
   void look_from(Point car);
@@ -112,6 +113,7 @@ class Track {
   std::int32_t parked_ms = 0;    // for how long most hits in its box have been standing
   std::int32_t confidence = 0;   // confidence that it moves, 0 ... kMostConfidence
   std::int32_t trail = 0;        // evidence for a trail, 0 ... kMostTrail
+  std::int32_t unopposed = 0;    // frames that nothing opposes its motion, 0 ... kMostUnopposed
   // Moves away within about 60 degrees of the line of sight, and not slowly.
   bool is_receding = false;
   Seen seen{};

@@ -38,7 +38,7 @@ class Page(unittest.TestCase):
         goals, rows = self.page(["flat,parked car,0,25,1,0,0,38,50,12\n", "flat,parked car,0,25,0,5,5,28,50,12\n",
                                  "moved,parked car,0,25,1,0,0,1,999,0\n", "moved,parked car,0,25,0,0,10,1,989,0\n"],
                                 {"flat": 2664, "moved": 2621})
-        self.assertEqual([row[2:] for row in rows if row[:2] == ["parked car", "0 to 25 m"]], [
+        self.assertEqual([row[2:] for row in rows if row[:2] == ["parked car", "0 to 25"]], [
             ["flat", "100", "38.00", "12.00", "50.00", "0.00", "0.00", "28.00", "5.00"],
             ["moved", "1,000", "0.10", "0.00", "99.90", "0.00", "0.00", "0.10", "1.00"]])
         found = {goal.what.removeprefix("recorded drive: "): (goal.found, goal.is_met) for goal in goals}
