@@ -1,4 +1,4 @@
-// Parameters of the perception grid. They are part of the car file.
+// Parameters of the perception grid. They are part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
