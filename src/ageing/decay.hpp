@@ -1,7 +1,7 @@
-// The decay of a mass, computed as a product over the bits of a time.
+// The decay of a mass after a time, computed as a product over the bits of the time.
 //
-// kappa(t) = exp(-t / tau). A table holds floor(2^31 kappa(2^j ms)) for each bit j. The factors of
-// the bits that are set in t are multiplied, lowest bit first, and each product is rounded down.
+// kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms)) for each bit j. The factors
+// of the bits that are set in t are multiplied, lowest bit first, and each product is rounded down.
 // Each factor and each product loses less than one unit of 2^-31, and all of them are below 1. The
 // computed kappa(t) is therefore at most 16 + 15 units below the true value.
 //

@@ -1,5 +1,5 @@
-// Exponential decay of evidence (Kurdej 2015, chapter 6), with one time constant for moving objects
-// and one for static ones.
+// Exponential decay of evidence (Kurdej 2015, chapter 6), with separate time constants for moving
+// and static objects.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace iog::ageing {
 
-// How the factors of occupied sets are derived from the factors of moving and static objects.
+// The rule by which the factors of occupied sets are derived from the factors of moving and static
+// objects.
 enum class Discounting : std::uint8_t {
   kConservative,  // {I, M, S, U} decays with both factors
   kOptimistic,    // {I, M, S, U} does not decay

@@ -23,7 +23,7 @@ inline constexpr std::int32_t kPersistenceMs = 3000;
 inline constexpr std::int32_t kDeclineToGain = 6;
 inline constexpr std::int32_t kSpecialisationsPerSecond = 15;
 
-// How the free and occupied evidence of a frame is weighted.
+// The rule by which the free and occupied evidence of a frame is weighted.
 enum class Weighing : std::uint8_t {
   kByTime,    // crossing beams have a weight of 0.7 per 100 ms, at any frame rate
   kEachScan,  // every frame is a scan as in Kurdej 2015, table 7.1: 0.8 per hit, 0.7 per crossing

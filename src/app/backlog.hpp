@@ -3,7 +3,8 @@
 // A target that is too slow for its sensors never empties the receive ring. The waiting Ethernet
 // frames become outdated, and finally the controller drops new frames unread. Therefore, if the
 // loop does not empty the ring for as long as the ring can buffer traffic, the waiting datagrams
-// are shed and counted. The delay of the grids that the target sends is limited to the same time.
+// are shed and counted. The grids that the target sends are therefore never delayed by more than
+// this time.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +13,13 @@ namespace iog::app {
 
 class Backlog {
  public:
-  // Longest time without an empty ring. The receive ring can buffer 100 ms of the densest traffic
-  // for which it is designed. This limit is shorter. It equals two frames of four LUX, so that a
-  // single late frame causes no shedding.
+  // The maximum time without an empty ring. The receive ring can buffer 100 ms of the densest
+  // traffic for which it is designed. This limit is shorter. It equals two frames of four LUX, so
+  // that a single late frame causes no shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
-  // Grace period for a frame whose deadline passed before the loop woke. Most of the frame's
-  // datagrams may have arrived while the machine was not running. These datagrams are processed
-  // before the frame is closed.
+  // The grace period for a frame whose deadline passed before the loop woke up. Most of this
+  // frame's datagrams may have arrived while the machine was not running. These datagrams are
+  // processed before the frame is closed.
   static constexpr std::uint64_t kGraceUs = 40'000;
 
   // Begins a pass of the loop. Datagrams that arrived while the loop was asleep or not running are

@@ -70,7 +70,7 @@ class CommandGate {
     }
   }
 
-  // All 0 if the gate is off.
+  // All counts are 0 if the gate is disabled.
   [[nodiscard]] authentication::CommandCounts counts() const {
     authentication::CommandCounts counts;
     if (is_on()) {
@@ -83,8 +83,8 @@ class CommandGate {
   }
 
  private:
-  // The gate is disabled only by this value. A single flipped bit cannot turn the other value into
-  // it.
+  // The gate is disabled only by this value. A single bit flip cannot convert the other value to
+  // this value.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 

@@ -42,8 +42,8 @@ class Frame {
   using Outcome = intake::Intake::Outcome;
 
   // vehicle and space must outlive this object. The scans of all sensors together may mark at most
-  // grid::kMaxMarks cells. replayer_ipv4 may send on behalf of every sensor. It is 0 if there is no
-  // replayer.
+  // grid::kMaxMarks cells. replayer_ipv4 may send on behalf of every sensor. replayer_ipv4 is 0 if
+  // there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
@@ -156,7 +156,8 @@ class Frame {
 };
 
 // Handles one datagram if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
-// open frame. Calls close() if the frame ends before or with this packet.
+// open frame. Calls close() if the frame ends because of this packet, either before or after the
+// packet is fused.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -38,10 +38,10 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // Longer than an emulated core may have to wait on a busy PC. Also longer than 2 s, which is two
-  // periods of the slowest frames. Within this time, missing data is reported.
+  // Longer than an emulated core may have to wait on a busy PC. Also longer than 2 s. This is two
+  // periods of the slowest frames, and the maximum time before missing data is reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
-  // A complete check takes at most this time, as stated in docs/safety.md.
+  // docs/safety.md states that a complete memory check takes at most this time.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
   // The period for waking the cores and checking the controller, 20 times per window.
   static constexpr std::uint64_t kCallUs = 250'000;

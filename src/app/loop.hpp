@@ -70,7 +70,7 @@ inline constexpr int kMaxDatagramsPerPass = 64;
 // ring, and the same number of datagrams that may arrive in the meantime.
 inline constexpr int kMaxDatagramsLeft = 512;
 
-// The machine as the pipeline's platform.
+// Adapts the machine to the interface that the pipeline requires (Platform).
 template <Machine M>
 class MachinePlatform {
  public:
@@ -171,7 +171,8 @@ class MachinePlatform {
   }
 
  private:
-  // A signature is sent after each frame, and also within a frame that has many messages.
+  // A signature is sent after each frame. If a frame has many messages, signatures are also sent
+  // within the frame.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {

@@ -23,8 +23,8 @@ class NetworkSink {
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  // The end message of the current frame. Fill it before the frame begins, except for the counts of
-  // tiles.
+  // The end message of the current frame. Fill it in before the frame begins, except for the counts
+  // of tiles.
   [[nodiscard]] stream::FrameEnd& end() { return end_; }
 
   void begin_frame(const stream::Header& header) {

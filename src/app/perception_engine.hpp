@@ -1,4 +1,4 @@
-// Computes the perception grid of a frame (app/frame.hpp): poses and maps in, classes out.
+// Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
 // The frame's packets are buffered until it ends. Packets measured in the same slice of a few
 // milliseconds are then fused together and added to the window with the pose of this slice. The
@@ -37,8 +37,8 @@
 
 namespace iog::app {
 
-// The reason why a vehicle cannot have a perception grid. The car file compiler rejects such a car
-// file, but on a PC the fusion rule may be changed later.
+// The reason why a vehicle cannot have a perception grid. The compiler of car files rejects such a
+// vehicle, but on a PC the fusion rule may be changed later.
 enum class Unfit : std::uint8_t {
   kNone,
   kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
@@ -80,8 +80,8 @@ class PerceptionEngine {
   }
   // The three steps of finish(), for callers that run other tasks at the same time. decide()
   // completes the grid and all classes except the classes of moving objects. follow_objects() adds
-  // the classes of moving objects on core 0. Other cores may read the grid while it runs. end()
-  // stores the ground. Core 0 runs do_beside() at the same time, and do_beside() may read the
+  // the classes of moving objects on core 0. Other cores may read the grid while follow_objects()
+  // runs. end() stores the ground. While end() runs, core 0 runs do_beside(), which may read the
   // classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
@@ -104,7 +104,7 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // Fills in the engine's fields of the frame's header and of the end message of its classes. Also
+  // Fills in the engine's fields of the frame's header and of the end message of the classes. Also
   // lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
@@ -113,7 +113,7 @@ class PerceptionEngine {
   // slices() returns the registered slices. stamp_us() returns the frame's end on the clock of the
   // poses. This is the end of the frame's last slice, or the time of the newest pose if the frame
   // has no packets. It advances from frame to frame even if the clock of the poses restarts or is
-  // unknown. is_forgotten() returns whether the window content from before the frame has lost its
+  // unknown. is_forgotten() returns whether the earlier content of the window has lost its
   // position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
@@ -124,8 +124,8 @@ class PerceptionEngine {
   // disabled in the car file.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
-  // The frame's receptions, valid until the next finish(). Only available for a vehicle whose
-  // classes depend on arrival times.
+  // The frame's receptions, valid until the next finish(). They are recorded only for a vehicle
+  // whose classes depend on arrival times.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   void start_next() { receptions_.clear(); }
 

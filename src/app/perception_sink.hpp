@@ -80,7 +80,7 @@ class PerceptionSink : private NetworkSink<P> {
     send_classes();
   }
 
-  // Call it only if the frame has objects according to its header.
+  // Call it only if the frame's header states that the frame has objects.
   void send_objects() {
     for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
       this->messages().send(

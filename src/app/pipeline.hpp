@@ -53,7 +53,7 @@ template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
   // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send on behalf of
-  // every sensor. It is 0 if there is no replayer.
+  // every sensor. replayer_ipv4 is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -78,7 +78,7 @@ class FramePipeline {
     perception_.start(now_us);
   }
 
-  // Handles one datagram. May close the frame before or after it.
+  // Handles one datagram. May close the frame before or after the datagram is processed.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     take_packet(

@@ -35,7 +35,7 @@ struct FrameTimes {
 
 // send_message(bytes) sends a copy of at most protection::kMaxMessageBytes bytes. Returns false if
 // the message cannot be sent.
-// ticks() and ticks_hz() are a stopwatch, like hal::Stopwatch.
+// ticks() and ticks_hz() form a stopwatch, like hal::Stopwatch.
 // vitals(times) is called once per frame, before the frame's first message.
 // run_number() is the same as in hal::RunNumber.
 // cores() returns the number of working cores. share(items, work, beside) runs all items, like

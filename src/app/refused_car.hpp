@@ -1,6 +1,6 @@
-// A target without a car block. It computes no grid, but reports the reason. It answers ARP and
-// ping as usual, ignores datagrams, and sends one message with the reason to its peer every second
-// (docs/spec.md 3.11).
+// A target without a car block. Such a target computes no grid, but reports the reason. It answers
+// ARP and ping as usual, ignores datagrams, and sends one message with the reason to its peer every
+// second (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>

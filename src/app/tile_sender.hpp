@@ -3,10 +3,10 @@
 //
 // Several cores encode waiting tiles and compute each tile's contribution to the grid's CRC. They
 // process each tile independently of the other tiles. Messages and CRC are then generated in
-// ascending order of tiles, so the bytes are the same for any number of cores. Tiles whose cells do
-// not change wait until the last tile was added, so that core 0 can do other work while they are
-// encoded. Other tiles wait in batches. A single core encodes each tile immediately, while the tile
-// is still in its cache.
+// ascending order of tiles, so the bytes are the same for any number of cores. If the cells of the
+// tiles do not change, all tiles are collected first, so that core 0 can do other work while they
+// are encoded. Other tiles wait in batches. A single core encodes each tile immediately, while the
+// tile is still in its cache.
 //
 // For classes, encoded tiles are cached. As long as neither the cells nor the reference of a tile
 // change, its cells are not read again.
@@ -105,8 +105,8 @@ class TileSender {
     encode_rest();
     return finish_encoded();
   }
-  // Same as finish(), but all waiting tiles must be encoded. It needs no other cores, so it may be
-  // called while they are busy.
+  // Same as finish(), but all waiting tiles must be encoded. This function needs no other cores, so
+  // it may be called while they are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(geometry::kTileCount);
@@ -119,7 +119,7 @@ class TileSender {
   // enough to keep the number of rounds low, and small enough to keep the data of a round in the L2
   // cache.
   static constexpr std::size_t kBatch = 192;
-  // Tiles that one core takes at a time.
+  // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
   // Whether encoded tiles are cached. Only tiles of classes are cached.
@@ -137,7 +137,7 @@ class TileSender {
   struct Copy {
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells;
   };
-  // The encoded tile as it is sent.
+  // The encoded tile, in the form in which it is sent.
   struct Found {
     std::uint32_t version = kNoVersion;  // of the cells
     bool is_left_out = false;
@@ -210,9 +210,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes the same cells again. They are encoded against the same reference, or as unchanged if
-  // they were sent without a reference. The function gives the same result if it is interrupted and
-  // repeated.
+  // Encodes the same cells again. The cells are encoded against the same reference, or as unchanged
+  // if they were sent without a reference. If this function is interrupted and repeated, the result
+  // is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -223,7 +223,7 @@ class TileSender {
     }
   }
 
-  // Sends an encoded tile. Call it in the order of tiles.
+  // Sends an encoded tile. Call it in ascending order of tiles.
   void send(const Added& added, const Found& found) {
     if (found.is_left_out) {
       return;

@@ -1,8 +1,8 @@
 // Classifies the cells of a group from their masses, and computes bits for later frames.
 //
 // A cell gets a class only if at least half of the total mass supports it, so ignorance never
-// results in a class. The map refines the classes that result from the sensors. It never overrules
-// the sensors, and never determines a class alone.
+// results in a class. The map refines the classes that the sensors support. It never overrules the
+// sensors, and it never determines a class without them.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline constexpr std::int32_t kSurenessCount = 8;
   return static_cast<Class>(byte / kSurenessCount);
 }
 
-// Classes of the map, with one bit for each class. A sum means "one of these classes".
+// Classes of the map, with one bit for each class. A sum of bits means "one of these classes".
 inline constexpr std::uint8_t kBuilding = 1;
 inline constexpr std::uint8_t kRoad = 2;
 inline constexpr std::uint8_t kIntermediate = 4;
@@ -61,7 +61,7 @@ using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Two of the members of Bits.
+// Contains two of the members of Bits.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;

@@ -1,8 +1,9 @@
 // Fusion of one frame: beams in, a grid of occupancy indexes out (docs/model.md section 3).
 //
 // The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
-// objects. All beams carve before any mark is applied. Beams may be added in any order, and so may
-// marks. The grid is therefore byte-for-byte identical for any order of a frame's packets.
+// objects. All beams carve before any mark is applied. Beams may be added in any order, and marks
+// may be added in any order. The grid is therefore byte-for-byte identical for any order of a
+// frame's packets.
 #pragma once
 
 #include <array>
@@ -59,9 +60,9 @@ class FrameFusion {
                                      : azimuths_.add(sensor, point);
   }
 
-  // Adds all points of a packet, with height limits above the ground if the sensor has an estimated
-  // ground. Packet::for_each_point(visit) must call visit(point) for each point. count(fate) is
-  // called for each point. Inline, so that points are decoded in registers.
+  // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
+  // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
+  // count(fate) is called for each point. Inline, so that points are decoded in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -92,7 +93,7 @@ class FrameFusion {
   // once per frame, after the last point.
   void finish();
 
-  // The grid. It is complete after finish() and until it is cleared.
+  // The grid. The grid is complete after finish() and until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from its lowest y, and clears it. Returns false if all

@@ -52,7 +52,7 @@ class FramePackets {
     return std::span(packets_).first(count_);
   }
 
-  // The packet with this number, as it was decoded on arrival.
+  // Returns the packet with this number, as it was decoded on arrival.
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:

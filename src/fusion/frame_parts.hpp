@@ -22,7 +22,7 @@ struct FramePart {
 
 class FrameParts {
  public:
-  // The maximum number of parts fused in one round. It is slightly larger than the number of
+  // The maximum number of parts fused in one round. This is slightly more than the number of
   // packets from four LUX in a frame, so that no core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
@@ -31,11 +31,11 @@ class FrameParts {
   // earlier. `parts` is at most kMostOfARound.
   void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
-  // Returns the parts of the next round: the parts of as many of the next slices as fit into one
-  // round. Empty if all parts have been returned. No slice is split between rounds.
+  // Returns the parts of the next round. A round contains the parts of as many slices as fit. Empty
+  // if all parts have been returned. No slice is split between rounds.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // The packet numbers, within the frame, of a part's packets.
+  // The numbers, within the frame, of the packets in a part.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }

@@ -29,7 +29,7 @@ class FusedSlices {
   // Memory for one slice, for use by a single core. The initial content is arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
-  // Begins with a round that the fusion has finished. The fusion must not begin the next round
+  // Starts reading a round that the fusion has finished. The fusion must not begin the next round
   // until the last slice has been returned.
   void begin(const SharedFusion& fusion) {
     fusion_ = &fusion;

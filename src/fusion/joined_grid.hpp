@@ -1,11 +1,11 @@
-// A grid joined from several grids of indexes. It equals the result of hits_win for all of their
-// evidence.
+// A grid joined from several grids of indexes. It equals the result of fusing all evidence of these
+// grids with hits_win.
 //
 // A cell is the saturating sum of its positive indexes in all grids. If no index is positive, it is
 // the saturating sum of the negative indexes (docs/model.md section 3). A saturating sum of numbers
-// with the same sign does not depend on their order. A frame can therefore be split in any way: if
-// each part is fused from zero with hits_win and the parts are joined, the result equals the frame
-// fused as a whole.
+// with the same sign does not depend on their order. A frame can therefore be split in any way. If
+// each part is fused from zero with hits_win and the parts are joined, the result is the same as if
+// the frame were fused as a whole.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace iog::fusion {
 
-// Adds the indexes of a tile to those of the same tile in another grid.
+// Adds the indexes of a tile to the indexes of the same tile in another grid.
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 

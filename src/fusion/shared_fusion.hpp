@@ -1,5 +1,5 @@
-// Fuses a frame's packets, either on core 0 alone, one packet after the other, or on several cores.
-// Several cores fuse the parts of the frame in any order and then join them.
+// Fuses a frame's packets, either one after the other on core 0 alone, or on several cores. Several
+// cores fuse the parts of the frame in any order and then join them.
 //
 //     packets -> [FrameParts] parts
 //     packets of a part -> its core's fusion -> tiles of the part      task: a part
@@ -99,7 +99,7 @@ class SharedFusion {
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Core 0's own fusion. It is clear whenever the crew fuses.
+  // Core 0's own fusion. It is clear whenever the crew fuses parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
   // The outcomes of the frame's points.
@@ -130,8 +130,8 @@ class SharedFusion {
   // Fuses all buffered packets as one slice on the cores of the crew, in this many parts. The
   // buffer is empty afterwards.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // The following functions do the same step by step. deal() splits the buffered packets in the
-  // same way as FrameParts::deal().
+  // deal() and the following functions do the same step by step. deal() splits the buffered packets
+  // in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }

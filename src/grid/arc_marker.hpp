@@ -3,7 +3,7 @@
 // and carves nothing. The arc of an ultrasonic unit is as wide as the unit's cone, and the cone is
 // carved (grid/cone.hpp).
 //
-// A cell of the arc gets the index of its angular cell. The arc is followed from right to left in
+// A cell of the arc gets the index of its angular cell. The arc is traversed from right to left in
 // whole ticks. Each step is at most one cell long at the detection's range, so the arc has no gaps.
 // If several steps end in one cell, the cell is marked once, with the largest index. Near the
 // sensor, an angular cell is narrower than a grid cell, and a detection marks a single cell with
@@ -42,9 +42,10 @@ class ArcMarker {
   void mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
   void step_into(geometry::Cell cell, OccupancyIndex index);
 
-  // An arc may leave a cell and enter it again. In between, the arc covers less than the cell's
-  // diagonal. This takes three steps for a level sensor, whose steps are at least half a cell long,
-  // and six steps for a sensor tilted by 60 degrees. Each step enters at most one other cell.
+  // An arc may leave a cell and enter it again. The part of the arc outside the cell is shorter
+  // than the cell's diagonal. This part has at most three steps for a level sensor, whose steps are
+  // at least half a cell long, and six steps for a sensor tilted by 60 degrees. Each step enters at
+  // most one other cell.
   static constexpr std::size_t kLately = 8;
   struct Step {
     geometry::Cell cell;

@@ -34,8 +34,8 @@ class AzimuthCarver {
                                            const lidar::ScanPoint& point);
 
   // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving still
-  // uses the height band. However, a beam is classified as low by its height above the estimated
-  // ground.
+  // uses the height band. However, whether a beam is low is determined by its height above the
+  // estimated ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
@@ -63,7 +63,7 @@ class AzimuthCarver {
 
  private:
   // The maximum number of pending lines of one azimuth. Consecutive line numbers map to different
-  // slots. So do most line numbers that differ by a power of two.
+  // slots. Most line numbers that differ by a power of two also map to different slots.
   static constexpr std::uint32_t kOpenLines = 32;
   static constexpr std::uint32_t place_of(std::uint32_t number) {
     return (number ^ number / kOpenLines) % kOpenLines;
@@ -109,8 +109,9 @@ class AzimuthCarver {
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
-  // The current sensor and azimuth, followed by two bit sets with one bit per slot. The first
-  // contains the further lines that have been found, the second the lines with pending beams.
+  // The current sensor and azimuth, followed by two bit sets with one bit per slot. The first set
+  // contains the further lines that have been found. The second set contains the lines with pending
+  // beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

@@ -2,11 +2,11 @@
 // cell of the beam's hit. Beams that share a line are first accumulated in the line's steps, and
 // then carved together.
 //
-// Each carver collects the beams of its kind of sensor: azimuth_carver.hpp for sensors that measure
-// in the same directions in every scan, turn_carver.hpp for rotating sensors. Saturating sums of
-// negative indexes commute (docs/model.md section 3), so the result does not depend on the order of
-// the beams. For the same reason the beams of a frame may be split among several carvers, each with
-// its own grid. The saturating sum of these grids equals the grid of a single carver.
+// There are two carvers that collect beams: azimuth_carver.hpp for sensors that measure in the same
+// directions in every scan, and turn_carver.hpp for rotating sensors. Saturating sums of negative
+// indexes commute (docs/model.md section 3), so the result does not depend on the order of the
+// beams. For the same reason the beams of a frame may be split among several carvers, each with its
+// own grid. The saturating sum of these grids equals the grid of a single carver.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class BeamCarver {
     marks_->mark(sensor, line, hit, range_mm, is_tall);
   }
 
-  // Carves everything pending in the steps and empties them.
+  // Carves all pending beams in the steps and clears the steps.
   void carve(KeptLine& line, LineSteps& steps);
 
  private:
@@ -81,8 +81,8 @@ class BeamCarver {
   PendingMarks* marks_;
 };
 
-// A cell before the point * gets the index of the 1D cell (at most k - 1) in which the line leaves
-// the cell. Example for a LUX:
+// A cell before the point * gets the index of the 1D cell in which the line leaves the grid cell,
+// or of 1D cell k-1 if that is nearer. Example for a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -93,7 +93,7 @@ class BeamCarver {
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
 // distance (j + 1) Delta or less. `through` is the number of these crossings. The zone of 1D cell k
 // - 2 therefore begins in the cell that contains the point at (k - 2) Delta, which is b in this
-// example.
+//   example.
 //
 // Inline, because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
@@ -108,7 +108,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // The zone begins with 1D cell k - back, at (k - back) Delta.
+    // The zone begins at the start of 1D cell k - back, at distance (k - back) Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);

@@ -147,7 +147,7 @@ class KeptBeam {
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
             KeptLine& line);
 
-  // Layer::line of the beam's layer, and the line itself.
+  // The number of the beam's line (Layer::line of its layer), and the line itself.
   [[nodiscard]] std::uint32_t line_number() const { return line_number_; }
   [[nodiscard]] KeptLine& line() const { return *line_; }
 
@@ -228,8 +228,8 @@ class KeptAzimuth {
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
 
   // Whether the second line crosses the same first `cells` cells as the first line (cells > 0). The
-  // second line must have been found. The result true also implies that the first line was found
-  // and has a block path. The result may be false even if the lines share these cells.
+  // second line must have been found. If the result is true, the first line was also found and has
+  // a block path. The result may be false even if the lines share these cells.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
   }

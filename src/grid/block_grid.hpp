@@ -30,7 +30,7 @@ inline constexpr std::int32_t kBlocksPerSide = geometry::kCellsPerSide / kBlockS
 inline constexpr std::int32_t kBlocksPerTile = geometry::kTileSide / kBlockSide;
 static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide);
 
-// Stored blocks per row, including two blocks of padding (one cache line).
+// The number of stored blocks per row, including two blocks of padding (one cache line).
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
 // Byte offset of a cell. Its block begins at a multiple of 16.

@@ -29,8 +29,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // The next block. Both candidates are computed first, so that only the selection waits for the
-  // code.
+  // The next block. Both candidates are computed in advance, so that only the selection depends on
+  // the code.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -55,7 +55,7 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // A position relative to the corner where the first block begins, in the line's own direction.
+  // Returns a position relative to the corner of the first block, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
@@ -142,8 +142,8 @@ class BlockPath {
   // blocks.
   std::uint32_t v_ = 0;
   traversal::Dda dda_;
-  // Height at which the line leaves the first tile's columns, above that tile's lowest row, in
-  // 2^-32 rows.
+  // The height at which the line leaves the first tile's columns. It is relative to the tile's
+  // lowest row, in units of 2^-32 rows.
   std::uint64_t height_at_tile_ = 0;
   LaneBytes start_mask_;
   std::array<BlockCode, kMaxBlocks + 1> codes_{};

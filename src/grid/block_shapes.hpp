@@ -13,9 +13,10 @@
 //
 // Entry 7 is one column beyond entry 6, outside the block.
 //
-// In each column the line crosses at most one border of v. So seven bits, the entry and one bit for
-// each of the next four columns, determine which cells of the block the line crosses and how it
-// leaves. These seven bits are the block's *shape*.
+// In each column the line crosses at most one border of v. Seven bits are therefore enough: three
+// bits for the entry, and one bit for each of the next four columns. They determine which cells of
+// the block the line crosses and how the line leaves the block. These seven bits are the block's
+// *shape*.
 #pragma once
 
 #include <array>
@@ -46,7 +47,8 @@ inline constexpr std::uint32_t kShapeCount = 128;
 // through the same border.
 using BlockCode = std::uint8_t;
 
-// The one or two blocks that a line crosses in a column of blocks. The lower block comes first.
+// The blocks that a line crosses in one column of blocks. There are one or two such blocks. The
+// lower block comes first.
 struct BlockColumn {
   std::array<BlockCode, 2> codes{};
   std::uint8_t count = 0;
@@ -89,8 +91,8 @@ struct Orientation {
 struct BlockMasks {
   // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // The cells that a line can still cross from a given cell on, indexed by the cell's position in
-  // the block. `from` includes the cell itself, `after` does not.
+  // The cells that a line can cross after it has reached a given cell, indexed by this cell's
+  // position in the block. `from` includes the cell itself, `after` does not.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };

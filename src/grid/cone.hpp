@@ -8,7 +8,7 @@
 // (docs/model.md, section 3), so each cone is carved on arrival.
 //
 // If the unit is tilted, the cone's two outermost directions and its middle direction have
-// different lengths on the grid. The carved cone is as long as the shortest of the three.
+// different lengths on the grid. The carved cone is as long as the shortest of these three lengths.
 #pragma once
 
 #include "grid/block_grid.hpp"

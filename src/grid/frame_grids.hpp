@@ -4,8 +4,8 @@
 // A beam is low where it is at most `low_m` above the ground. A tall return lies at least `tall_m`
 // above the ground (docs/ground.md). A cell of `heights` is negative if a low beam freed the cell,
 // and 1 if a tall return hit it. Low beams are carved into `heights` in the same way as beams are
-// carved into the indexes. Hits are applied after all beams, and remove every negative value in the
-// cells that they hit. The result therefore does not depend on the order of the beams.
+// carved into the indexes. Hits are applied after all beams, and overwrite every negative value in
+// their cells. The result therefore does not depend on the order of the beams.
 #pragma once
 
 #include <array>

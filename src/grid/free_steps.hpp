@@ -117,7 +117,7 @@ class LowSteps : public FreeSteps {};
 
 // The pending beams of a line: the amount by which they lower the line's cells and, if heights are
 // kept (grid/frame_grids.hpp), the parts in which any beam is low. A beam adds at most one entry to
-// each of the two.
+// each of these two sets of steps.
 struct LineSteps {
   // The largest possible amount, so that several overlapping low parts have the same effect as one.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;

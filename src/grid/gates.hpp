@@ -73,8 +73,8 @@ class BandGate {
   // Both must outlive the gate.
   BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
 
-  // Returns the layer with the given rank. The layer with rank 0 stays within the limits the
-  // farthest.
+  // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
+  // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
   // A hit at this distance or beyond frees everything that layers with a rank of
   // TurnLayers::near_rank or higher may free.
@@ -102,7 +102,7 @@ class BandGate {
   const TurnLayers* layers_;
 };
 
-// The layers of a sector are within the limits from their start on.
+// All layers of a sector are within the limits from the start of their beams.
 class GroundGate {
  public:
   // All arguments must outlive the gate. The line must lie in this sector.

@@ -28,8 +28,8 @@ class Between {
     return Between(crossed << 16 | lower_half);
   }
 
-  // A cell of the line lies before this boundary if fewer borders than this are crossed to reach
-  // the cell.
+  // A cell of the line lies before this boundary if the number of borders crossed to reach the cell
+  // is smaller than this number.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {

@@ -27,8 +27,7 @@ class TurnCarver {
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 
-  // The current sensor. This class keeps the data that the sensor's points need close together in
-  // memory.
+  // The current sensor. The data that the sensor's points need are stored close together in memory.
   template <typename Judge>
   class Turn {
    public:
@@ -90,9 +89,9 @@ class TurnCarver {
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind);
-  // Gate is the line's BandGate or GroundGate. Functions with steps as a parameter are not inlined.
-  // As a result, the address of the steps stays in a register and is not recomputed for each
-  // change.
+  // Gate is the line's BandGate or GroundGate. Functions that take steps as a parameter are not
+  // inlined. As a result, the address of the steps stays in a register and is not recomputed for
+  // each change.
   template <typename Gate>
   void add_beams(const Gate& gate, const KeptLine& line, std::span<const WaitingPoint> points,
                  const RankSet& behind);

@@ -21,8 +21,8 @@ struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // The layer's exit order among the sensor's layers. The layer that stays within the band the
-  // farthest has rank 0.
+  // The layer's exit order among the sensor's layers. The layer that stays within the band up to
+  // the greatest distance has rank 0.
   std::uint32_t rank = 0;
   // A point at this range or beyond lies far beyond the band. It frees the whole line from the
   // sensor to the point where the layer leaves the band. If the sensor is outside the band, this is
@@ -37,7 +37,7 @@ struct TurnLayers {
   // within the band from its start. A layer's part within the band is then contained in the part of
   // each layer with a lower rank.
   bool start_in_band = false;
-  // The number of beams that is enough to saturate a cell.
+  // The number of beams that saturates a cell.
   std::uint32_t enough_beams = 0;
   // A hit at this distance or beyond frees everything within the band that layers with a rank of
   // near_rank or higher may free.

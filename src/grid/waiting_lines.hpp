@@ -50,7 +50,7 @@ class WaitingPoint {
   std::uint32_t word_ = 0;
 };
 
-// A set of a sensor's layers, by rank (turn_lines.hpp).
+// A set of a sensor's layers, represented by their ranks (turn_lines.hpp).
 class RankSet {
  public:
   // Returns false if the rank was already in the set.
@@ -112,8 +112,8 @@ class WaitingLines {
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }
-  // Adds a point beyond the band, of the layer with this rank. Returns false if the layer already
-  // has such a point.
+  // Adds a point of the layer with this rank. The point must lie beyond the band. Returns false if
+  // the layer already has such a point.
   [[nodiscard]] bool add_behind(std::uint32_t azimuth_step, std::uint32_t rank) {
     return lines_[azimuth_step % kPlaces].behind.insert(rank);
   }

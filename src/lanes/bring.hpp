@@ -13,8 +13,8 @@ inline constexpr std::size_t kLineBytes = 32;
 // same time, whereas stores that miss the cache wait for each other.
 inline void bring_line(const void* byte) { asm("" : : "r"(*static_cast<const std::byte*>(byte))); }
 
-// Prefetches consecutive cache lines. This is faster than interleaving them with reads of other
-// lines.
+// Prefetches consecutive cache lines. This is faster than interleaving these reads with reads of
+// other lines.
 inline void bring(std::span<const std::byte> bytes) {
   for (std::size_t at = 0; at < bytes.size(); at += kLineBytes) {
     bring_line(&bytes[at]);

@@ -1,4 +1,4 @@
-// Sixteen adjacent occupancy indexes, and saturated arithmetic on them.
+// Sixteen adjacent occupancy indexes, with saturating arithmetic.
 #pragma once
 
 #include <array>

@@ -40,7 +40,7 @@ class PlainLanes {
     return each(amount, subtract_saturated);
   }
   [[nodiscard]] PlainLanes add(const PlainLanes& other) const { return each(other, add_saturated); }
-  // All bits set in lanes above 0, none in the others.
+  // Sets all bits in lanes that are above 0, and no bits in other lanes.
   [[nodiscard]] PlainLanes above_zero() const {
     return each(*this, [](std::int8_t a, std::int8_t /*same*/) {
       return static_cast<std::int8_t>(a > 0 ? -1 : 0);

@@ -28,7 +28,7 @@ class Agreement {
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
   static constexpr std::uint32_t kFewestFree = 5'000;  // rounds with fewer free cells are ignored
-  // 5 m2. This minimum is needed because a wall may be drawn too far out in the map.
+  // 5 m2. This minimum is needed because the map may show a wall too far out.
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
   static constexpr std::uint32_t kAgreeingRounds = 16;  // 10 s at 25 frames per second

@@ -106,7 +106,7 @@ inline constexpr std::size_t kHeaderBytes = 64;
 inline constexpr std::uint32_t kMagic = 0x494F474D;  // "IOGM"
 inline constexpr std::uint16_t kVersion = 1;
 
-// Reads a block that check() has passed.
+// Reads a block that check() has accepted.
 class Block {
  public:
   explicit Block(std::span<const std::uint8_t> checked);

@@ -1,4 +1,5 @@
-// Receives map blocks in chunks and stores them in the currently unused one of two buffers.
+// Receives map blocks in chunks. There are two buffers, and chunks are stored in the buffer that is
+// not in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the whole block is checked, with a limited number of bytes per frame. A valid block is
@@ -51,8 +52,8 @@ struct DeliveryReport {
 // Uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source. It is
-  // 0 if there is no replayer.
+  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
+  // replayer_ipv4 is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;

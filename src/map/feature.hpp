@@ -54,7 +54,7 @@ class EdgeWalk {
 
   [[nodiscard]] bool is_over() const { return rings_ == 0; }
 
-  // Must not be called when is_over().
+  // Must not be called if is_over() is true.
   [[nodiscard]] Edge next() {
     const PointCm from = from_;
     if (deltas_ == 0) {

@@ -62,8 +62,8 @@ class Layer {
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call it instead of work() if the window has no frame. It updates only the report, so a pause in
-  // which no sender transmits does not affect when tiles are drawn.
+  // Call it instead of work() if the window has no frame. It updates only the report, so the
+  // drawing order of tiles does not change if no sender transmits for some time.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
@@ -78,7 +78,7 @@ class Layer {
     kOutside,
   };
 
-  // The inputs with which a tile is drawn.
+  // The inputs from which a tile is drawn.
   struct Basis {
     pose::Pose local_frame{};
     std::uint8_t radius = 0;

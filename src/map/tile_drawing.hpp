@@ -3,8 +3,8 @@
 //
 // A cell's own classes are the classes of all features that contain the cell's centre. If no
 // feature contains it, the cell's own class is intermediate space. Outside the extent of the block,
-// any class is possible. A cell may have every class that is an own class of any cell within the
-// radius. A drawing can be suspended. It has no result until it is complete.
+// any class is possible. A cell may have all classes that any cell within the radius has as its own
+// class. A drawing can be suspended. It has no result until it is complete.
 #pragma once
 
 #include <cstdint>

@@ -7,10 +7,10 @@
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
 // the 3 by 3 cells around the hit is standing. A hit is *new* if its cell is open and freed, and
-// the hit is not beside a standing object. A hit has moved if it is not beside a standing object,
-// and if its cell is either dense or open with enough new hits in the 7 by 7 cells around it. Two
-// new hits are enough where the ground was found open three times. Elsewhere, seven new hits are
-// needed.
+// the hit is not beside a standing object. A hit has moved if it is not beside a standing object
+// and its cell is either dense, or open with enough new hits in the 7 by 7 cells around it. Two new
+// hits are enough if the ground in the cell was found open three times. Elsewhere, seven new hits
+// are needed.
 #pragma once
 
 #include <array>

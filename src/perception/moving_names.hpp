@@ -1,8 +1,8 @@
-// Relabels cells according to tracks (docs/objects.md). Hits of moving tracks become moving. Moving
-// cells lose this class if they were not hit and are not in the box of a moving track.
+// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving.
+// Moving cells lose this class if they were not hit and are not in the box of a moving track.
 //
-// Only class bytes change, never masses or the ground memory. All changes are undone when the next
-// frame begins, so the masses in the grid are the same with and without tracks.
+// Only class bytes change. Masses and the ground memory never change. All changes are undone when
+// the next frame begins, so the masses in the grid are the same with and without tracks.
 #pragma once
 
 #include <array>

@@ -2,9 +2,9 @@
 //
 // A beam frees every cell that it crosses within the height band. This includes cells above a
 // bonnet, a verge or a kerb, and cells seen through the windows of a parked car. If a later beam
-// hits such a cell, the hit is at a different height, and nothing has moved. For each sensor, the
-// car file therefore specifies how low a beam must be to open ground (low_mm) and how tall a moving
-// object is (tall_mm). The following rules apply:
+// hits such a cell, the hit is at a different height, and nothing has moved. The car file therefore
+// specifies two heights for each sensor: the maximum height of a beam that opens ground (low_mm),
+// and the minimum height of a moving object (tall_mm). The following rules apply:
 //
 //   1. A hit can indicate motion only on ground that a low beam has freed before, and only near a
 //      tall return (arrivals.hpp).

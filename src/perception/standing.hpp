@@ -10,7 +10,7 @@
 
 namespace iog::perception {
 
-// Counts of standing cells with evidence.
+// The numbers of standing cells that have evidence.
 struct StandingCounts {
   std::uint32_t met = 0;      // confirmed: a hit within two cells
   std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within two cells
@@ -40,8 +40,8 @@ struct StandingCounts {
 //
 // If the poses are wrong from the start, few cells become standing, and a much larger fraction of
 // these cells is crossed. As long as the poses have never moved the car, fewer cells are therefore
-// enough if more than an eighth of them is crossed in frame after frame. The excess is accumulated,
-// and decays over about a hundred frames.
+// enough if more than an eighth of them is crossed in many successive frames. The excess is
+// accumulated, and decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {

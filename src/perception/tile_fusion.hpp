@@ -61,7 +61,7 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
 // The remaining budget. Empty if there is no limit.
 using Budget = std::optional<GroupBudget>;
 
-// The number of groups for which memory is prefetched ahead.
+// The number of groups by which prefetching runs ahead.
 inline constexpr std::size_t kGroupsAhead = 2;
 
 // The groups of a tile that will be fused, in ascending order, and the number of groups with

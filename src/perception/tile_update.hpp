@@ -126,7 +126,7 @@ class TileUpdate {
     set_eight(tile.found.taken, group, bits.taken);
   }
 
-  // The standing and occupied bits are already 0.
+  // The bits for standing and occupied are already 0.
   static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);

@@ -1,6 +1,7 @@
 // Fuses the slices of successive frames into masses and classes of the window.
 //
-// In each frame the window follows the vehicle, slices are added, and the frame is finished:
+// In each frame, the window first follows the vehicle, then slices are added, and finally the frame
+// is finished in these steps:
 //   1. Lookups of neighbours use the state before the frame. Where only low beams open ground
 //      (perception/opening.hpp), evidence without effect is removed.
 //   2. Groups with evidence are aged, fused and classified.
@@ -8,8 +9,8 @@
 //      are aged and classified without evidence. Frames are counted after the window has a
 //      position.
 //   4. Tracking relabels moving cells (perception/moving_names.hpp).
-//   5. If a slice was registered, the frame counts as fused. Tiles whose slot plus number of fused
-//      frames, including this one, is even update their ground.
+//   5. If a slice was registered, the frame counts as fused. The ground of a tile is
+//      updated if its slot plus the number of fused frames, including this frame, is even.
 // The result does not depend on the order of slices or tiles.
 //
 // Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile are one
@@ -51,7 +52,7 @@
 
 namespace iog::perception {
 
-// Every tile is refreshed once every this many frames.
+// The period, in frames, in which every tile is refreshed once.
 inline constexpr std::uint32_t kRefreshFrames = 8;
 
 struct FrameCounts {
@@ -119,8 +120,8 @@ class WindowFusion {
   // The counts of the current frame so far.
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
-  // The hits of the frame if objects are tracked, and the number of hits that were dropped because
-  // the list was full.
+  // hits() returns the hits of the frame if objects are tracked. hits_left() returns the number of
+  // hits that were dropped because the list was full.
   [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
   // See MovingNames. Call it only if objects are tracked.
@@ -183,10 +184,10 @@ class WindowFusion {
     }
   };
 
-  // The group counts, in this frame, of the tile at a slot.
+  // The group counts of the tile at a slot in the current frame.
   struct SlotCounts {
-    // The groups are counted only if the evidence might exceed the budget. Slots without hits are
-    // counted only if several cores fuse.
+    // The groups are counted only if the evidence might exceed the budget. The groups of slots
+    // without hits are counted only if several cores work in parallel.
     GroupBudget groups;
     Budget allowed;  // groups that may be fused in that case
     std::uint8_t fused = 0;

@@ -1,4 +1,5 @@
-// The evidence of a frame: all slices of the frame, joined in the cells of the window.
+// The evidence of a frame, which consists of all slices of the frame, joined in the cells of the
+// window.
 //
 // Free space is gathered: the negative index of a slice cell is added to each window cell whose
 // centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
@@ -74,7 +75,7 @@ class FrameEvidence {
   // The cells of the tile with a tall return. Valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Removes the evidence of these cells of the tile at a slot.
+  // Removes the evidence of the given cells of the tile at a slot.
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:

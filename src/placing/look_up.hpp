@@ -16,10 +16,11 @@ namespace iog::placing {
 // The images of a run of eight window cells in the slice grid, computed once for all runs of a
 // slice.
 //
-// A run follows the window axis that is closer to the grid's x axis. Along the run, seven steps of
-// at most 2^16 plus a fraction are less than eight cells, so a run covers at most eight columns of
-// the grid. Across the run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps are
-// less than five cells, so a run covers at most six rows.
+// A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
+// 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
+// less than eight cells, so a run covers at most eight columns of the grid. Across the run, a step
+// is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells, so a run
+// covers at most six rows.
 //
 // The offset of a cell from the lowest column or row of its run is the integer part of the cell's
 // steps. One is added if the fraction of the steps and the fraction of the lowest column or row add

@@ -3,7 +3,7 @@
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
 // tile's other cells are computed by adding steps that are rounded to the nearest 2^-16 cells. The
 // image of a cell is therefore less than 32 * 2^-16 cells below and at most 31 * 2^-16 cells above
-// the exact image. This error is 0.05 mm for cells of 0.1 m.
+// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm.
 #pragma once
 
 #include <algorithm>

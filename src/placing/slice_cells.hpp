@@ -1,9 +1,9 @@
 // The slice grid: the index grid of a slice, stored by tiles with one byte per cell
 // (placing/slice_byte.hpp). It also records which parts are known.
 //
-// The cells are a copy, because they are looked up four times as often as they are copied. Known
-// tiles are stored consecutively, so successive slices use the same part of the L2 cache. For
-// unknown tiles, no cells are stored, and nothing needs to be cleared.
+// The cells are a copy. The copy pays off because cells are looked up four times as often as they
+// are copied. Known tiles are stored consecutively, so successive slices use the same part of the
+// L2 cache. For unknown tiles, no cells are stored, so these tiles need no clearing.
 #pragma once
 
 #include <array>

@@ -8,8 +8,8 @@
 //
 // A forged message must not blind the target permanently. A message of another run or another time,
 // which does not continue the current sequence, is accepted only after kConfirmations such messages
-// in a row. If it goes back in time or to an earlier run, no message of the current sequence may
-// have arrived for kLostUs.
+// in a row. If such a message goes back in time or belongs to an earlier run, there must also have
+// been no message of the current sequence for kLostUs.
 #pragma once
 
 #include <array>
@@ -61,16 +61,16 @@ class History {
   // not known from other data.
   void pass_silence(std::uint64_t target_us);
 
-  // Reports that registered data is contradictory, so the poses were wrong. The source may be
-  // stuck. Poses are therefore rejected until the position differs from the current position, but
-  // for at most kMaxStuckUs.
+  // Reports that the registered data contradict each other, so the poses were wrong. The source may
+  // be stuck. Poses are therefore rejected until the position differs from the current position,
+  // but for at most kMaxStuckUs.
   void contradict();
 
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. Up to
   // kLateUs after the newest message, the pose is predicted from the speed and the yaw rate. If the
-  // time is before the first message after a break, the cause is the break's cause: kLost, kJump,
-  // kRestart, kContradicted or kDrifting. If there was no break, it is kLost. The other possible
-  // causes are kLate and kImprecise.
+  // time is before the first message after a break, the cause is the kind of this break: kLost,
+  // kJump, kRestart, kContradicted or kDrifting. If there was no break, the cause is kLost. The
+  // other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // Converts a time on the target's clock to the clock of the source, using the message with the

@@ -50,8 +50,8 @@ inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 // kMaxDelayGrowthUs beyond this drift, the delay is considered to be growing.
 inline constexpr std::uint64_t kMaxDriftPpm = 200;
 inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
-// The source is accepted again after this time without such growth. It is twice the time span over
-// which the minimum offset is computed.
+// The source is accepted again after this time without such growth. This time is twice the time
+// span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
 // Larger residuals are a jump. For the heading, the limit is the angle that corresponds to 300 mm

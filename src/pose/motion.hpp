@@ -17,18 +17,18 @@ struct Motion {
 // circle. The direction of the chord is the heading after half the time. |x|, |y| <= 10^9 mm. The
 // angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to half a
 // millimetre. The length of the arc is used as the length of the chord. At 0.5 rad/s and 100 ms,
-// this length is too long by one part in ten thousand.
+// this makes the chord too long by one part in ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
 // Interpolates linearly between two poses at elapsed_us of span_us. The heading turns in the
-// direction of the shorter angle. If both angles are equal, it turns clockwise. 0 <= elapsed_us <=
+// direction of the smaller angle. If both angles are equal, it turns clockwise. 0 <= elapsed_us <=
 // span_us, 0 < span_us <= 10^6,
 // |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, with ties rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 
-// The difference of two poses in each coordinate. The difference of the headings is the shorter
-// angle.
+// The difference of two poses, for each coordinate. The difference of the headings is the smaller
+// of the two possible angles.
 struct Residual {
   std::int64_t x_mm = 0;
   std::int64_t y_mm = 0;

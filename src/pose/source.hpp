@@ -32,8 +32,8 @@ struct CauseCounts {
 
 class Source {
  public:
-  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source. It is
-  // 0 if there is no replayer. For depends_on_arrival, see History.
+  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
+  // replayer_ipv4 is 0 if there is no replayer. For depends_on_arrival, see History.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
                   bool depends_on_arrival = false);
 
@@ -57,7 +57,7 @@ class Source {
   [[nodiscard]] bool has_moved() const { return history_.has_moved(); }
   [[nodiscard]] std::optional<Message> newest() const { return history_.newest(); }
 
-  // The slice that contains a time of the source's clock.
+  // Returns the slice that contains a time on the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
   // See History. Does not count.

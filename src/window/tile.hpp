@@ -81,8 +81,8 @@ struct Tile {
   // The map classes ruled out, even for unknown cells. 0 where the map has no information.
   TileRuledOut ruled_out{};
   // For each group, the clock slots of the group's last ageing and of its last evidence
-  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. The second slot is also
-  // kNever if the last evidence is too old.
+  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. The slot of the last
+  // evidence is also kNever if this evidence is too old.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
   // Whether the group is known and all values of its `taken` are 0.

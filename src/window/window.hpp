@@ -46,12 +46,12 @@ class Window {
   // Sets the tile at a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the map classes ruled out in the tile at a slot, until the next call. The tile need not be
-  // known. Reclassifies the tile's cells with the masses of their last classification. Changes
-  // nothing else.
+  // Sets the map classes ruled out in the tile at a slot. They apply until the next call. The tile
+  // need not be known. Reclassifies the tile's cells with the masses of their last classification.
+  // Changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // Restores the classes of a group from its masses, as of the group's last classification.
+  // Restores the classes that a group had after its last classification, using the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
   // Returns the planes that `plane_of` returns for the tile at a slot and its neighbours. For tiles

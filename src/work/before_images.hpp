@@ -1,4 +1,4 @@
-// Undo log for tasks that change data in place. A task that was left half done can be undone and
+// Undo log for tasks that change data in place. A partially completed task can be undone and
 // repeated.
 //
 // Each helper has one image. The helper copies the data that its item is about to change into the
@@ -6,9 +6,9 @@
 // core is repeated, the image is restored if it belongs to this item. If no image belongs to the
 // item, no data was changed yet. Core 0 needs no image, because its items are never repeated.
 //
-// Core 0 reads a helper's image only after the helper has ended. The end acts like a signal: if a
-// later store of the helper is visible, its earlier stores are also visible. It is therefore enough
-// that the compiler preserves the order of the stores.
+// Core 0 reads a helper's image only after the helper has ended. The end of the helper has the
+// effect of a signal: if a later store of the helper is visible, its earlier stores are also
+// visible. Therefore, a compiler barrier between the stores is enough.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@
 
 namespace iog::work {
 
-// Compiler barrier between stores of this core. After the core has ended, if core 0 sees any store
-// after the barrier, it also sees all stores before the barrier.
+// A compiler barrier between stores of this core. If core 0 sees any store after the barrier when
+// the core has ended, core 0 also sees all stores before the barrier.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // Must be in static memory if the image is large.

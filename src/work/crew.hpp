@@ -1,6 +1,6 @@
 // The executor of a round's tasks: a team, a platform with a team, or core 0 alone.
 //
-// It is a reference, so code that splits its work need not know which executor runs it.
+// A crew is only a reference, so code that splits its work need not know which executor is used.
 #pragma once
 
 #include <concepts>
@@ -61,8 +61,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// The number of items for this many things if each item contains `in_each` things. The last item
-// may contain fewer.
+// The number of items that are needed for `things` elements if each item contains `in_each`
+// elements. The last item may contain fewer elements.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

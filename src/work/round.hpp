@@ -8,8 +8,8 @@
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
 // reads or writes. A core may also be stopped while it runs an item. Core 0 then repeats the item
-// from its start. An item must therefore not read its own output unless it has already written this
-// output itself.
+// from its start. An item must therefore read its own output only after it has written this output
+// in the same run.
 #pragma once
 
 #include <array>

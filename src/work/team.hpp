@@ -3,7 +3,8 @@
 // Core 0 claims items like any helper, so a round is completed even without helpers. A helper that
 // faults or hangs while it runs an item is stopped and never used again, and core 0 runs its item.
 // A helper that does not answer a wake-up has not claimed an item, and may answer later. Losing a
-// core therefore only costs time. No wait is longer than the patience, unless an item takes longer.
+// core therefore only costs time. The time of each wait is limited to the patience, unless an item
+// takes longer.
 #pragma once
 
 #include <algorithm>
@@ -130,7 +131,7 @@ class Team {
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // A value that is not the number of a round. It means that the helper is looking for items.
+  // This value is not the number of a round. It indicates that the helper is looking for items.
   static constexpr std::uint32_t kInside = 1U << 16;
 
   // Only the seat's own core writes it. Each seat has its own cache line.
@@ -186,8 +187,8 @@ class Team {
     });
   }
 
-  // Waits until every item is done or no helper is running an item. By this time all items have
-  // been claimed, and the place of a helper with an item is kInside.
+  // Waits until every item is done or no helper is running an item. All items have already been
+  // claimed, and the `place` of a helper that has an item is kInside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
