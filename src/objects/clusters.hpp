@@ -2,8 +2,8 @@
 //
 // Two hits are near each other if their distance on both axes is at most the gap of either hit. The
 // gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are ignored.
-// Cells are represented as bits of a plane as large as the window. A cluster grows by the bits
-// around each of its cells, and each bit is found only once.
+// Cells are represented as bits of a plane that has the size of the window. A cluster grows by the
+// bits around each of its cells, and each bit is found only once.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Cluster {
 class Clusters {
  public:
   // Assigns a cluster to each hit that is not old, in the order of hits. Returns the number of hits
-  // without a cluster, because all kMostClusters clusters were in use.
+  // that have no cluster because all kMostClusters clusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 
   [[nodiscard]] std::span<Cluster> all() { return std::span(clusters_).first(count_); }

@@ -2,9 +2,9 @@
 // sorted by ring of tiles around the car, then by window slot, cell and slice.
 //
 // The nearest hits come first, so they are kept if there are too many hits. If there are more than
-// kMostSeen hits, whole rings are dropped, starting with the farthest ring. Of the remaining hits,
-// hits beyond kMostHits are dropped. Hits outside the window or without a slice are rejected. All
-// dropped and rejected hits are counted.
+// kMostSeen hits, whole rings are dropped, starting with the farthest ring. If more than kMostHits
+// hits remain, the excess hits are dropped. Hits outside the window or without a slice are
+// rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Determines whether the grid confirms the motion of a track. It does if places that the track has
-// left are now free, and places that the track has reached were open.
+// Determines whether the grid confirms the motion of a track. The grid confirms it if places that
+// the track has left are now free, and places that the track has reached were open.
 //
 // A filter alone is not enough, because rails and walls seem to move: their visible part moves with
 // the car. The grid, however, stores the previous state of each place.

@@ -2,7 +2,8 @@
 // last eight epochs of 80 ms.
 //
 // Cell coordinates are taken modulo 1024, which is the size of the window. At most kMostOfAnEpoch
-// cells are recorded per epoch. If there are more, the farthest hits of a frame are not recorded.
+// cells are recorded per epoch. If there are more cells, the farthest hits of a frame are not
+// recorded.
 #pragma once
 
 #include <array>

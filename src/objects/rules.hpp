@@ -27,7 +27,7 @@ inline constexpr int kOldEpochs = 4;  // a place that was first hit this many ep
 // Process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-// Used at kWheelsSpeed and above, because the velocity turns in bends.
+// Used at speeds of kWheelsSpeed and above, because the velocity turns in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
 inline constexpr std::int32_t kSmallMm = 1200;     // upper limits of a walker's size
@@ -39,8 +39,8 @@ inline constexpr std::int32_t kMostSpeed = 100'000;
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track. The track takes hits up to this distance outside its box. Two deviations of
-// its position are added, up to the limits below.
+// The gate of a track. The track takes hits up to this distance outside its box. This distance is
+// increased by twice the deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -106,9 +106,9 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// For a moving track, because the deviation is 0.7 m/s with a 10 Hz scanner.
+// Applies to a moving track, because the deviation is 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// For a track that is certainly a car. Its speed must also exceed one deviation.
+// Applies to a track that is certainly a car. Its speed must also exceed one deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;

@@ -1,4 +1,4 @@
-// The reported deviation of a velocity. The filter's own deviation covers only the filter's
+// The reported deviation of a velocity. The filter's own deviation covers only the errors of the
 // measurements. It ignores that the visible part of a young object changes, and that both ends of a
 // near object may be hidden. For cars nearer than 8 m, half of the errors exceed twice the filter's
 // deviation.

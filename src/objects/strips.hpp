@@ -21,7 +21,7 @@ struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
 
-  // `more_mm` extends the rectangle on each side.
+  // The rectangle is extended by `more_mm` on each side.
   [[nodiscard]] static constexpr Strips of(const Bounds& bounds, std::int32_t more_mm) {
     return {.columns = bits(bounds.low.x_mm - more_mm, bounds.high.x_mm + more_mm),
             .rows = bits(bounds.low.y_mm - more_mm, bounds.high.y_mm + more_mm)};

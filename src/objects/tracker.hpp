@@ -98,7 +98,7 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
-  // All slots up to the last one with a track.
+  // All slots up to the last slot that has a track.
   [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
   [[nodiscard]] Track* free_slot();
   void leave_free_slots();
