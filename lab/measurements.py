@@ -78,10 +78,12 @@ def peers(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     run("lab/peers/run", "--out", folder)
 
 
-def recorded(folder: pathlib.Path, _parts, drive: typing.Sequence[str]) -> None:
-    """drive: a folder of KITTI's raw data, and the file of its car."""
-    build("host", "iog", "class_frames")
-    run("lab/recorded/measure.py", "--drive", drive[0], "--car", drive[1], "--out", folder)
+def recorded(folder: pathlib.Path, _parts, drives: typing.Sequence[str]) -> None:
+    """drives: folders, each followed by the file of its car."""
+    build("host", "iog", "class_frames", "point_fates")
+    run("lab/recorded/measure.py", "--out", folder, *drives)
+    for found in folder.iterdir():
+        keep_other_drives(found)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -99,7 +101,7 @@ KINDS = {
     "target": Kind("Counting and modelling on the Cortex-A9", target),
     "images": Kind("Weighing the firmware", images),
     "a9_model": Kind("Asking the cost model what others know", a9_model),
-    "recorded": Kind("Fusing a recorded drive", recorded),
+    "recorded": Kind("Fusing recorded drives", recorded),
 }
 EXPERIMENTS = tuple(f"experiments/{path.name}" for path in sorted((ROOT / "lab/experiments").iterdir())
                     if path.is_dir())
@@ -169,6 +171,19 @@ def keep_other_parts(found: pathlib.Path, parts: typing.Sequence[str]) -> None:
             [list(a9_runs.Row._fields),
              *(row for part, path in tables.items() for row in rows.get(path, [])[1:]
                if a9_runs.part_of(row[0]) == part)])
+
+
+def keep_other_drives(found: pathlib.Path) -> None:
+    """Adds what lab/data has of drives that were not measured now, in the order of their names."""
+    rows = list(csv.reader(found.read_text().splitlines()))
+    measured = {row[0] for row in rows[1:]}
+    stored = DATA / found.name
+    if stored.is_file():
+        head, *others = csv.reader(stored.read_text().splitlines())
+        if head == rows[0]:
+            rows += [row for row in others if row[0] not in measured]
+    with open(found, "w", newline="") as out:
+        csv.writer(out, lineterminator="\n").writerows([rows[0], *sorted(rows[1:], key=lambda row: row[0])])
 
 
 def commit() -> str:

@@ -6,6 +6,8 @@ import unicodedata
 
 LINE_CHARACTERS = 100
 NUMBER = re.compile(r"[-+±−<≤≥]?\d[\d,.]*(e-?\d+)?( [^\s\d]{1,5})?|–|")
+# A number, or two, with a unit: "≤ 550 Hz", "20.1 (20.4) ms", "0.3 to 2.2 m".
+MEASURED = re.compile(r"((?:to\b|[^A-Za-z*])*\d(?:to\b|[^A-Za-z*])*) (%|Hz|ms|ns|m|s)")
 # A line that begins with such a word would be a list, a heading, a quotation or a table.
 MARK = re.compile(r"\d+[.)]|[>|].*|[-+*#=_]+")
 
@@ -36,10 +38,22 @@ def width(text: str) -> int:
     return sum(not unicodedata.combining(letter) for letter in text)
 
 
+def _with_unit_in_heading(column: list[str]) -> list[str]:
+    """The heading and its cells: a unit that two or more of them share, and no other cell lacks, stands once."""
+    heading, *cells = column
+    found = [MEASURED.fullmatch(cell) for cell in cells if cell not in ("", "–")]
+    units = {match and match[2] for match in found}
+    if len(found) < 2 or len(units) != 1 or None in units:
+        return column
+    unit = units.pop()
+    return [f"{heading}, {unit}" if heading else unit, *(cell.removesuffix(f" {unit}") for cell in cells)]
+
+
 def table(columns: list[str], rows: list[list]) -> str:
     """A column whose cells all look like numbers is aligned to the right."""
     cells = [[str(cell).replace("|", r"\|").replace("\n", " ") for cell in row] for row in rows]
     assert all(len(row) == len(columns) for row in cells), f"a row does not fit {columns}"
+    columns, *cells = map(list, zip(*map(_with_unit_in_heading, zip(columns, *cells))))
     is_right = [bool(cells) and any(row[i] for row in cells) and
                 all(NUMBER.fullmatch(row[i]) for row in cells) for i in range(len(columns))]
     # A long last column is not padded: only its words would be moved apart.

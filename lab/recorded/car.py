@@ -12,21 +12,38 @@ FIRES_AFTER_S = np.tile([GROUP_S * (channel // 4) + IN_GROUP_S[channel % 4] for 
 
 
 class Car:
+    """Its height band, its body, and the mount of its first sensor."""
+
     def __init__(self, text: str):
         car = tomllib.loads(text)
-        units = [sensor for sensor in car["sensors"] if sensor["type"] == "velodyne_hdl64e_s2"]
-        if len(units) != 1 or len(units[0].get("lasers", [])) != 64:
-            raise ValueError("the car needs one velodyne_hdl64e_s2 with its lasers")
-        unit, mount = units[0], {"yaw_deg": 0, "pitch_deg": 0, "roll_deg": 0, **units[0]["mount"]}
+        self.unit = car["sensors"][0]
+        mount = {"yaw_deg": 0, "pitch_deg": 0, "roll_deg": 0, **self.unit["mount"]}
         self.low_m, self.high_m = car["z_min_m"], car["z_max_m"]
         self.pitch_deg = mount["pitch_deg"]
         self.footprint = car["footprint"]
         self.place = np.array([mount["x_m"], mount["y_m"], mount["z_m"]])
         yaw, pitch, roll = (np.radians(mount[name]) for name in ("yaw_deg", "pitch_deg", "roll_deg"))
         self.turn = (rotation(2, yaw) @ rotation(1, pitch) @ rotation(0, roll))
-        elevations = np.radians([laser["elevation_deg"] for laser in unit["lasers"]])
+
+    def in_vehicle(self, points: np.ndarray) -> np.ndarray:
+        return points @ self.turn.T + self.place
+
+    def is_own(self, vehicle: np.ndarray, margin_m: float) -> np.ndarray:
+        body = self.footprint
+        return ((vehicle[:, 0] > body["x_min_m"] - margin_m) & (vehicle[:, 0] < body["x_max_m"] + margin_m)
+                & (vehicle[:, 1] > body["y_min_m"] - margin_m) & (vehicle[:, 1] < body["y_max_m"] + margin_m))
+
+
+class Hdl64e(Car):
+    """With the unit of KITTI's car, and its lasers."""
+
+    def __init__(self, text: str):
+        super().__init__(text)
+        if self.unit["type"] != "velodyne_hdl64e_s2" or len(self.unit.get("lasers", [])) != 64:
+            raise ValueError("the car's first sensor has to be a velodyne_hdl64e_s2 with its lasers")
+        elevations = np.radians([laser["elevation_deg"] for laser in self.unit["lasers"]])
         self.rises = np.tan(elevations)
-        self.heights = np.array([laser["height_m"] for laser in unit["lasers"]]) / np.cos(elevations)
+        self.heights = np.array([laser["height_m"] for laser in self.unit["lasers"]]) / np.cos(elevations)
 
     def lasers_of(self, points: np.ndarray) -> np.ndarray:
         """The laser whose cone comes nearest."""
@@ -37,14 +54,6 @@ class Car:
             found[off < nearest] = laser
             nearest = np.minimum(nearest, off)
         return found
-
-    def in_vehicle(self, points: np.ndarray) -> np.ndarray:
-        return points @ self.turn.T + self.place
-
-    def is_own(self, vehicle: np.ndarray, margin_m: float) -> np.ndarray:
-        body = self.footprint
-        return ((vehicle[:, 0] > body["x_min_m"] - margin_m) & (vehicle[:, 0] < body["x_max_m"] + margin_m)
-                & (vehicle[:, 1] > body["y_min_m"] - margin_m) & (vehicle[:, 1] < body["y_max_m"] + margin_m))
 
 
 def rotation(axis: int, angle: float) -> np.ndarray:

@@ -1,19 +1,24 @@
 // The class grids of a capture, frame by frame as the target would send them, for
 // lab/recorded/evaluate.py.
 //
-//   class_frames CAPTURE CAR.toml OUT
+//   class_frames CAPTURE CAR.toml OUT [MOVING.csv]
 //
 // Of each frame that has a place, little endian: when its last slice ended (us since 1970, by the
 // poses' clock), the window's corner in tiles (a, b) and the car's place (x, y in mm) as five
-// int64, then 1024 x 1024 class bytes row by row from the corner. Then, on the terminal, what the
-// target says of the run.
+// int64, then 1024 x 1024 class bytes row by row from the corner. Into MOVING.csv goes a line for
+// each object of a frame that moves: its place and velocity. Then, on the terminal, what the target
+// says of the run.
+#include <array>
 #include <cstdint>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
+#include <string_view>
 
+#include "stream/objects.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
@@ -41,16 +46,35 @@ void write(const tools::ClassGrid& classes, tools::OutputFile& out) {
   out.write(std::as_bytes(std::span(classes.cells)));
 }
 
-void run(const std::string& capture_path, const std::string& car_path,
-         const std::string& out_path) {
+void write_moving(const stream::ObjectList& list, tools::OutputFile& out) {
+  for (const stream::ObjectRecord& object : list.all()) {
+    if (object.state == stream::ObjectState::kMoves) {
+      std::ostringstream line;
+      line << list.time_us << ',' << object.id << ',' << object.x_mm << ',' << object.y_mm << ','
+           << object.vx_cm_s << ',' << object.vy_cm_s << '\n';
+      out.write(std::string_view(line.str()));
+    }
+  }
+}
+
+void run(const std::string& capture_path, const std::string& car_path, const std::string& out_path,
+         const char* moving_path) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::add_vehicle_file(car_path));
   tools::PcapReader capture(capture_path);
   tools::OutputFile out(out_path);
+  std::optional<tools::OutputFile> moving;
+  if (moving_path != nullptr) {
+    moving.emplace(moving_path);
+    moving->write(std::string_view("time_us,id,x_mm,y_mm,vx_cm_s,vy_cm_s\n"));
+  }
   tools::RunStatistics statistics;
   tools::FrameAssembler assembler([&](tools::GridFrame&& frame) {
     statistics.add(frame);
     if (frame.classes && frame.classes->is_whole() && frame.classes->window.has_place()) {
       write(*frame.classes, out);
+    }
+    if (moving && frame.knows_objects()) {
+      write_moving(*frame.objects, *moving);
     }
   });
   const auto target = std::make_unique<tools::OfflineTarget>(
@@ -64,6 +88,9 @@ void run(const std::string& capture_path, const std::string& car_path,
   target->finish();
   assembler.finish();
   out.finish();
+  if (moving) {
+    moving->finish();
+  }
   std::cout << statistics.table(false);
 }
 
@@ -71,12 +98,12 @@ void run(const std::string& capture_path, const std::string& car_path,
 }  // namespace iog::lab
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::cerr << "class_frames: expected a capture, a car's file and a file to write\n";
+  if (argc != 4 && argc != 5) {
+    std::cerr << "class_frames: expected a capture, a car's file and one or two files to write\n";
     return iog::tools::kWrongUse;
   }
   try {
-    iog::lab::run(argv[1], argv[2], argv[3]);
+    iog::lab::run(argv[1], argv[2], argv[3], argc == 5 ? argv[4] : nullptr);
   } catch (const iog::tools::UsageError& error) {
     std::cerr << "class_frames: " << error.what() << '\n';
     return iog::tools::kWrongUse;

@@ -12,12 +12,12 @@ import xml.etree.ElementTree
 
 import numpy as np
 
+from trajectories import Trajectory, over_turns
+
 # NIMA TR8350.2: the ellipsoid of WGS 84.
 SEMI_MAJOR_M = 6_378_137.0
 ECCENTRICITY_SQUARED = (2 - 1 / 298.257223563) / 298.257223563
 LATITUDE, LONGITUDE, YAW = 0, 1, 5  # fields of oxts
-SPEED_OVER_FRAMES = 5  # before and after
-MOVES_ABOVE_MPS = 1.0
 
 
 def unix_s(line: str) -> float:
@@ -33,7 +33,8 @@ def times_in(path: pathlib.Path) -> np.ndarray:
 
 @dataclasses.dataclass(frozen=True)
 class Thing:
-    """A labelled box: its bottom's middle in the unit's frame, cloud by cloud, and its speed over ground."""
+    """A labelled box: its bottom's middle in the unit's frame, cloud by cloud, and its trajectory in the world, of
+    which the hits are not counted yet."""
 
     kind: str
     height_m: float
@@ -41,7 +42,7 @@ class Thing:
     length_m: float
     clouds: np.ndarray  # numbers
     places: np.ndarray  # x, y, z, yaw of each
-    speeds_mps: np.ndarray
+    trajectory: Trajectory
 
     def holds(self, points: np.ndarray, place: np.ndarray, margin_m: float) -> np.ndarray:
         """Which points are in the box, made wider by the margin; from 0.1 m below it to 0.2 m above."""
@@ -117,9 +118,9 @@ class Drive:
         if not path.is_file():
             return []
         items = xml.etree.ElementTree.parse(path).getroot().find("tracklets").findall("item")
-        return [thing for item in items if (thing := self._thing(item))]
+        return [thing for number, item in enumerate(items) if (thing := self._thing(str(number), item))]
 
-    def _thing(self, item) -> Thing | None:
+    def _thing(self, name: str, item) -> Thing | None:
         height, width, length = (float(item.find(name).text) for name in ("h", "w", "l"))
         places = np.array([[float(pose.find(name).text) for name in ("tx", "ty", "tz", "rz")]
                            for pose in item.find("poses").findall("item")])
@@ -129,10 +130,11 @@ class Drive:
             return None
         times = np.array([self.seen_at(number, place[None])[0] for number, place in zip(clouds, places)])
         x, y = self.world(places[:, 0] + self.unit[0], places[:, 1] + self.unit[1], times)
-        first = np.maximum(np.arange(len(x)) - SPEED_OVER_FRAMES, 0)
-        last = np.minimum(np.arange(len(x)) + SPEED_OVER_FRAMES, len(x) - 1)
-        speeds = np.hypot(x[last] - x[first], y[last] - y[first]) / np.maximum(times[last] - times[first], 1e-3)
-        return Thing(item.find("objectType").text, height, width, length, clouds, places, speeds)
+        speeds = np.hypot(over_turns(times, x), over_turns(times, y))
+        kind = item.find("objectType").text
+        return Thing(kind, height, width, length, clouds, places, Trajectory(
+            name, kind, length, width, times, x, y, places[:, 3] + self.pose(times)[2], speeds,
+            np.hypot(places[:, 0], places[:, 1]), np.zeros(len(x), int)))
 
 
 def places_of(latitudes: np.ndarray, longitudes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -6,12 +6,14 @@ pose in the middle of its packet's slice. It counts by the first frame that has 
 """
 
 import collections
+import dataclasses
 import pathlib
 
 import numpy as np
 
-from car import BLOCK_S, BLOCKS_OF_PACKET, FIRES_AFTER_S, Car
-from drive import MOVES_ABOVE_MPS, Drive
+from car import BLOCK_S, BLOCKS_OF_PACKET, FIRES_AFTER_S, Car, Hdl64e
+from drive import Drive
+from trajectories import MOVES_ABOVE_MPS, Trajectory, speed_band
 
 SIDE, TILE, CELLS_PER_M = 1024, 32, 10
 HEADER = 6  # int64 before the cells of a frame
@@ -138,7 +140,7 @@ def road_of(points: np.ndarray) -> np.ndarray:
 
 def kind_of(thing, number: int) -> str:
     """By what it is and whether it moves at that cloud."""
-    if thing.speeds_mps[number] <= MOVES_ABOVE_MPS:
+    if thing.trajectory.speeds_mps[number] <= MOVES_ABOVE_MPS:
         return "parked car"
     if thing.kind == "Cyclist":
         return "cyclist"
@@ -148,7 +150,7 @@ def kind_of(thing, number: int) -> str:
 class Hits:
     """Of one cloud: what may be a hit, where the firmware puts it, and which frame has taken it."""
 
-    def __init__(self, number: int, drive: Drive, car: Car, frames: Frames, place: Place):
+    def __init__(self, number: int, drive: Drive, car: Hdl64e, frames: Frames, place: Place):
         points = drive.cloud(number)
         seen_at = drive.seen_at(number, points)
         laser = car.lasers_of(points)
@@ -175,20 +177,35 @@ class Hits:
 
 
 class Counts:
-    """Rows of the table of hits: of each kind and range what is said, with and without neighbours' names."""
+    """Rows of a table of hits: what is said of those with a key."""
 
-    COLUMNS = ["kind", "range_from_m", "range_to_m", "named_by_neighbour", *(f"{said}_hits" for said in SAID)]
+    CLASSES = [f"{said}_hits" for said in SAID]
+    COLUMNS = ["kind", "speed", "range_from_m", "range_to_m", "named_by_neighbour", *CLASSES]
+    THINGS = ["thing", "kind", "after_gap", *CLASSES]
 
     def __init__(self):
         self.sums = collections.defaultdict(lambda: np.zeros(256, np.int64))
 
-    def add(self, kind: str, range_m: tuple[int, int], which: np.ndarray, alone: np.ndarray, named: np.ndarray):
+    def count(self, key: tuple, classes: np.ndarray):
+        self.sums[key] += np.bincount(classes, minlength=256)
+
+    def add(self, kind: str, speed: str, range_m: tuple[int, int], which: np.ndarray, alone: np.ndarray,
+            named: np.ndarray):
+        """Of a kind, a band of speed and a range, with and without neighbours' names."""
         for is_named, said in ((0, alone), (1, named)):
-            self.sums[kind, *range_m, is_named] += np.bincount(said[which], minlength=256)
+            self.count((kind, speed, *range_m, is_named), said[which])
 
     def rows(self) -> list[list]:
         return [[*key, *(int(sum(of_class[one] for one in classes)) for classes in SAID.values())]
                 for key, of_class in sorted(self.sums.items()) if of_class[:255].sum()]
+
+
+@dataclasses.dataclass
+class Results:
+    hits: list[list]       # rows of Counts.COLUMNS
+    areas: list[float]     # the mean areas_of() the turns' last frames
+    things: list[list]     # rows of Counts.THINGS
+    trajectories: list[Trajectory]  # of things that move
 
 
 def areas_of(frames: Frames, number: int) -> list[float]:
@@ -200,9 +217,8 @@ def areas_of(frames: Frames, number: int) -> list[float]:
     return [np.isin(near, SAID[said]).sum() / CELLS_PER_M**2 for said in ("free", "moving", "standing", "open")]
 
 
-def evaluate(drive: Drive, place: Place, car: Car, frames: Frames) -> tuple[list[list], list[float]]:
-    """Rows of Counts.COLUMNS, and the mean areas_of() the clouds' last frames."""
-    counts, areas, things = Counts(), [], drive.things()
+def evaluate(drive: Drive, place: Place, car: Hdl64e, frames: Frames) -> Results:
+    counts, moving, areas, things = Counts(), Counts(), [], drive.things()
     for number in range(FIRST_CLOUD, len(drive) - 1):
         hits = Hits(number, drive, car, frames, place)
         if not len(hits.frame):
@@ -215,16 +231,20 @@ def evaluate(drive: Drive, place: Place, car: Car, frames: Frames) -> tuple[list
                 its = thing.holds(hits.points, thing.places[at], LABEL_MARGIN_M) & rest
                 near |= thing.holds(hits.points, thing.places[at], NEAR_LABEL_M)
                 labelled |= its
-                away_m = np.hypot(*thing.places[at][:2])
+                path, kind = thing.trajectory, kind_of(thing, at)
+                path.hits[at] = its.sum()
+                if path.speeds_mps[at] > MOVES_ABOVE_MPS:
+                    moving.count((int(path.thing), kind, 0), named[its])
                 for band in RANGES_M:
-                    if band[0] <= away_m < band[1]:
-                        counts.add(kind_of(thing, at), band, its, alone, named)
+                    if band[0] <= path.away_m[at] < band[1]:
+                        counts.add(kind, speed_band(path.speeds_mps[at]), band, its, alone, named)
         flat, upright = place.is_flat(hits.x, hits.y), place.is_upright(hits.x, hits.y)
         unlabelled = rest & ~labelled & ~near
         whole = (0, FARTHEST_M)
-        counts.add("upright", whole, unlabelled & upright & ~flat, alone, named)
-        counts.add("neither flat nor upright", whole, unlabelled & ~upright & ~flat, alone, named)
-        counts.add("flat ground", whole, unlabelled & flat, alone, named)
-        counts.add("road ahead", (0, ROAD_WITHIN_M), hits.is_road & ~near, alone, named)
+        counts.add("upright", "", whole, unlabelled & upright & ~flat, alone, named)
+        counts.add("neither flat nor upright", "", whole, unlabelled & ~upright & ~flat, alone, named)
+        counts.add("flat ground", "", whole, unlabelled & flat, alone, named)
+        counts.add("road ahead", "", (0, ROAD_WITHIN_M), hits.is_road & ~near, alone, named)
         areas.append(areas_of(frames, hits.frame.max()))
-    return counts.rows(), list(np.mean(areas, axis=0))
+    return Results(counts.rows(), list(np.mean(areas, axis=0)), moving.rows(),
+                   [thing.trajectory for thing in things if (thing.trajectory.speeds_mps > MOVES_ABOVE_MPS).any()])

@@ -202,9 +202,11 @@ void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
     tell({number, "ground.low_m", kGroundLowWords});
   } else if (!is_within<std::int32_t>(top_mm, low_mm + 500, 10'000)) {
     tell({number, "ground.top_m", kGroundTopWords});
-  } else if (sensor.origin_z <= vehicle::subcells_of(sensor.ground.low_mm) ||
-             sensor.origin_z >= vehicle::subcells_of(sensor.ground.top_mm)) {
-    tell({number, "ground", "low_m and top_m that the sensor's own height lies between"});
+  } else if (sensor.origin_z <= vehicle::subcells_of(sensor.ground.low_mm)) {
+    tell({number, "ground.low_m", "less than mount.z_m, the sensor's own height"});
+  } else if (sensor.origin_z >= vehicle::subcells_of(sensor.ground.top_mm)) {
+    tell({number, "ground.top_m",
+          "more than mount.z_m, the sensor's own height: write ground = { top_m = ... }"});
   }
 }
 

@@ -49,6 +49,14 @@ std::int32_t confidence_of(const Track& track) {
   return std::clamp<std::int32_t>(track.confidence + more, 0, kMostConfidence);
 }
 
+std::int32_t unopposed_of(const Track& track) {
+  const Seen& seen = track.seen;
+  const bool is_opposed = seen.good + seen.neutral < kGoodOverBad * seen.bad;
+  const bool is_supported = !is_opposed && seen.good >= kSteadyHits;
+  const std::int32_t more = is_opposed ? -kOpposed : is_supported ? 1 : 0;
+  return std::clamp<std::int32_t>(track.unopposed + more, 0, kMostUnopposed);
+}
+
 void stop(std::uint64_t since_us, Track& track) {
   track.state = State::kStopped;
   track.stopped_us = since_us;
@@ -136,6 +144,7 @@ bool is_judged(std::uint64_t now_us, Step step, Track& track) {
 
 void judge(std::uint64_t now_us, Track& track) {
   track.confidence = confidence_of(track);
+  track.unopposed = unopposed_of(track);
   if (!track.moves() && track.confidence >= kMovingConfidence && track.updates >= kMovesFrom &&
       track.speed() >= kStopSpeed) {
     track.state = State::kMoves;

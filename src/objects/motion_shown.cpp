@@ -47,17 +47,20 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
 
 // Judges the places that a receding track has left. The grid's classes lag behind there, so this
 // frame decides whether they are free. Places that are hit again are bad, because something stands
-// there.
+// there. So are places that were hit lately, if the track was too far away then for hits of its
+// own.
 void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t> numbers,
-                 const FrameHits& hits, const GridNames& grid, Track& track) {
-  const OwnBeams beams(car, numbers, hits.all());
+                 const Hits& hits, const GridNames& grid, Track& track) {
+  const std::int32_t lately_mm = kLeftMm + track.speed() * kLayersMs / 1000;
+  const OwnBeams beams(car, numbers, hits.now.all());
   Seen& seen = track.seen;
   for (const geometry::Cell cell : then.all()) {
     const Point place = centre_of(cell);
-    if (track.box().outside(place) <= kLeftMm) {
+    const std::int32_t outside = track.box().outside(place);
+    if (outside <= kLeftMm) {
       continue;
     }
-    if (hits.is_hit_around(cell)) {
+    if (hits.now.is_hit_around(cell) || (outside > lately_mm && hits.recent.is_hit_lately(cell))) {
       ++seen.bad;
       ++seen.kept;
     } else if (beams.pass(place)) {
@@ -93,8 +96,8 @@ void weigh_reached(const Snapshot& then, Point car, bool open_counts,
 }  // namespace
 
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, const FrameHits& hits,
-                  const GridNames& grid, Track& track) {
+                  std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
+                  Track& track) {
   track.seen.bad = track.seen.contradicted;
   const std::uint64_t after = shown_after_us(track);
   const Snapshot* then = now_us < after ? nullptr : track.snapshots.youngest_before(now_us - after);
@@ -109,7 +112,7 @@ void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
     weigh_left(*then, car, open_counts, grid, track);
   }
   track.follow_trail();
-  weigh_reached(*then, car, open_counts, numbers, hits.all(), track);
+  weigh_reached(*then, car, open_counts, numbers, hits.now.all(), track);
 }
 
 bool is_shown(const Seen& seen) {

@@ -12,16 +12,22 @@
 #include "objects/grid_names.hpp"
 #include "objects/hit.hpp"
 #include "objects/plane.hpp"
+#include "objects/recent_hits.hpp"
 #include "objects/track.hpp"
 
 namespace iog::objects {
+
+struct Hits {
+  const FrameHits& now;
+  const RecentHits& recent;
+};
 
 // Counts good, bad and neutral places in track.seen. The track and its hits are compared with the
 // youngest snapshot that is old enough to show motion. For a receding track, the trail is also
 // updated.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, const FrameHits& hits,
-                  const GridNames& grid, Track& track);
+                  std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
+                  Track& track);
 
 // Whether enough places confirm the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);

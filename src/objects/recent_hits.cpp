@@ -18,15 +18,21 @@ std::uint32_t RecentHits::three_from(std::int32_t x, std::int32_t y) const {
   return four | four >> 8 | four >> 16;
 }
 
-int RecentHits::oldest(geometry::Cell cell) const {
+std::uint8_t RecentHits::epochs_around(geometry::Cell cell) const {
   std::uint32_t any = 0;
   for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
     any |= three_from(cell.x - 1, y);
   }
-  // Rotated so that bit i is of the epoch 7 - i before the current one.
-  const auto turned =
-      std::rotr(static_cast<std::uint8_t>(any), static_cast<int>((epoch_ + 1) % kEpochs));
-  return turned == 0 ? 0 : kEpochs - 1 - std::countr_zero(turned);
+  return std::rotr(static_cast<std::uint8_t>(any), static_cast<int>((epoch_ + 1) % kEpochs));
+}
+
+int RecentHits::oldest(geometry::Cell cell) const {
+  const std::uint8_t epochs = epochs_around(cell);
+  return epochs == 0 ? 0 : kEpochs - 1 - std::countr_zero(epochs);
+}
+
+bool RecentHits::is_hit_lately(geometry::Cell cell) const {
+  return epochs_around(cell) >> (kEpochs - 2) != 0;
 }
 
 void RecentHits::add(std::uint64_t now_us, std::span<const FrameHit> hits) {

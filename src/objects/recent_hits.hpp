@@ -25,6 +25,9 @@ class RecentHits {
   // first hit, at most kEpochs - 1. The result is 0 if none of these cells was hit before the
   // current epoch, which is the epoch of the last add().
   [[nodiscard]] int oldest(geometry::Cell cell) const;
+  // Whether any of the 3 by 3 cells around and including `cell` was hit in the current epoch or the
+  // previous epoch.
+  [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
   // Adds the hits of a frame at the end of the frame. Time may run backwards only after forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
@@ -37,6 +40,9 @@ class RecentHits {
   [[nodiscard]] static std::uint32_t place_of(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(y) % kSide) * kSide + static_cast<std::uint32_t>(x) % kSide;
   }
+  // Returns the epochs in which any of the 3 by 3 cells around and including a cell was hit. Bit i
+  // represents the epoch that is 7 - i epochs before the current epoch.
+  [[nodiscard]] std::uint8_t epochs_around(geometry::Cell cell) const;
   [[nodiscard]] std::uint32_t three_from(std::int32_t x, std::int32_t y) const;
   void drop(std::size_t epoch);
 

@@ -140,10 +140,12 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 // The trail of a receding track. A frame supports the trail if the track's own beams pass at least
 // kTrailPlaces of the places that the track has left, and if they pass at least kGoodOverBad times
 // as many places as are hit again. A beam passes a place if it misses the place by at most
-// kBesideMm.
+// kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
+// scans its layers one after the other.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
+inline constexpr std::int32_t kLayersMs = 160;  // two epochs
 inline constexpr std::int32_t kBesideMm = 200;  // plus kBeamsOfAMetre per metre of range
 
 // Confidence and state.
@@ -184,8 +186,15 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side ar
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// At this confidence and above, standing hits in the box of a car belong to the car.
+// At this confidence and above, standing hits in the box of a car belong to the car if at least
+// kSureUnopposed frames have supported the motion of the car. A frame opposes the motion if there
+// is more than one bad place for every kGoodOverBad other places. Each such frame cancels kOpposed
+// supporting frames. A frame that does not oppose the motion supports it if it has at least
+// kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
+inline constexpr std::int32_t kSureUnopposed = 4;
+inline constexpr std::int32_t kMostUnopposed = 12;
+inline constexpr std::int32_t kOpposed = 2;
 inline constexpr std::uint32_t kMovesFrom = 4;  // updates
 inline constexpr std::int32_t kStopSpeed = 300;
 inline constexpr std::int32_t kStopMs = 400;

@@ -100,7 +100,9 @@ bool Track::is_like_a_car() const {
          along >= kShortestCarMm && along <= kLongestCarMm;
 }
 
-bool Track::is_sure_car() const { return confidence >= kSureConfidence && is_like_a_car(); }
+bool Track::is_sure_car() const {
+  return confidence >= kSureConfidence && unopposed >= kSureUnopposed && is_like_a_car();
+}
 
 bool Track::is_streak() const {
   const std::int32_t narrow = std::min(box_.sides[kAlong].length(), box_.sides[kAcross].length());

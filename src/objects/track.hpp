@@ -83,9 +83,10 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // Whether the track has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Whether the track has the size of a car and a high confidence of moving. Standing hits in its
-  // box then belong to the car, because a slow car covers each place for so long that the grid
-  // classifies the place as standing.
+  // Whether the track has the size of a car and a high confidence of moving that nothing opposes.
+  // Standing hits in its box then belong to the car, because a slow car covers each place for so
+  // long that the grid classifies the place as standing. Walkers beside a parked car also have the
+  // size of a car, but they leave places that are standing.
   [[nodiscard]] bool is_sure_car() const;
   // Sets is_receding according to the velocity and the position relative to the car.
   void look_from(Point car);
@@ -114,6 +115,7 @@ class Track {
   std::int32_t parked_ms = 0;    // time for which most hits in its box have been standing
   std::int32_t confidence = 0;   // confidence that it is moving, 0 ... kMostConfidence
   std::int32_t trail = 0;        // evidence for a trail, 0 ... kMostTrail
+  std::int32_t unopposed = 0;    // supporting frames minus deductions, 0 ... kMostUnopposed
   // The track moves away from the car within about 60 degrees of the line of sight, and it is not
   // slow.
   bool is_receding = false;

@@ -167,7 +167,7 @@ void Tracker::judge_all(const GridNames& grid) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
       track.look_from(car_);
-      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), hits_, grid, track);
+      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), {hits_, recent_}, grid, track);
       remember(now_us_, owned_.of(slot), hits_.all(), track);
       judge(now_us_, track);
     }

@@ -102,9 +102,7 @@ struct Description {
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   perception::Rules window{};       // how evidence becomes classes
-  // Whether things with a speed are followed (docs/objects.md). If it is not said, they are where
-  // no unit of the car turns.
-  std::optional<bool> objects{};
+  bool objects = true;              // things with a speed are followed (docs/objects.md)
 };
 
 }  // namespace iog::description

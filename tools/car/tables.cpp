@@ -186,11 +186,6 @@ vehicle::Footprint footprint_of(const FootprintConfig& config) {
           .y_max = subcells(grid_metres(config.y_max_m))};
 }
 
-bool none_turns(std::span<const Sensor> sensors) {
-  return std::ranges::none_of(sensors,
-                              [](const Sensor& sensor) { return lidar::turns(sensor.format); });
-}
-
 }  // namespace
 
 double horizontal_range_m(const lidar::Laser& laser) {
@@ -267,17 +262,16 @@ Sensor numbers_of(const SensorConfig& config) {
 }
 
 Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
-  return {
-      .name = car.name,
-      .sensors = sensors,
-      .rule = car.rule,
-      .quantisation = car.quantisation,
-      .frame_period_us = car.frame_period_us,
-      .grids = car.grids,
-      .has_objects = vehicle::have_classes(car.grids) && car.objects.value_or(none_turns(sensors)),
-      .poses = car.poses,
-      .maps = car.maps,
-      .window = car.window};
+  return {.name = car.name,
+          .sensors = sensors,
+          .rule = car.rule,
+          .quantisation = car.quantisation,
+          .frame_period_us = car.frame_period_us,
+          .grids = car.grids,
+          .has_objects = vehicle::have_classes(car.grids) && car.objects,
+          .poses = car.poses,
+          .maps = car.maps,
+          .window = car.window};
 }
 
 Sensor sensor_of(const SensorConfig& config, const Description& car) {

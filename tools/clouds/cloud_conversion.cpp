@@ -1,6 +1,7 @@
 #include "tools/clouds/cloud_conversion.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -24,7 +25,7 @@ CloudConversion::CloudConversion(const std::string& folder, const CatalogueEntry
       track_(set_.poses),
       packets_(*sensor_, head_) {
   make_samples(mount_x_m, mount_y_m);
-  if (set_.is_corrected && track_.is_empty()) {
+  if (set_.is_corrected && set_.unit_poses.empty()) {
     set_.remarks.emplace_back(
         "no way back to where points were seen: each cloud is as of one time");
   }
@@ -39,7 +40,7 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   PoseLog even;
   even.poses = track_.every(kPosePeriodUs);
   PoseConversion conversion{.mount_x_m = mount_x_m, .mount_y_m = mount_y_m};
-  if (set_.has_poses_of_unit) {
+  if (!set_.unit_poses.empty()) {
     conversion.mount_x_m = sensor_->mount.x_m;
     conversion.mount_y_m = sensor_->mount.y_m;
     for (LoggedPose& pose : even.poses) {
@@ -51,24 +52,20 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   set_.remarks.insert(set_.remarks.end(), log.remarks.begin(), log.remarks.end());
 }
 
-// A point of a corrected cloud stood still while the unit moved on, or had not come so far. Only
-// motion in the plane is taken back: it is what a target knows of.
+// A point of a corrected cloud stood still while the unit moved on, or had not come so far: the
+// unit's whole motion is taken back, as it pitches and rolls on a road.
 CloudPoint CloudConversion::place_at(const CloudPoint& point, double time_us) const {
-  if (!set_.is_corrected || track_.is_empty()) {
+  if (set_.unit_poses.empty()) {
     return point;
   }
-  const LoggedPose then = track_.at(time_us);
-  const double turned = *then.heading_rad - *forward_.heading_rad;
-  const double x_m = then.x_m - forward_.x_m;
-  const double y_m = then.y_m - forward_.y_m;
-  // The way, in the frame that the cloud is in.
-  const double cos_forward = std::cos(*forward_.heading_rad);
-  const double sin_forward = std::sin(*forward_.heading_rad);
-  const double x = point.x - (x_m * cos_forward + y_m * sin_forward);
-  const double y = point.y - (y_m * cos_forward - x_m * sin_forward);
-  const double cos = std::cos(turned);
-  const double sin = std::sin(turned);
-  return {x * cos + y * sin, y * cos - x * sin, point.z};
+  const auto time_of = [](const ForwardTime& its) { return static_cast<double>(its.time_us); };
+  const auto after = std::ranges::upper_bound(set_.forward, time_us, {}, time_of);
+  const auto to = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - set_.forward.begin(), 1, std::ssize(set_.forward) - 1));
+  const double from_us = time_of(set_.forward[to - 1]);
+  const double part = (time_us - from_us) / (time_of(set_.forward[to]) - from_us);
+  const Rigid then = between(set_.unit_poses[to - 1], set_.unit_poses[to], part);
+  return moved(inverse(then), moved(set_.unit_poses[next_cloud_], point));
 }
 
 std::vector<CapturedDatagram> CloudConversion::next() {
@@ -77,9 +74,6 @@ std::vector<CapturedDatagram> CloudConversion::next() {
       continue;
     }
     const ForwardTime& its = set_.forward[next_cloud_];
-    if (!track_.is_empty()) {
-      forward_ = track_.at(static_cast<double>(its.time_us));
-    }
     std::vector<CapturedDatagram> packets = packets_.add(
         its.turn, read_cloud(set_.clouds[next_cloud_]),
         [this](const CloudPoint& point, double time_us) { return place_at(point, time_us); });

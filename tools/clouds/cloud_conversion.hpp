@@ -51,7 +51,6 @@ class CloudConversion {
   CloudSet set_;
   Head head_;
   Track track_;
-  LoggedPose forward_;  // of the turn's cloud, if it is corrected
   UnitPackets packets_;
   PoseEncoder encoder_;
   std::vector<PoseSample> samples_;

@@ -14,34 +14,6 @@
 namespace iog::tools {
 namespace {
 
-// Of a rigid body: three rows of four.
-using Rigid = std::array<double, 12>;
-
-Rigid product(const Rigid& a, const Rigid& b) {
-  Rigid c{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 4; ++column) {
-      double sum = column == 3 ? a[row * 4 + 3] : 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        sum += a[row * 4 + i] * b[i * 4 + column];
-      }
-      c[row * 4 + column] = sum;
-    }
-  }
-  return c;
-}
-
-Rigid inverse(const Rigid& a) {
-  Rigid b{};
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      b[row * 4 + i] = a[i * 4 + row];
-      b[row * 4 + 3] -= a[i * 4 + row] * a[i * 4 + 3];
-    }
-  }
-  return b;
-}
-
 Rigid rigid_in(std::string_view text, const std::string& where) {
   Rigid rigid{};
   std::size_t count = 0;
@@ -75,26 +47,23 @@ Rigid unit_in_camera(const std::string& path) {
   throw UsageError(path + ": no line Tr: says where the unit is");
 }
 
-// One pose of the unit for each cloud, in the frame of the first: x forward, y left.
-PoseLog poses_of_unit(const std::string& folder, const std::vector<ForwardTime>& forward) {
+// One pose for each cloud, in the frame of the first: x forward, y left.
+std::vector<Rigid> poses_of_unit(const std::string& folder,
+                                 const std::vector<ForwardTime>& forward) {
   const std::string path = folder + "/poses.txt";
   const std::vector<std::string> lines = read_lines(path);
   const Rigid unit = unit_in_camera(folder + "/calib.txt");
   const Rigid camera = inverse(unit);
-  PoseLog log;
+  std::vector<Rigid> poses;
   for (const ForwardTime& at : forward) {
     if (at.turn >= lines.size()) {
       throw UsageError(path + ": " + std::to_string(lines.size()) + " poses, and times of " +
                        std::to_string(forward.size()));
     }
-    const Rigid pose = product(
-        camera, product(rigid_in(lines[at.turn], path + ":" + std::to_string(at.turn + 1)), unit));
-    log.poses.push_back({.time_us = at.time_us,
-                         .x_m = pose[3],
-                         .y_m = pose[7],
-                         .heading_rad = std::atan2(pose[4], pose[0])});
+    poses.push_back(product(
+        camera, product(rigid_in(lines[at.turn], path + ":" + std::to_string(at.turn + 1)), unit)));
   }
-  return log;
+  return poses;
 }
 
 std::optional<std::uint64_t> seconds_in(std::string_view text) {
@@ -145,11 +114,18 @@ CloudSet read_raw(const std::string& folder) {
 }
 
 CloudSet read_odometry(const std::string& folder) {
-  CloudSet set{.times = folder + "/times.txt", .is_corrected = true, .has_poses_of_unit = true};
+  CloudSet set{.times = folder + "/times.txt", .is_corrected = true};
   read_times(set, seconds_in,
              [&](std::size_t i) { return folder + "/velodyne/" + zero_padded(i, 6) + ".bin"; });
   if (std::filesystem::exists(folder + "/poses.txt")) {
-    set.poses = poses_of_unit(folder, set.forward);
+    set.unit_poses = poses_of_unit(folder, set.forward);
+    for (std::size_t i = 0; i < set.forward.size(); ++i) {
+      const Rigid& pose = set.unit_poses[i];
+      set.poses.poses.push_back({.time_us = set.forward[i].time_us,
+                                 .x_m = pose[3],
+                                 .y_m = pose[7],
+                                 .heading_rad = std::atan2(pose[4], pose[0])});
+    }
   } else {
     set.remarks.emplace_back("no poses: there is no poses.txt");
   }

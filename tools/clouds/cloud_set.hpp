@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tools/clouds/head.hpp"
+#include "tools/clouds/rigid.hpp"
 #include "tools/poses/pose_log.hpp"
 
 namespace iog::tools {
@@ -24,7 +25,7 @@ struct CloudSet {
   bool is_corrected = false;          // for the car's motion
   // Where the receiver of the poses was, or the unit itself if they are of it. May be empty.
   PoseLog poses{};
-  bool has_poses_of_unit = false;
+  std::vector<Rigid> unit_poses{};     // for each time, if the poses are of the unit
   std::vector<std::string> remarks{};  // what is not there
 };
 

@@ -19,6 +19,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/standing_car.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
@@ -31,6 +32,7 @@ namespace {
 
 struct PoseLogOptions {
   std::string from;
+  std::string standing;
   std::string format;
   std::string out;
   std::string target;
@@ -169,8 +171,21 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
 }
 
 void convert(const PoseLogOptions& options) {
+  if (options.from.empty() == options.standing.empty()) {
+    throw UsageError("give either --from, a log of poses, or --standing, a capture");
+  }
   if (options.out.empty() == options.target.empty()) {
     throw UsageError("give either --out FILE or --target ADDRESS");
+  }
+  if (!options.standing.empty()) {
+    if (options.out.empty()) {
+      throw UsageError("--standing needs --out");
+    }
+    const std::uint64_t poses =
+        write_with_standing_poses(options.standing, options.port, options.out);
+    std::cout << options.out << ": " << options.standing << " with " << poses
+              << " poses of a car that stands still\n";
+    return;
   }
   if (!options.signing.key.empty() && options.target.empty()) {
     throw UsageError("--key needs --target: what is signed is signed for one run of a target");
@@ -231,9 +246,11 @@ void add_pose(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "pose", "Make pose messages of a log of where the car was, or send them to a target");
   const auto options = std::make_shared<PoseLogOptions>();
-  command->add_option("--from", options->from, "The log to read")
-      ->option_text("FILE | FOLDER  (required)")
-      ->required();
+  command->add_option("--from", options->from, "The log to read")->option_text("FILE | FOLDER");
+  command
+      ->add_option("--standing", options->standing,
+                   "Or a capture of sensors on a car that stood still: --out is a copy with poses")
+      ->option_text("CAPTURE");
   command->add_option("--format", options->format, "What it is, where its name does not say")
       ->option_text("csv | oxts | nmea | ubx")
       ->check(CLI::IsMember({"csv", "oxts", "nmea", "ubx"}));

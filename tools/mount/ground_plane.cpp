@@ -27,9 +27,11 @@ constexpr std::size_t kFewestMetres = 3;
 constexpr double kLeastSpreadXM = 2;  // standard deviations
 constexpr double kLeastSpreadYM = 0.5;
 
-// So much of what is seen of the lane is on the plane; else it is some other thing's side, or the
-// road is not seen for traffic.
+// So much of what is seen of the lane below bumpers is on the plane; else it is some other thing's
+// side, or the road is not seen for traffic. Higher returns do not count: dense rings have more of
+// a van ahead than of the whole road.
 constexpr double kLeastShare = 0.5;
+constexpr double kLowM = 0.3;
 // Under a road there is nothing, but for a mirror image.
 constexpr double kClearlyBelowM = 0.15;
 constexpr double kMostBelow = 0.05;
@@ -67,8 +69,7 @@ Returns on_plane(std::span<const RoadReturn> returns, const GroundPlane& plane, 
   return on;
 }
 
-std::optional<GroundPlane> plane_through(const Returns& returns) {
-  const MetreWeights weights(returns);
+std::optional<GroundPlane> plane_through(const Returns& returns, const MetreWeights& weights) {
   NormalEquations<4> equations;
   for (const RoadReturn& point : returns) {
     equations.add({point.x_m, point.y_m, 1, point.x_m * point.x_m / 2}, point.z_m,
@@ -89,11 +90,13 @@ struct Settled {
   Returns on;
 };
 
+// A metre in which most returns are of some other thing says little of the road.
 std::optional<Settled> settled(std::span<const RoadReturn> returns, const GroundPlane& start) {
+  const MetreWeights weights(returns);
   Settled found{.plane = start, .on = {}};
   for (const Gate& gate : kGates) {
     found.on = on_plane(returns, found.plane, gate);
-    const std::optional<GroundPlane> plane = plane_through(found.on);
+    const std::optional<GroundPlane> plane = plane_through(found.on, weights);
     if (!plane) {
       return std::nullopt;
     }
@@ -138,12 +141,12 @@ bool are_wide(const Returns& on) {
 }
 
 bool is_bottom(std::span<const RoadReturn> returns, const Settled& found) {
-  const auto below = std::ranges::count_if(returns, [&](const RoadReturn& point) {
-    return off_m(found.plane, point) < -kClearlyBelowM;
-  });
+  const auto lower_than = [&](double height_m) {
+    return static_cast<double>(std::ranges::count_if(
+        returns, [&](const RoadReturn& point) { return off_m(found.plane, point) < height_m; }));
+  };
   const auto on = static_cast<double>(found.on.size());
-  return on >= kLeastShare * static_cast<double>(returns.size()) &&
-         static_cast<double>(below) <= kMostBelow * on;
+  return on >= kLeastShare * lower_than(kLowM) && lower_than(-kClearlyBelowM) <= kMostBelow * on;
 }
 
 double residual_of(const Settled& found) {

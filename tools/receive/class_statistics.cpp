@@ -107,6 +107,8 @@ std::string ClassStatistics::table() const {
   }
   const auto spells = spells_of(last_);
   const bool had_spells = std::ranges::any_of(spells, [](auto times) { return times > 0; });
+  const bool had_poses =
+      std::ranges::any_of(last_.pose_fates, [](auto poses) { return poses > 0; });
   return row("class frames", std::to_string(frames_)) +
          row_if(incomplete_ + damaged_ > 0, "class frames not whole",
                 std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
@@ -120,7 +122,8 @@ std::string ClassStatistics::table() const {
                 std::to_string(slices_over_budget_) + " slices, " + std::to_string(groups_left_) +
                     " groups of cells") +
          row_if(had_spells, "times without a place", list_of(spells, kPoseCauseNames)) +
-         row("poses", list_of(last_.pose_fates, kPoseFateNames)) +
+         row("poses", had_poses ? list_of(last_.pose_fates, kPoseFateNames)
+                                : "none: classes need them, the index grid does not") +
          (last_.map ? map_table(*last_.map) : std::string()) +
          row("class run hash", hex(run_hash()));
 }

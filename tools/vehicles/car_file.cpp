@@ -8,10 +8,11 @@
 #include <sstream>
 
 #include "car_block/limits.hpp"
+#include "tools/car/defaults.hpp"
 #include "tools/car/limits.hpp"
-#include "tools/car/scanners.hpp"
 #include "tools/car/tables.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/vehicles/car_sensor.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/toml_nesting.hpp"
 
@@ -22,119 +23,6 @@ using Mistakes = std::vector<Mistake>;
 
 // More is not a car's file, or has one mistake in all its lines.
 constexpr std::size_t kMostTold = 50;
-
-void read_source(TomlTable& table, std::uint32_t& source_ipv4) {
-  net::Ipv4Address address{source_ipv4};
-  table.read("source_ipv4", address);
-  source_ipv4 = address.value;
-}
-
-description::MountConfig read_mount(TomlTable table) {
-  description::MountConfig mount;
-  table.read("x_m", mount.x_m);
-  table.read("y_m", mount.y_m);
-  table.read("z_m", mount.z_m);
-  table.read("yaw_deg", mount.yaw_deg);
-  table.read("pitch_deg", mount.pitch_deg);
-  table.read("roll_deg", mount.roll_deg);
-  table.demand({"x_m", "y_m", "z_m"});
-  table.refuse_others();
-  return mount;
-}
-
-std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
-  std::vector<lidar::Laser> lasers;
-  for (TomlTable& table : tables) {
-    lidar::Laser laser;
-    table.read("elevation_deg", laser.elevation_deg);
-    table.read("azimuth_deg", laser.azimuth_deg);
-    table.read("height_m", laser.height_m);
-    table.read("range_m", laser.range_m);
-    table.demand({"elevation_deg"});
-    table.refuse_others();
-    lasers.push_back(laser);
-  }
-  return lasers;
-}
-
-// Evenly from the lowest to the highest. How many a unit may have is checked with the others.
-void read_layers(TomlTable table, std::vector<lidar::Laser>& lasers) {
-  constexpr std::uint32_t kMost = 255;
-  double from_deg = 0;
-  double to_deg = 0;
-  std::uint32_t count = 0;
-  table.read("from_deg", from_deg);
-  table.read("to_deg", to_deg);
-  table.read("count", count);
-  table.demand({"from_deg", "to_deg", "count"});
-  table.refuse_others();
-  for (std::uint32_t i = 0; i < std::min(count, kMost); ++i) {
-    const double share = count == 1 ? 0 : static_cast<double>(i) / (count - 1);
-    lasers.push_back({.elevation_deg = from_deg + (to_deg - from_deg) * share});
-  }
-}
-
-description::GroundConfig read_ground(TomlTable table) {
-  description::GroundConfig ground;
-  table.read("low_m", ground.low_m);
-  table.read("top_m", ground.top_m);
-  table.refuse_others();
-  return ground;
-}
-
-description::MovedConfig read_moved(TomlTable table) {
-  description::MovedConfig moved;
-  table.read("low_m", moved.low_m);
-  table.read("tall_m", moved.tall_m);
-  table.refuse_others();
-  return moved;
-}
-
-// What the type of a scanner gives; another value changes that one member.
-description::SensorConfig read_type(TomlTable& table) {
-  using description::kScannerTypes;
-  std::vector<std::string_view> names(kScannerTypes.size());
-  std::ranges::transform(kScannerTypes, names.begin(), &description::ScannerType::name);
-  const std::optional<std::size_t> chosen = table.read_word("type", names);
-  return chosen ? description::scanner_of(kScannerTypes[*chosen].format)
-                : description::SensorConfig{};
-}
-
-void read_sensor(TomlTable& table, Car& car) {
-  description::SensorConfig sensor = read_type(table);
-  table.read("name", car.names.emplace_back());
-  sensor.name = car.names.back();
-  read_source(table, sensor.source_ipv4);
-  table.read("udp_port", sensor.udp_port);
-  sensor.mount = read_mount(table.table("mount"));
-  table.read("range_min_mm", sensor.range_min_mm);
-  table.read("range_max_mm", sensor.range_max_mm);
-  table.read("precision_mm", sensor.precision_mm);
-  table.read("sigma_m", sensor.sigma_m);
-  table.read("azimuth_sigma_deg", sensor.azimuth_sigma_deg);
-  table.read("no_return_clears_mm", sensor.no_return_clears_mm);
-  table.read("scan_width_ticks", sensor.scan_width_ticks);
-  table.read("azimuth_steps_per_turn", sensor.azimuth_steps_per_turn);
-  table.read("max_points_per_scan", sensor.max_points_per_scan);
-  table.read("mode", sensor.mode, kModeWords);
-  table.read("beam_tilt_deg", sensor.beam_tilt_deg);
-  auto& lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
-  if (table.has("layers")) {
-    read_layers(table.table("layers"), lasers);
-  }
-  sensor.lasers = lasers;
-  table.read("is_synchronised", sensor.is_synchronised);
-  table.read("latency_us", sensor.latency_us);
-  if (table.has("ground")) {
-    sensor.ground = read_ground(table.table("ground"));
-  }
-  if (table.has("moved")) {
-    sensor.moved = read_moved(table.table("moved"));
-  }
-  table.demand({"name", "type", "udp_port", "mount"});
-  table.refuse_others();
-  car.sensors.push_back(sensor);
-}
 
 description::FootprintConfig read_footprint(TomlTable table) {
   description::FootprintConfig footprint;
@@ -200,6 +88,28 @@ std::string read_authentication(TomlTable table, const std::string& path) {
   return key_file;
 }
 
+// What opens ground is said by default where classes are made of what follows it.
+void add_usual_moved(std::vector<TomlTable>& tables, Car& car) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    description::SensorConfig& sensor = car.sensors[i];
+    if (vehicle::have_classes(car.description.grids) && sensor.ground && !tables[i].has("moved")) {
+      sensor.moved = description::usual_moved(sensor.ground);
+    }
+  }
+}
+
+// All sensors, and what follows from them where the file does not say it.
+void read_sensors(std::vector<TomlTable>& tables, Car& car) {
+  car.description.z_min_m = 0.30;
+  for (TomlTable& table : tables) {
+    read_sensor(table, car);
+    car.description.z_max_m =
+        std::max(car.description.z_max_m, description::top_m_over(car.sensors.back().mount.z_m));
+  }
+  description::share_turn_lines(car.sensors);
+  car.description.frame_period_us = description::usual_frame_period_us(car.sensors);
+}
+
 Car read_fields(const toml::table& file, const std::string& path, Mistakes& mistakes) {
   TomlTable table(file, "", mistakes);
   Car car;
@@ -207,25 +117,24 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   table.read("name", car.names.emplace_back());
   description.name = car.names.back();
   description.footprint = read_footprint(table.table("footprint"));
+  std::vector<TomlTable> sensors = table.tables("sensors");
+  read_sensors(sensors, car);
   table.read("z_min_m", description.z_min_m);
   table.read("z_max_m", description.z_max_m);
   table.read("epsilon", description.epsilon);
   table.read("quantisation", description.quantisation, kQuantisationWords);
   table.read("rule", description.rule, kRuleWords);
   table.read("frame_period_us", description.frame_period_us);
+  description.grids = description::usual_grids(description, car.sensors);
   table.read("grids", description.grids, kGridsWords);
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
   description.window = read_window(table.table("window"));
-  if (table.has("objects")) {
-    table.read("objects", description.objects.emplace());
-  }
+  table.read("objects", description.objects);
   car.network = read_network(table.table("network"));
   car.key_file = read_authentication(table.table("authentication"), path);
-  for (TomlTable& sensor : table.tables("sensors")) {
-    read_sensor(sensor, car);
-  }
-  table.demand({"name", "footprint", "z_min_m", "z_max_m", "sensors"});
+  add_usual_moved(sensors, car);
+  table.demand({"name", "footprint", "sensors"});
   table.refuse_others();
   return car;
 }

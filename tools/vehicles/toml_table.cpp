@@ -69,6 +69,11 @@ void TomlTable::read(std::string_view key, bool& value) {
   }
 }
 
+bool TomlTable::is_false(std::string_view key) {
+  const toml::node* const node = find(key);
+  return node != nullptr && node->is_boolean() && !node->as_boolean()->get();
+}
+
 void TomlTable::read(std::string_view key, double& value) {
   if (const toml::node* const node = find(key)) {
     if (node->is_number()) {

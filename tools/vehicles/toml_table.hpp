@@ -71,6 +71,9 @@ class TomlTable {
   // A key that is asked for is a known one.
   [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
 
+  // Whether it is `false`, which says of a table that there is none.
+  [[nodiscard]] bool is_false(std::string_view key);
+
   // Notes each of the keys that is missing; none if the whole table is.
   void demand(const std::vector<std::string_view>& keys);
   // Notes each key that nobody has asked for. Once, at the end.

@@ -94,7 +94,7 @@ TEST(CarBlock, WhatSharesAByteComesBackByItself) {
 }
 
 TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {
-  const vehicles::Car& roof = vehicles::car("roof_hdl64e");
+  const vehicles::Car& roof = vehicles::car("roof_vlp16_radar");
   std::vector<vehicle::Sensor> sensors(roof.vehicle.sensors.begin(), roof.vehicle.sensors.end());
   sensors[0].moved = {.low_mm = 600, .tall_mm = 700};
   vehicles::Car car = roof;

@@ -179,6 +179,7 @@ TEST(FieldLimits, SomeBeamMeetsTheBandHoweverFarItSwings) {
           }
           c.car.z_max = static_cast<std::int32_t>(lowest >> 10) + over_lowest;
           c.car.z_min = c.car.z_max - 1'000;
+          c.sensors[0].moved = {};
         },
         "roof_ld_mrs");
   };

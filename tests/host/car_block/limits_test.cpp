@@ -143,7 +143,12 @@ TEST(CarLimits, AllStepsOfAnArcMark) {
 
 TEST(CarLimits, OfTheGround) {
   const auto fault_of_limits = [](std::uint16_t low_mm, std::uint16_t top_mm) {
-    return fault_with([&](Changed& c) { c.sensors[0].ground = {low_mm, top_mm}; }, "roof_hdl64e");
+    return fault_with(
+        [&](Changed& c) {
+          c.sensors[0].ground = {low_mm, top_mm};
+          c.sensors[0].moved = {};
+        },
+        "roof_hdl64e");
   };
   EXPECT_EQ(fault_of_limits(100, 10'000), "");
   EXPECT_EQ(fault_of_limits(1'000, 2'200), "");
@@ -151,7 +156,7 @@ TEST(CarLimits, OfTheGround) {
   EXPECT_EQ(fault_of_limits(1'001, 2'200), "0.ground.low_m");
   EXPECT_EQ(fault_of_limits(220, 719), "0.ground.top_m");
   EXPECT_EQ(fault_of_limits(220, 10'001), "0.ground.top_m");
-  EXPECT_EQ(fault_of_limits(220, 1'600), "0.ground");  // the sensor is higher
+  EXPECT_EQ(fault_of_limits(220, 1'600), "0.ground.top_m");  // the sensor is higher
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[0].ground = {220, 2'200}; }), "0.ground");
 }
 

@@ -48,6 +48,28 @@ TEST(Judge, ATrackIsToldIfTheGridCallsTwoFifthsOfItsHitsMoving) {
   }
 }
 
+// "At least two good places, and four times as many as bad ones" add a frame; more bad places than
+// a quarter of the others take two back, and one among many that say nothing takes none.
+TEST(Judge, AFrameOpposesTheMotionByTheShareOfItsBadPlaces) {
+  const auto unopposed_after = [](std::int32_t good, std::int32_t bad, std::int32_t neutral) {
+    Track track = sure_track_of(2000);
+    track.seen.good = good;
+    track.seen.bad = bad;
+    track.seen.neutral = neutral;
+    track.unopposed = 3;
+    judge(kBeginUs, track);
+    return track.unopposed;
+  };
+  EXPECT_EQ(unopposed_after(2, 0, 0), 4);
+  EXPECT_EQ(unopposed_after(1, 0, 9), 3);
+  EXPECT_EQ(unopposed_after(8, 2, 0), 4);
+  EXPECT_EQ(unopposed_after(8, 3, 0), 1);
+  EXPECT_EQ(unopposed_after(8, 8, 0), 1);  // walkers beside a parked car
+  EXPECT_EQ(unopposed_after(1, 1, 14), 3);
+  EXPECT_EQ(unopposed_after(1, 1, 2), 1);
+  EXPECT_EQ(unopposed_after(0, 0, 0), 3);
+}
+
 // What a beam draws on the ground is long, thin and of few hits: it is not told, whatever the grid
 // calls it, and loses confidence twice as fast.
 TEST(Judge, AStreakOfFewHitsIsNotBelieved) {

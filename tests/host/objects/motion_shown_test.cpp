@@ -50,6 +50,8 @@ std::unique_ptr<FrameHits> hits_of(const std::vector<geometry::Cell>& cells, Poi
   return hits;
 }
 
+std::unique_ptr<RecentHits> nothing_before() { return std::make_unique<RecentHits>(); }
+
 // Where a cell was hit 0.2 s ago, and another one is hit now: the track was 2 m by 1 m at 8 m, and
 // is at 12 m with 20 m/s.
 Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_velocity) {
@@ -62,7 +64,8 @@ Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_
   const auto hits = hits_of({kReached}, car, hit);
   constexpr std::array<std::uint16_t, 1> kNumbers{0};
   const AllAlike alike{grid};
-  weigh_motion(kNowUs, car, car_velocity, kNumbers, *hits, GridNames(alike), track);
+  weigh_motion(kNowUs, car, car_velocity, kNumbers, {*hits, *nothing_before()}, GridNames(alike),
+               track);
   return track.seen;
 }
 
@@ -71,7 +74,9 @@ Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_
 constexpr std::array<std::int32_t, 3> kAcrossIts{-4, 0, 4};
 
 Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& others = {},
-                      const std::vector<std::int32_t>& rear = {-9, -5, -1, 3, 7}) {
+                      const std::vector<std::int32_t>& rear = {-9, -5, -1, 3, 7},
+                      const std::vector<geometry::Cell>& frame_before = {},
+                      std::int32_t place = 80) {
   const Sides sides{Interval{0, 400}, Interval{-900, 900}};
   Track track;
   track.begin(1, {.at = {12'000, 50}, .sides = sides}, kThenUs);
@@ -80,13 +85,16 @@ Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& o
   EXPECT_TRUE(track.is_receding);
   Snapshot& then = track.snapshots.begin(kThenUs, {.at = {8'000, 50}, .sides = sides});
   for (const std::int32_t y : kAcrossIts) {
-    then.cells[then.count++] = {80, y};
+    then.cells[then.count++] = {place, y};
   }
   std::vector<geometry::Cell> cells = others;
   for (const std::int32_t y : rear) {
     cells.push_back({121, y});
   }
   const auto hits = hits_of(cells, kCarBehind);
+  const auto recent = nothing_before();
+  recent->add(kNowUs - 80'000, hits_of(frame_before, kCarBehind)->all());
+  recent->add(kNowUs, hits->all());
   std::vector<std::uint16_t> own;
   for (std::uint16_t i = 0; i < hits->all().size(); ++i) {
     if (hits->all()[i].cell.x == 121) {
@@ -94,7 +102,7 @@ Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& o
     }
   }
   const AllAlike alike{grid};
-  weigh_motion(kNowUs, kCarBehind, kAtRest, own, *hits, GridNames(alike), track);
+  weigh_motion(kNowUs, kCarBehind, kAtRest, own, {*hits, *recent}, GridNames(alike), track);
   return track.seen;
 }
 
@@ -155,6 +163,19 @@ TEST(WeighTrail, APlaceThatIsHitAgainIsNotLeft) {
   EXPECT_EQ(seen.passed, 2);
   EXPECT_EQ(seen.kept, 1);
   EXPECT_EQ(seen.bad, 1);
+}
+
+// A unit that scans its layers in turn does not hit the place in this frame, but 80 ms before. At
+// 20 m/s the rear was 1.6 m nearer then, so hits so close behind it are its own.
+TEST(WeighTrail, APlaceThatWasHitLatelyIsNotLeft) {
+  const auto seen = [](std::int32_t place, std::int32_t before) {
+    return seen_of_receding(decision::Class::kOccupied, {}, {-9, -5, -1, 3, 7}, {{before, 1}},
+                            place);
+  };
+  EXPECT_EQ(seen(80, 79).passed, 2);
+  EXPECT_EQ(seen(80, 79).kept, 1);
+  EXPECT_EQ(seen(80, 77).passed, 3);
+  EXPECT_EQ(seen(90, 90).kept, 0);
 }
 
 // Beams that graze a wall pass a place on one side.

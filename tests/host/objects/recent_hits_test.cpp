@@ -1,7 +1,9 @@
 // What was hit lately, beside a list of all that was ever hit.
 #include "objects/recent_hits.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>
@@ -29,6 +31,13 @@ int oldest_of(const std::vector<Past>& past, std::uint64_t now, geometry::Cell c
   return static_cast<int>(oldest);
 }
 
+bool is_lately(const std::vector<Past>& past, std::uint64_t now, geometry::Cell cell) {
+  return std::ranges::any_of(past, [&](const Past& its) {
+    return now - its.epoch < 2 && std::abs(its.cell.x - cell.x) <= 1 &&
+           std::abs(its.cell.y - cell.y) <= 1;
+  });
+}
+
 FrameHit hit_at(geometry::Cell cell) {
   FrameHit hit;
   hit.cell = cell;
@@ -54,6 +63,7 @@ TEST(RecentHits, AreThoseOfTheLastEightEpochs) {
     for (int i = 0; i < 100; ++i) {
       const geometry::Cell cell{random.between(-22, 22), random.between(-22, 22)};
       ASSERT_EQ(recent->oldest(cell), oldest_of(past, now_us / 80'000, cell)) << frame;
+      ASSERT_EQ(recent->is_hit_lately(cell), is_lately(past, now_us / 80'000, cell)) << frame;
     }
   }
   recent->forget();

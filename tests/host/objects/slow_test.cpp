@@ -73,11 +73,13 @@ TEST_F(Slow, ACarThatStopsInItsTurnHasStopped) {
                    [&] { EXPECT_EQ(scene.moving_share(0, tracker), 0) << scene.now_s(); });
 }
 
-Track car_of(std::int32_t length_mm, std::int32_t width_mm, std::int32_t confidence) {
+Track car_of(std::int32_t length_mm, std::int32_t width_mm, std::int32_t confidence,
+             std::int32_t unopposed = 4) {
   Track track;
   track.begin(1, {}, kStartUs);
   track.begin_heading({Interval{0, length_mm}, Interval{0, width_mm}});
   track.confidence = confidence;
+  track.unopposed = unopposed;
   track.seen = {.hits = 3, .standing = 4};
   return track;
 }
@@ -86,6 +88,7 @@ Track car_of(std::int32_t length_mm, std::int32_t width_mm, std::int32_t confide
 TEST(Track, OwnsWhatStandsIfItIsSurelyACar) {
   EXPECT_FALSE(car_of(4500, 1800, 8).is_mostly_standing());
   EXPECT_TRUE(car_of(4500, 1800, 7).is_mostly_standing());
+  EXPECT_TRUE(car_of(4500, 1800, 8, 3).is_mostly_standing());
   EXPECT_TRUE(car_of(4500, 1100, 8).is_mostly_standing());
   EXPECT_TRUE(car_of(4500, 2900, 8).is_mostly_standing());
   EXPECT_TRUE(car_of(2400, 1800, 8).is_mostly_standing());

@@ -61,6 +61,12 @@ TEST(Budget, IsAFifthOffWhatMovedTakesOfFramesWithClasses) {
   }
 }
 
+vehicle::Vehicle of_indexes(const CatalogueEntry& car) {
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.grids = vehicle::Grids::kIndexes;
+  return vehicle;
+}
+
 // Of a turn of 100 ms.
 TEST(Budget, OfAFrameThatIsShorterThanATurnIsThatOfItsPart) {
   CatalogueEntry car = find_vehicle("roof_hdl64e");
@@ -82,6 +88,7 @@ TEST(Budget, OfACarThatOpensGroundOnlyFromBelowHasWhatThatCosts) {
   const tests::GroundCar opens(*car.vehicle, {220, 2'200}, {.low_mm = 600, .tall_mm = 500});
   vehicle::Vehicle its = opens.vehicle();
   its.frame_period_us = 40'000;
+  its.grids = vehicle::Grids::kIndexes;
   car.vehicle = &its;
   EXPECT_EQ(budget_of(car).typical.work.moved_frames, 0) << "it makes no classes";
   its.grids = vehicle::Grids::kClasses;
@@ -109,6 +116,8 @@ TEST(Budget, OfAUnitThatTurnsIsThatOfItsTurn) {
   ASSERT_EQ(kTurns.size(), kVehicles.size());
   for (std::size_t i = 0; i < kTurns.size(); ++i) {
     CatalogueEntry car = find_vehicle(kVehicles[i]);
+    const vehicle::Vehicle its = of_indexes(car);
+    car.vehicle = &its;
     const FrameBudget typical = budget_of(car).typical;
     EXPECT_NEAR(typical.work.turn_points / kGroundTurns[i].points, 1, 0.10) << kTurns[i].name;
     EXPECT_EQ(typical.work.turn_steps, kTurnSteps);
@@ -131,7 +140,9 @@ TEST(Budget, OfAUnitThatIsNotLevelIsThatOfItsTurn) {
   std::vector<description::SensorConfig> sensors(level.sensors.begin(), level.sensors.end());
   sensors[0].mount.pitch_deg = -6;
   const std::array tables{description::sensor_of(sensors[0], *level.description)};
-  const vehicle::Vehicle its = description::vehicle_of(*level.description, tables);
+  description::Description description = *level.description;
+  description.grids = vehicle::Grids::kIndexes;
+  const vehicle::Vehicle its = description::vehicle_of(description, tables);
   CatalogueEntry car = level;
   car.vehicle = &its;
   car.sensors = sensors;
@@ -204,7 +215,10 @@ TEST(Budget, OfAnOusterWithTwoReturnsTheSecondIsALaterEcho) {
 // 800 detections; 23 ticks to either side, in steps of 2 at 73 m and of 5 at half of that.
 TEST(Budget, OfARadarTheStepsOfItsArcsCount) {
   const VehicleBudget budget = budget_of(find_vehicle("roof_vlp16_radar"));
-  const VehicleBudget without = budget_of(find_vehicle("roof_vlp16"));
+  CatalogueEntry roof = find_vehicle("roof_vlp16");
+  const vehicle::Vehicle its = of_indexes(roof);
+  roof.vehicle = &its;
+  const VehicleBudget without = budget_of(roof);
   EXPECT_EQ(budget.worst.work.arc_steps, 800 * 23);
   EXPECT_EQ(budget.typical.work.arc_steps, 800 * 9);
   EXPECT_EQ(budget.worst.work.points_once, without.worst.work.points_once);

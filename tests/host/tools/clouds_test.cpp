@@ -73,22 +73,40 @@ void write(const std::string& path, std::string_view text) {
   file.finish();
 }
 
-// The car of the odometry data drives 10 m/s ahead while it turns by 0.2 rad/s; its place is that
-// of the unit.
-struct Place {
-  double x = 0;
-  double y = 0;
-  double heading = 0;
-};
-Place place_at(double time_us) { return {time_us * 1e-5, -2, 0.2 * time_us * 1e-6}; }
+// The car of the odometry data drives 10 m/s ahead while it turns by 0.2 rad/s about an axis that
+// is not upright, so that it pitches and rolls by degrees a second, too. Its place is that of the
+// unit.
+using Rotation = std::array<std::array<double, 3>, 3>;
 
-CloudPoint seen_from(const Place& to, const CloudPoint& point, const Place& from) {
-  const double x =
-      from.x + point.x * std::cos(from.heading) - point.y * std::sin(from.heading) - to.x;
-  const double y =
-      from.y + point.x * std::sin(from.heading) + point.y * std::cos(from.heading) - to.y;
-  return {x * std::cos(to.heading) + y * std::sin(to.heading),
-          y * std::cos(to.heading) - x * std::sin(to.heading), point.z};
+// Rodrigues: about the unit vector (0.16, 0.48, ...).
+Rotation turned_at(double time_us) {
+  const std::array<double, 3> axis = {0.16, 0.48, std::sqrt(1 - 0.16 * 0.16 - 0.48 * 0.48)};
+  const double angle = 0.2 * time_us * 1e-6;
+  Rotation turned{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      turned[row][column] = (1 - std::cos(angle)) * axis[row] * axis[column];
+    }
+    turned[row][row] += std::cos(angle);
+    turned[row][(row + 1) % 3] -= std::sin(angle) * axis[(row + 2) % 3];
+    turned[row][(row + 2) % 3] += std::sin(angle) * axis[(row + 1) % 3];
+  }
+  return turned;
+}
+
+CloudPoint place_at(double time_us) { return {time_us * 1e-5, -2, 0}; }
+
+CloudPoint seen_at(double time_us, const CloudPoint& point, double from_us) {
+  const Rotation then = turned_at(from_us);
+  const Rotation now = turned_at(time_us);
+  const auto world = [&](std::size_t row) {
+    return then[row][0] * point.x + then[row][1] * point.y + then[row][2] * point.z;
+  };
+  const double x = world(0) + place_at(from_us).x - place_at(time_us).x;
+  const auto seen = [&](std::size_t column) {
+    return now[0][column] * x + now[1][column] * world(1) + now[2][column] * world(2);
+  };
+  return {seen(0), seen(1), seen(2)};
 }
 
 class Clouds : public testing::Test {
@@ -133,18 +151,26 @@ class Clouds : public testing::Test {
     make_folder(path("/velodyne"));
     write_clouds("/velodyne/", 6, [](const Return& its) {
       const double forward_us = kTurnUs * static_cast<double>(turn_of(its) + 1);
-      return seen_from(place_at(forward_us), point_of(its), place_at(its.time_us));
+      return seen_at(forward_us, point_of(its), its.time_us);
     });
     std::string times;
     std::string poses;
     for (std::size_t i = 1; i <= kTurns; ++i) {
-      const Place at = place_at(kTurnUs * static_cast<double>(i));
+      const CloudPoint at = place_at(kTurnUs * static_cast<double>(i));
+      const Rotation turned = turned_at(kTurnUs * static_cast<double>(i));
       std::array<char, 300> line{};
-      const double cos = std::cos(at.heading);
-      const double sin = std::sin(at.heading);
-      // Right, down and forward of the camera in those of the local frame.
-      std::snprintf(line.data(), line.size(), "%.9e 0 %.9e %.9e 0 1 0 0 %.9e 0 %.9e %.9e\n", cos,
-                    -sin, -at.y, sin, cos, at.x);
+      // Right, down and forward of the camera are -y, -z and x of the unit, in its poses and in the
+      // local frame.
+      const auto row = [&](std::size_t unit, double sign) {
+        return std::array{-sign * turned[unit][1], -sign * turned[unit][2], sign * turned[unit][0]};
+      };
+      const auto right = row(1, -1);
+      const auto down = row(2, -1);
+      const auto ahead = row(0, 1);
+      std::snprintf(line.data(), line.size(),
+                    "%.9e %.9e %.9e %.9e %.9e %.9e %.9e %.9e %.9e %.9e %.9e %.9e\n", right[0],
+                    right[1], right[2], -at.y, down[0], down[1], down[2], -at.z, ahead[0], ahead[1],
+                    ahead[2], at.x);
       poses += line.data();
       times += std::to_string(0.1 * static_cast<double>(i)) + '\n';
     }

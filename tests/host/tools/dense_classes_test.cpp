@@ -109,7 +109,7 @@ std::string file_of_ousters(const std::string& name, int units, int rows, const 
     text.append("\n[[sensors]]\nname = \"roof" + std::to_string(unit))
         .append("\"\ntype = \"ouster_legacy\"\nudp_port = " + std::to_string(7'502 + unit))
         .append("\nmount = { x_m = 0, y_m = " + std::to_string(unit) + ", z_m = 1.8 }\n")
-        .append("azimuth_steps_per_turn = 4096\nmax_points_per_scan = " + points)
+        .append("ground = false\nazimuth_steps_per_turn = 4096\nmax_points_per_scan = " + points)
         .append("\nmode = \"" + mode + "\"\nlasers = [\n");
     for (int row = 0; row < rows; ++row) {
       text += "  { elevation_deg = " + std::to_string(20.0 - 40.0 * row / (rows - 1)) +

@@ -140,5 +140,98 @@ mount = { x_m = 2.0, y_m = 0.0, z_m = 0.5, yaw_deg = 0.0, pitch_deg = 0.0, roll_
   EXPECT_EQ(car.sensors.size(), 1U);
 }
 
+// A car whose file says where its units are and nothing else; more of each behind it.
+Car car_of(const std::vector<std::string>& sensors, const std::string& more = {}) {
+  std::string text = "name = \"own\"\n" + more +
+                     "footprint = { x_min_m = -2, x_max_m = 2, y_min_m = -1, y_max_m = 1 }\n";
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    text += "[[sensors]]\nname = \"unit" + std::to_string(i) + "\"\n" + sensors[i];
+  }
+  return parse_car(text, "own.toml");
+}
+
+std::string puck(double z_m, const std::string& more = {}) {
+  return "type = \"velodyne_vlp16\"\nmount = { x_m = 0, y_m = 0, z_m = " + std::to_string(z_m) +
+         " }\n" + more;
+}
+
+const std::string kLux =
+    "type = \"ibeo_lux\"\nmax_points_per_scan = 2412\nmount = { x_m = 2, y_m = 0, z_m = 0.5 }\n";
+const std::string kRadar =
+    "type = \"continental_ars548\"\nmount = { x_m = 2, y_m = 0, z_m = 0.6 }\n";
+
+// Its port and turn by its data sheet, the heights by docs/vehicles.md.
+TEST(CarDefaults, APuckNeedsItsPlaceOnly) {
+  const Car car = car_of({puck(1.5)});
+  const vehicle::Sensor& unit = car.tables[0];
+  EXPECT_EQ(unit.udp_port, 2'368);
+  EXPECT_EQ(car.vehicle.grids, vehicle::Grids::kBoth);
+  EXPECT_TRUE(car.vehicle.has_objects);
+  EXPECT_EQ(car.vehicle.frame_period_us, 150'000U);
+  EXPECT_EQ(unit.ground.low_mm, 220);
+  EXPECT_EQ(unit.ground.top_mm, 2'200);
+  EXPECT_EQ(unit.moved.low_mm, 600);
+  EXPECT_EQ(unit.moved.tall_mm, 400);
+  EXPECT_TRUE(car.vehicle.window.is_opened_from_below);
+}
+
+TEST(CarDefaults, FalseSwitchesGroundAndMovedOff) {
+  const Car band = car_of({puck(1.5, "ground = false\n")}, "objects = false\n");
+  EXPECT_FALSE(band.tables[0].ground.is_followed());
+  EXPECT_FALSE(band.tables[0].moved.are_given());
+  EXPECT_FALSE(band.vehicle.has_objects);
+  EXPECT_FALSE(car_of({puck(1.5, "moved = false\n")}).tables[0].moved.are_given());
+  EXPECT_FALSE(car_of({puck(1.5)}, "grids = \"indexes\"\n").tables[0].moved.are_given());
+}
+
+// A van's roof is higher than 2.2 m, and so is the van.
+TEST(CarDefaults, ObstaclesEndAboveTheUnit) {
+  const Car van = car_of({puck(2.4)});
+  EXPECT_EQ(van.tables[0].ground.top_mm, 2'600);
+  EXPECT_DOUBLE_EQ(van.description.z_max_m, 2.6);
+  const Car low = car_of({puck(2.4, "ground = { low_m = 0.9 }\n")});
+  EXPECT_EQ(low.tables[0].ground.top_mm, 2'600);
+  EXPECT_EQ(low.tables[0].moved.low_mm, 1'000);
+  EXPECT_FALSE(car_of({puck(0.4)}).tables[0].ground.is_followed());
+}
+
+TEST(CarDefaults, LevelUnitsShareTheLines) {
+  const auto steps = [](const Car& car) {
+    std::vector<std::uint32_t> found;
+    for (const vehicle::Sensor& sensor : car.tables) {
+      found.push_back(sensor.azimuths.steps_per_turn());
+    }
+    return found;
+  };
+  using Steps = std::vector<std::uint32_t>;
+  const std::string second = "udp_port = 2369\n";
+  EXPECT_EQ(steps(car_of({puck(1.5)})), Steps{8'192});
+  EXPECT_EQ(steps(car_of({puck(1.5), puck(1.5, second)})), (Steps{4'096, 4'096}));
+  EXPECT_EQ(steps(car_of({puck(1.5, "azimuth_steps_per_turn = 2048\n"), puck(1.5, second)})),
+            (Steps{2'048, 4'096}));
+  // One that is tilted keeps none of these lines.
+  EXPECT_EQ(
+      steps(car_of({puck(1.5), "type = \"velodyne_vlp16\"\n" + second +
+                                   "mount = { x_m = 0, y_m = 0, z_m = 1.5, pitch_deg = 3 }\n"})),
+      (Steps{8'192, 8'192}));
+}
+
+TEST(CarDefaults, AFrameIsAScanOrATurn) {
+  EXPECT_EQ(car_of({kLux}).vehicle.frame_period_us, 40'000U);
+  EXPECT_EQ(car_of({kLux, puck(1.5)}).vehicle.frame_period_us, 40'000U);
+  const Car radar = car_of({puck(1.5), kRadar});
+  EXPECT_EQ(radar.vehicle.frame_period_us, 150'000U);
+  EXPECT_EQ(radar.vehicle.grids, vehicle::Grids::kIndexes);
+  std::string lasers;
+  for (int i = 0; i < 16; ++i) {
+    lasers += "{ elevation_deg = " + std::to_string(15 - 2 * i) + " }, ";
+  }
+  const Car fast = car_of({"type = \"ouster_rng19\"\nmode = \"1024x20\"\nlasers = [" + lasers +
+                           "]\nmax_points_per_scan = 16384\n"
+                           "mount = { x_m = 0, y_m = 0, z_m = 1.8 }\n"});
+  EXPECT_EQ(fast.vehicle.frame_period_us, 75'000U);
+  EXPECT_EQ(fast.tables[0].udp_port, 7'502);
+}
+
 }  // namespace
 }  // namespace iog::tools

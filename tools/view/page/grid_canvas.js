@@ -33,7 +33,7 @@ export class GridCanvas {
     this.vehicle = null;
     this.theme = "dark";
     this.scale = "index";
-    this.wantsClasses = true; // where there are any
+    this.wantsClasses = null; // where there are any; null: from the first pose on
     this.isStale = false;
     this.overlays = new Set(["mounts", "rings", "ages", "track", "up", "objects", "outlines"]);
     this.track = []; // where the car was: x, y and how many seconds ago, or null where it breaks off
@@ -67,7 +67,8 @@ export class GridCanvas {
 
   get showsClasses() {
     const { classes, frame } = this.grid;
-    return classes !== null && (this.wantsClasses || !frame.status.frame.sends_indexes);
+    return classes !== null && (!frame.status.frame.sends_indexes ||
+                                (this.wantsClasses ?? this.place !== null));
   }
 
   // What is unknown is dark in a picture of classes, whatever the theme of the page.

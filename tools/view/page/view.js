@@ -316,7 +316,7 @@ class Page {
   }
 
   layer() {
-    this.view.wantsClasses = !this.view.wantsClasses;
+    this.view.wantsClasses = !this.view.showsClasses;
     this.restyle();
   }
 

@@ -40,6 +40,17 @@ class Table(unittest.TestCase):
         with self.assertRaises(AssertionError):
             markdown.table(["one", "two"], [["alone"]])
 
+    def test_a_unit_that_all_cells_share_stands_in_the_heading(self):
+        made = markdown.table(["share", "a", "", "b"], [["≤ 50.0 %", "3 ms", "12.4 (16.0) Hz", "2.0 to 2.5 m"],
+                                                        ["", "4 s", "10 Hz", "3 m"], ["7 %", "–", "8 Hz", "5 m"]])
+        headings, _, first, *_ = ([cell.strip() for cell in line.split("|")[1:-1]] for line in made.splitlines())
+        self.assertEqual(headings, ["share, %", "a", "Hz", "b, m"])
+        self.assertEqual(first, ["≤ 50.0", "3 ms", "12.4 (16.0)", "2.0 to 2.5"])
+
+    def test_a_unit_of_one_cell_or_of_words_stays(self):
+        self.assertIn("7 %", markdown.table(["x"], [["7 %"]]))
+        self.assertIn("cells of 2 m", markdown.table(["x"], [["cells of 1 m"], ["cells of 2 m"]]))
+
     def test_a_combining_mark_takes_no_room(self):
         self.assertEqual(markdown.width("a\u0304b"), 2)
 

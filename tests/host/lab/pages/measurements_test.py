@@ -46,6 +46,13 @@ class Stamp(unittest.TestCase):
         self.assertEqual((self.root / "found.csv").read_text().splitlines(), [
             head, row("frame_cost scene=city", 1), row("scaling sensors=2", 2), row("turning x", 1)])
 
+    def test_drives_that_were_not_measured_keep_their_rows(self):
+        (self.root / "found").mkdir()
+        (self.root / "recorded_x.csv").write_text("drive,hits\na,1\nb,2\nc,3\n")
+        (self.root / "found/recorded_x.csv").write_text("drive,hits\nb,4\nb,5\n")
+        measurements.keep_other_drives(self.root / "found/recorded_x.csv")
+        self.assertEqual((self.root / "found/recorded_x.csv").read_text(), "drive,hits\na,1\nb,4\nb,5\nc,3\n")
+
 
 class Project(unittest.TestCase):
     """The steps as they are."""

@@ -51,7 +51,7 @@ class CarFile(unittest.TestCase):
         np.testing.assert_allclose(ahead, [1 + 10 * np.cos(np.radians(10)), 0, 1.75 - 10 * np.sin(np.radians(10))])
 
     def test_a_point_is_of_the_laser_whose_cone_is_nearest(self):
-        car = cars.Car(CAR)
+        car = cars.Hdl64e(CAR)
         for laser in (0, 31, 63):
             rise = np.tan(np.radians(2 - 0.4 * laser))
             point = np.array([[6.0, 8.0, 0.2 / np.cos(np.arctan(rise)) + 10 * rise + 0.01]])
@@ -59,7 +59,7 @@ class CarFile(unittest.TestCase):
 
     def test_a_car_without_the_unit_is_refused(self):
         with self.assertRaisesRegex(ValueError, "velodyne_hdl64e_s2"):
-            cars.Car(CAR.replace("hdl64e_s2", "vlp16"))
+            cars.Hdl64e(CAR.replace("hdl64e_s2", "vlp16"))
 
 
 class Clouds(unittest.TestCase):
@@ -77,7 +77,7 @@ class Clouds(unittest.TestCase):
         self.assertEqual(sorted(zip(count, low, top)), [(1, 7, 7), (3, 1, 5)])
 
     def test_a_box_is_turned_as_its_label_says(self):
-        thing = Thing("Car", 1.5, 2, 4, np.array([0]), np.zeros((1, 4)), np.zeros(1))
+        thing = Thing("Car", 1.5, 2, 4, np.array([0]), np.zeros((1, 4)), None)
         place = np.array([10, 0, -1.7, np.pi / 2])
         points = np.array([[10, 1.9, -1], [11.9, 0, -1], [10, 0, 0.2], [10, 0, -2], [10, 2.05, -1]], float)
         self.assertEqual(list(thing.holds(points, place, 0)), [True, False, False, False, False])

@@ -17,10 +17,13 @@ constexpr double kHeightM = 1.6;
 // How far a beam of that direction goes; 0: it meets nothing.
 using Surface = std::function<double(double x, double y, double z)>;
 
-// What comes back from the lane: each ring looks 2 degrees lower than the one above it.
-std::vector<RoadReturn> scan_of(const Surface& surface) {
+// What comes back from the lane: each ring looks 2 degrees lower than the one above it, unless the
+// elevations are others.
+std::vector<RoadReturn> scan_of(const Surface& surface,
+                                const std::vector<double>& rings = {
+                                    -15, -13, -11, -9, -7, -5, -3, -1, 1, 3, 5, 7, 9, 11, 13, 15}) {
   std::vector<RoadReturn> returns;
-  for (int ring = -15; ring <= 15; ring += 2) {
+  for (const double ring : rings) {
     for (int step = 0; step < 1800; ++step) {
       const double azimuth = step * 0.2 * kDegree;
       const double x = std::cos(ring * kDegree) * std::cos(azimuth);
@@ -87,6 +90,25 @@ TEST(GroundPlane, IsFoundBetweenCars) {
   EXPECT_NEAR(found->along, 0.02, 0.004);
   EXPECT_NEAR(found->across, 0.01, 0.004);
   EXPECT_NEAR(found->below_m, kHeightM, 0.02);
+}
+
+// A high unit in traffic, its rings dense near the horizon as a Pandar64's are: most returns of the
+// lane are of the van ahead and the car behind.
+TEST(GroundPlane, IsFoundBetweenThingsThatReturnMoreThanTheRoad) {
+  std::vector<double> rings = {-24.9, -18.9, -14, -13, -12, -11, -9.9, -9.1, -8.1, -7.1};
+  for (int ring = -36; ring <= 12; ++ring) {
+    rings.push_back(ring / 6.0);
+  }
+  constexpr double kRoofM = 2.15;
+  for (const double van_m : {9.0, 10.5, 13.0}) {
+    const std::vector<RoadReturn> returns = scan_of(
+        before(plane(0.01, 0.04, kRoofM), before(wall(van_m, 0.3), wall(-9.5, -0.7))), rings);
+    const auto found = ground_plane_of(returns, kRoofM);
+    ASSERT_TRUE(found) << van_m;
+    EXPECT_NEAR(found->along, 0.01, 0.004) << van_m;
+    EXPECT_NEAR(found->across, 0.04, 0.004) << van_m;
+    EXPECT_NEAR(found->below_m, kRoofM, 0.02) << van_m;
+  }
 }
 
 TEST(GroundPlane, WallsAreNone) {

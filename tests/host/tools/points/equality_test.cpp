@@ -40,7 +40,7 @@ const OwnUnit kVlp16{.type = "type = \"velodyne_vlp16\"\n",
                      .of_points =
                          "type = \"points_turning\"\nmax_points_per_scan = 30_000\n"
                          "layers = { from_deg = -15, to_deg = 15, count = 16 }\n",
-                     .common = "mount = { x_m = 0, y_m = 0, z_m = 1.5 }\n",
+                     .common = "mount = { x_m = 0, y_m = 0, z_m = 1.5 }\nground = false\n",
                      .scan_ticks = 36'000,
                      .elevations_deg{lidar::VelodyneVlp16::kElevationsDeg.begin(),
                                      lidar::VelodyneVlp16::kElevationsDeg.end()}};
@@ -59,7 +59,7 @@ const OwnUnit kLux{.type = "type = \"ibeo_lux\"\n",
 // little differently.
 const OwnUnit kVlp16OnGround = [] {
   OwnUnit unit = kVlp16;
-  unit.common += "ground = { low_m = 0.22, top_m = 2.20 }\n";
+  unit.common.replace(unit.common.rfind("false"), 5, "{ low_m = 0.22, top_m = 2.20 }");
   unit.is_exact = false;
   return unit;
 }();
@@ -71,7 +71,7 @@ class Equality : public ::testing::Test {
     const std::string path = folder_ / (name + ".toml");
     OutputFile file(path);
     file.write("name = \"" + name +
-               "\"\nz_min_m = 0.3\nz_max_m = 2.2\nframe_period_us = 150_000\n"
+               "\"\ngrids = \"indexes\"\nframe_period_us = 150_000\n"
                "footprint = { x_min_m = -2.2, x_max_m = 2.2, y_min_m = -0.9, y_max_m = 0.9 }\n"
                "[[sensors]]\nname = \"it\"\nudp_port = 2368\n" +
                type + unit.common);
