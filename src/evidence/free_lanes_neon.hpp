@@ -1,6 +1,6 @@
 // Ageing of a group's free masses, and fusion of a frame's evidence into them, for eight cells per
 // register. These functions are the building blocks of fusion_neon.cpp. Callers that process the
-// result further can also use them.
+// result further can also use these functions.
 #pragma once
 
 #include <arm_neon.h>

@@ -1,9 +1,8 @@
 // Fusion of one frame: beams in, a grid of occupancy indexes out (docs/model.md section 3).
 //
 // The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
-// objects. All beams carve before any mark is applied. Beams may be added in any order, and marks
-// may be added in any order. The grid is therefore byte-for-byte identical for any order of a
-// frame's packets.
+// objects. All beams carve before any mark is applied. Beams and marks may each be added in any
+// order. The grid is therefore byte-for-byte identical for any order of a frame's packets.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The tiles of a part of a frame, row by row, stored separately from the grid in which they were
-// fused. One core passes them to the other cores.
+// fused. One core passes these tiles to the other cores.
 #pragma once
 
 #include <array>

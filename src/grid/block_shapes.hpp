@@ -1,8 +1,9 @@
 // One-byte code for the cells of a 4 by 4 block that a line crosses.
 //
 // A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
-// of both axes and rises by at most one cell per column. u counts columns along the line's longer
-// axis, v along the other. Such a line can enter a block in seven cells, which are numbered
+// of both axes and rises by at most one cell per column. u is the column number along the line's
+// longer axis, and v is the row number along the other axis. Such a line can enter a block in seven
+// cells, which are numbered
 //
 //     v
 //     3 | 3  .  .  . |

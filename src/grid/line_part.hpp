@@ -8,11 +8,12 @@
 
 namespace iog::grid {
 
-// A boundary between two consecutive cells of a line. It has two forms: `before` a cell, or `after`
-// the previous cell. The boundary is stored as one number that grows along the line. The number
-// consists of the borders crossed to reach the next cell (16 bits), a bit for the form `before`,
-// and x of the position (15 bits). The form `after` sorts before the form `before` of the same
-// boundary. In the form `after`, the next cell may lie outside the grid.
+// A boundary between two consecutive cells of a line. A boundary is given in one of two forms,
+// either as `before` the next cell or as `after` the previous cell. The boundary is stored as one
+// number that grows along the line. The number consists of the borders crossed to reach the next
+// cell (16 bits), a bit for the form `before`, and x of the position (15 bits). The form `after`
+// sorts before the form `before` of the same boundary. In the form `after`, the next cell may lie
+// outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell

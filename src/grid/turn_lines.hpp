@@ -14,9 +14,9 @@
 
 namespace iog::grid {
 
-// The properties of a layer that do not depend on the azimuth: the ratio of horizontal range to
-// range, the horizontal ranges within the height band, the horizontal range up to which the layer
-// carves if there is no echo, and the part of the line within the band.
+// The properties of a layer that do not depend on the azimuth. They are the ratio of horizontal
+// range to range, the horizontal ranges within the height band, the horizontal range up to which
+// the layer carves if there is no echo, and the part of the line within the band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;

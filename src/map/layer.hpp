@@ -1,10 +1,10 @@
 // The map layer of the window. It schedules the drawing of tiles: it determines which tiles are
 // drawn, which tiles wait, and which tiles must be drawn again.
 //
-// A tile starts to wait when it enters the window, when the map changes, when the transform has
-// moved one of the tile's corners by more than a cell since the tile was drawn, or when the blur
-// becomes wider than the blur with which the tile was drawn. If the blur becomes narrower, the tile
-// is not drawn again, because its mask is still correct, although less specific than possible.
+// A tile starts to wait when it enters the window or when the map changes. It also starts to wait
+// when the transform has moved one of its corners by more than a cell since it was drawn, or when
+// the blur becomes wider than the blur with which it was drawn. If the blur becomes narrower, the
+// tile is not drawn again, because its mask is still correct, although less specific than possible.
 // While a tile waits, its cells may have any class. The tile that has waited longest is drawn
 // first. If several tiles have waited equally long, the tile with the lowest slot is drawn first.
 //
@@ -62,8 +62,8 @@ class Layer {
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call it instead of work() if the window has no frame. It updates only the report, so the
-  // drawing order of tiles does not change if no sender transmits for some time.
+  // Call it instead of work() if the window has no frame. It updates only the report, so a pause
+  // without data has no effect on the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 

@@ -106,7 +106,7 @@ struct Box {
   // Whether the line between two points crosses the box. Both points must be within 2^17 mm of the
   // box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The last entry and the first exit, as fractions of the line.
+    // The positions of the last entry and the first exit, as fractions of the line's length.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;

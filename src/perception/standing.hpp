@@ -23,7 +23,7 @@ struct StandingCounts {
 };
 
 // Whether a known tile has a standing cell outside its two outermost columns on each side. If it
-// returns false, all standing_counts() are 0.
+// returns false, all counts of standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
 // Counts the cells of a known tile. The outermost two rows and columns are ignored, because cells

@@ -11,9 +11,9 @@
 // index, the evidence is the saturating sum of its negative indexes. One byte is enough for both
 // (placing/slice_byte.hpp), because a positive byte contains only the sum of hits, and the first
 // hit overwrites the free index. Slices may be added in any order, because a saturating sum of
-// numbers with the same sign does not depend on their order, and the extra bit of a free cell is
-// set if any slice sets it. Whether a hit is a tall return is stored in another bit per cell. The
-// evidence takes up 1.1 MB in total.
+// numbers with the same sign does not depend on their order. The extra bit of a free cell is set if
+// any slice sets it. Whether a hit is a tall return is stored in another bit per cell. The evidence
+// takes up 1.1 MB in total.
 //
 // Several cores add slices in parallel, split by regions of the window. The core that processes a
 // region gathers free space into the region's tiles and searches the slices for hits in the region.

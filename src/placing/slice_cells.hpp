@@ -49,7 +49,7 @@ class SliceCells {
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] bool is_known(geometry::Cell tile) const { return is_known_[number_of(tile)]; }
 
-  // Whether any cell may be hit in the band of a tile with this number. A band has kBlockSide rows.
+  // Whether any cell in a band of a tile may be hit. A band has kBlockSide rows.
   [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
     return (notes_[tile].hit_bands >> band & 1U) != 0;
   }
