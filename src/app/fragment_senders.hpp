@@ -1,6 +1,6 @@
 // The senders whose fragments a target reassembles. These are the senders to which the target
-// listens, with one datagram at a time per stream. Other senders cannot occupy these buffers
-// (docs/spec.md, 1.5).
+// listens, with one datagram at a time per stream. Other senders cannot occupy the reassembly
+// buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"

@@ -36,8 +36,8 @@ struct alignas(32) Assignment {
 // message.
 void an_index_beyond_the_table_has_another_mass();
 
-// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127, so that no mass represents
-// certainty.
+// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127. Full certainty is excluded in this
+// way.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }

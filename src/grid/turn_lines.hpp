@@ -33,9 +33,9 @@ struct alignas(64) TurnLayer {
 
 // All layers of a sensor.
 struct TurnLayers {
-  // Whether the sensor is within the height band. If it is, a beam that ends within the band is
-  // within the band from its start. A layer's part within the band is then contained in the part of
-  // each layer with a lower rank.
+  // Whether the sensor is within the height band. If the sensor is within the band, a beam that
+  // ends within the band is within it from its start. A layer's part within the band is then
+  // contained in the part of each layer with a lower rank.
   bool start_in_band = false;
   // The number of beams that saturates a cell.
   std::uint32_t enough_beams = 0;

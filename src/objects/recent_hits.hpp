@@ -40,8 +40,8 @@ class RecentHits {
   [[nodiscard]] static std::uint32_t place_of(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(y) % kSide) * kSide + static_cast<std::uint32_t>(x) % kSide;
   }
-  // Returns the epochs in which any of the 3 by 3 cells around and including a cell was hit. Bit i
-  // represents the epoch that is 7 - i epochs before the current epoch.
+  // Returns the epochs in which any of the 3 by 3 cells around and including a cell was hit. Bit 7
+  // represents the current epoch, and bit i represents the epoch that was 7 - i epochs earlier.
   [[nodiscard]] std::uint8_t epochs_around(geometry::Cell cell) const;
   [[nodiscard]] std::uint32_t three_from(std::int32_t x, std::int32_t y) const;
   void drop(std::size_t epoch);

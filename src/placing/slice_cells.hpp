@@ -99,7 +99,7 @@ class SliceCells {
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // Includes one byte before the bytes of the grid, and two bytes after them.
+  // Each row has one extra byte before the bytes of the grid and two extra bytes after them.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {
