@@ -1,13 +1,13 @@
-// Time of the perception grid: the stamps of the newest 64 frames, and how evidence has decayed
-// since each of them.
+// The clock of the perception grid: the timestamps of the newest 64 frames, and the decay of
+// evidence since each frame.
 //
-// A stamp is first floored from microseconds to milliseconds. Times are differences of floored
-// stamps, so rounding errors do not add up. Time never goes back: an older stamp counts as the
-// newest one.
+// Each timestamp is first rounded down from microseconds to milliseconds. Times are differences of
+// rounded timestamps, so rounding errors do not accumulate. Time never goes back: an older
+// timestamp is replaced by the newest timestamp.
 //
-// Each frame has a slot, 1 ... 64, and slots are reused in turn. A stored slot must be dropped
-// within 63 frames. Slot 0 stands for no frame: a group with slot 0 was never aged or never had
-// evidence.
+// Each frame has a slot, 1 ... 64. Slots are reused cyclically, so a stored slot number must be
+// discarded within 63 frames. Slot 0 means no frame: a group with slot 0 was never aged or never
+// had evidence.
 #pragma once
 
 #include <array>
@@ -24,31 +24,32 @@ class Clock {
  public:
   static constexpr std::size_t kFrames = 64;
   static constexpr std::uint8_t kNever = 0;
-  static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // ms since a slot without a frame
+  static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime)
       : discounting_(discounting), weighing_(weighing) {}
 
-  // Ends a frame. Call it for every frame, even if its evidence could not be registered.
+  // Ends a frame. Call it for every frame, even if the frame's evidence could not be registered.
   void advance(std::uint64_t stamp_us);
 
-  // The slot of the newest frame. kNever before the first frame.
+  // The slot of the newest frame, or kNever before the first frame.
   [[nodiscard]] std::uint8_t now() const { return now_; }
 
-  // Time from the frame of this slot to the newest one, at most kEver.
+  // The time from the frame of this slot to the newest frame, at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
-  // The same in frames. The slot must have a frame.
+  // The number of frames from the frame of this slot to the newest frame. The slot must have a
+  // frame.
   [[nodiscard]] std::uint8_t frames_since(std::uint8_t slot) const {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
 
-  // How much is left of a group that was last aged in this slot. Nothing is left for kNever.
+  // The ageing factors for a group that was last aged in this slot. For kNever, all factors are 0.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
-  // The weights of evidence in the newest frame, for a group whose last evidence was in this slot.
-  // The time counts as 1 ... 100 ms, and as 100 ms for kNever.
+  // The weights of evidence in the newest frame, for a group that last had evidence in this slot.
+  // The time since then is clamped to 1 ... 100 ms. For kNever, it is 100 ms.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

@@ -1,11 +1,11 @@
-// The decay of a mass, computed as a product over the bits of a time.
+// The decay of a mass after a time, computed as a product over the bits of the time.
 //
-// kappa(t) = exp(-t / tau). A table holds floor(2^31 kappa(2^j ms)) for each bit j. The factors of
-// the bits of t are multiplied, lowest first, and each product is rounded down. Each factor and
-// each product loses less than one unit of 2^-31, and all are below 1. So kappa(t) is at most 16 +
-// 15 units below the true value.
+// kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms)) for each bit j. The factors
+// of the bits that are set in t are multiplied, lowest bit first, and each product is rounded down.
+// Each factor and each product loses less than one unit of 2^-31, and all of them are below 1. The
+// computed kappa(t) is therefore at most 16 + 15 units below the true value.
 //
-// Range: factors are below 2^31, so a product of two is below 2^62.
+// Range: factors are below 2^31, so the product of two factors is below 2^62.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@ namespace iog::ageing {
 
 inline constexpr int kDecayFraction = 31;
 
-// The value 1: no decay.
+// The factor 1, which means no decay.
 inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 
-// Indexed by the bit of a time in ms.
+// Indexed by the bit number of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// 1 / tau for the part left after 100 ms. Kurdej 2015, table 7.1, has 0.01 and 0.10 lost in a scan,
-// for contextual discounting, whose rates apply to the complement of a set. So they are exchanged
-// here.
+// Returns 1 / tau, given the fraction that is left after 100 ms. Kurdej 2015, table 7.1, specifies
+// losses of 0.01 and 0.10 per scan for contextual discounting, in which the rates apply to the
+// complement of a set. The two rates are therefore swapped here.
 consteval double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }
@@ -43,12 +43,12 @@ consteval DecayTable make_decay(double rate) {
   return table;
 }
 
-// Both must be at most 2^31.
+// Both arguments must be at most 2^31.
 constexpr std::uint32_t product(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> kDecayFraction);
 }
 
-// ms: 0 ... 65535.
+// The argument must be 0 ... 65535.
 constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
   std::uint32_t left = kUndecayed;
   for (std::uint32_t rest = ms; rest != 0; rest &= rest - 1) {
@@ -61,7 +61,7 @@ inline constexpr DecayTable kDynamicDecay = make_decay(kDynamicRate);
 inline constexpr DecayTable kStaticDecay = make_decay(kStaticRate);
 
 // kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section 6.3)
-// for small steps. The product of his steps would depend on the update rate.
+// for small time steps. The product of finite steps would depend on the update rate.
 inline constexpr DecayTable kSharedDecay = make_decay(kDynamicRate / 4 + kStaticRate * 3 / 4);
 
 }  // namespace iog::ageing

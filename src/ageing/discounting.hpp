@@ -1,5 +1,5 @@
-// Exponential decay of evidence (Kurdej 2015, chapter 6), with one time constant for moving objects
-// and one for static ones.
+// Exponential decay of evidence (Kurdej 2015, chapter 6), with separate time constants for moving
+// and static objects.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,19 @@
 
 namespace iog::ageing {
 
-// How the factors of occupied sets follow from those of moving and of static objects.
+// The rule by which the factors of occupied sets are derived from the factors of moving and static
+// objects.
 enum class Discounting : std::uint8_t {
-  kConservative,  // {I, M, S, U} decays by both
+  kConservative,  // {I, M, S, U} decays with both factors
   kOptimistic,    // {I, M, S, U} does not decay
   kClassical,     // everything decays like moving objects
-  kProportional,  // {I, M, S, U} by shares: one quarter moving, three static
+  kProportional,  // {I, M, S, U} decays with weights of 1/4 for moving and 3/4 for static objects
 };
 
-// After more than this many milliseconds nothing is left.
+// After more than this many milliseconds, all masses are 0.
 inline constexpr std::uint32_t kLongestMs = 65'535;
 
-// The decay after a time; none after 0 ms.
+// Returns the ageing factors after a time. There is no decay after 0 ms.
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting);
 
 }  // namespace iog::ageing

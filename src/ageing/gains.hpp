@@ -1,5 +1,5 @@
-// Weights of a frame's evidence, by the time since the last evidence. A cell that is observed twice
-// as often learns half as much from each observation.
+// The weights of a frame's evidence, which depend on the time since the last evidence. If a cell is
+// observed twice as often, each observation has half the weight.
 #pragma once
 
 #include <algorithm>
@@ -15,20 +15,23 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// Constants of Kurdej 2015, section 7.3. The accumulator is full after 3 s, the time in which an
-// object 3 m long passes at 1 m/s, the slowest speed that counts as motion. It falls 6 times as
-// fast (gamma). A full accumulator specialises all mass within one scan of the thesis's 15 Hz.
+// Constants of Kurdej 2015, section 7.3. The accumulator is full after 3 s. This is the time in
+// which an object of 3 m length passes a point at 1 m/s, the slowest speed that is treated as
+// motion. The accumulator decreases 6 times as fast as it increases (gamma). A full accumulator
+// specialises all mass within one scan at the scan rate of the thesis, 15 Hz.
 inline constexpr std::int32_t kPersistenceMs = 3000;
 inline constexpr std::int32_t kDeclineToGain = 6;
 inline constexpr std::int32_t kSpecialisationsPerSecond = 15;
 
-// How the evidence of a frame is weighed for free and occupied.
+// The rule by which the free and occupied evidence of a frame is weighted.
 enum class Weighing : std::uint8_t {
-  kByTime,    // crossing beams are worth 0.7 per 100 ms, for any frame rate
-  kEachScan,  // every frame is a scan of Kurdej 2015, table 7.1: a hit 0.8, a crossing beam 0.7
+  kByTime,    // crossing beams have a weight of 0.7 per 100 ms, at any frame rate
+  kEachScan,  // every frame is a scan as in Kurdej 2015, table 7.1: 0.8 per hit, 0.7 per crossing
+              // beam
 };
 
-inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, in steps of 1/128, down
+inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down to a multiple of
+                                                           // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
 // ms: 1 ... 100.
@@ -38,8 +41,8 @@ consteval std::int16_t free_mass_after(std::int32_t ms) {
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
-// A fraction that grows linearly by numerator / denominator per millisecond, in units of 2^-15,
-// rounded to nearest. At most 32767.
+// A fraction that increases linearly by numerator / denominator per millisecond. The result is in
+// units of 2^-15, rounded to nearest, and at most 32767.
 consteval std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
@@ -60,7 +63,7 @@ consteval evidence::Gains make_gains(std::int32_t ms, Weighing weighing) {
   return gains;
 }
 
-// Indexed by ms; 0 ms counts as 1 ms.
+// Indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
 using GainsTable = std::array<evidence::Gains, kLongestGainMs + 1>;
 
 consteval GainsTable make_gains_table(Weighing weighing) {

@@ -1,9 +1,10 @@
-// Tells whether the loop keeps up with incoming datagrams.
+// Checks whether the loop keeps up with incoming datagrams.
 //
-// A target that is too slow for its sensors never empties the receive ring. The waiting frames grow
-// old, and in the end the controller drops new ones unread. So once the loop has been busy for as
-// long as the ring can hold traffic, the waiting datagrams are shed and counted. The grids sent are
-// then never older than that.
+// A target that is too slow for its sensors never empties the receive ring. The waiting Ethernet
+// frames become outdated, and finally the controller drops new frames unread. Therefore, if the
+// loop does not empty the ring for as long as the ring can buffer traffic, the waiting datagrams
+// are shed and counted. The grids that the target sends are therefore never delayed by more than
+// this time.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +13,17 @@ namespace iog::app {
 
 class Backlog {
  public:
-  // Longest time without an empty ring. The receive ring holds 100 ms of the densest traffic that
-  // it is made for. This limit is shorter, and as long as two frames of four LUX, so that one late
-  // frame sheds nothing.
+  // The maximum time without an empty ring. The receive ring can buffer 100 ms of the densest
+  // traffic for which it is designed. This limit is shorter. It equals two frames of four LUX, so
+  // that a single late frame causes no shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
-  // Grace period for a frame whose deadline passed before the loop woke. Most of its datagrams may
-  // have arrived while the machine was not running, so they are taken before the frame is closed.
+  // The grace period for a frame whose deadline passed before the loop woke up. Most of this
+  // frame's datagrams may have arrived while the machine was not running. These datagrams are
+  // processed before the frame is closed.
   static constexpr std::uint64_t kGraceUs = 40'000;
 
-  // Begins a pass of the loop. Datagrams that arrived while the loop slept, or was not run, have
-  // not waited for it.
+  // Begins a pass of the loop. Datagrams that arrived while the loop was asleep or not running are
+  // not counted as waiting.
   void begin_pass(std::uint64_t now_us) {
     has_slept_ = !is_busy_;
     if (has_slept_) {
@@ -30,9 +32,9 @@ class Backlog {
     pass_us_ = now_us;
   }
 
-  // The ring was found empty.
+  // Call it when the ring is empty.
   void clear() { is_busy_ = false; }
-  // The ring's content was shed.
+  // Call it when the ring's content has been shed.
   void begin(std::uint64_t now_us) {
     is_busy_ = true;
     since_us_ = now_us;

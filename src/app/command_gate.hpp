@@ -1,5 +1,5 @@
-// Gate for commands, that is, poses and maps. If the car has a key, only commands signed with it
-// pass, and their signatures are removed. All other datagrams pass unchanged.
+// Gate for commands, that is, poses and maps. If the car has a key, only commands signed with this
+// key pass the gate, and their signatures are removed. All other datagrams pass unchanged.
 //
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once
@@ -21,8 +21,8 @@
 
 namespace iog::app {
 
-// The car whose commands must be signed, and the key. Its stream is signed, too. A car without
-// classes accepts no commands.
+// The car whose commands must be signed, and the key. The car's stream is also signed. A car
+// without classes accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
@@ -31,7 +31,8 @@ struct SignedCommands {
 
 class CommandGate {
  public:
-  // Without `commands`, everything passes. run: the target's run number, known to signers.
+  // Without `commands`, every datagram passes the gate. `run` is the target's run number, which
+  // signers know.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
   // Not copyable, because the verifiers point to the key.
@@ -40,12 +41,13 @@ class CommandGate {
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // The key of a gate that is on. Valid as long as the gate.
+  // The key of an enabled gate. The reference is valid as long as the gate exists.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
-  // Returns the datagram for the pipeline, valid until the next call, or nothing if it is not an
-  // authentic command. A command from an unknown source passes without its bytes, and the pipeline
-  // counts it as such. So no MAC is computed for addresses that the target does not listen to.
+  // Returns the datagram for the pipeline, valid until the next call, or nothing if the datagram is
+  // a command that is not authentic. A command from an unknown source passes with an empty payload,
+  // and the pipeline counts it as coming from an unknown source. As a result, no MAC is computed
+  // for addresses to which the target does not listen.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;
@@ -68,7 +70,7 @@ class CommandGate {
     }
   }
 
-  // All 0 if the gate is off.
+  // All counts are 0 if the gate is disabled.
   [[nodiscard]] authentication::CommandCounts counts() const {
     authentication::CommandCounts counts;
     if (is_on()) {
@@ -81,11 +83,12 @@ class CommandGate {
   }
 
  private:
-  // Only this word opens a gate. No single flipped bit turns the other word into it.
+  // The gate is disabled only by this value. A single bit flip cannot convert the other value to
+  // this value.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 
-  // The port is stored twice, so that one copy is still right after a flipped bit.
+  // The port is stored twice, so that one copy is still correct after a bit flip.
   struct Door {
     std::uint32_t source_ipv4;
     std::uint16_t udp_port;

@@ -1,4 +1,5 @@
-// Console report of the cores: how many work, and why the others do not.
+// Console report of the cores: the number of working cores, and the reason why each other core does
+// not work.
 #pragma once
 
 #include <array>

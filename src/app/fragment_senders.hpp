@@ -1,5 +1,6 @@
-// The senders whose fragments a target reassembles: those it listens to, one datagram at a time per
-// stream. Other senders cannot occupy their buffers (docs/spec.md, 1.5).
+// The senders whose fragments a target reassembles. These are the senders to which the target
+// listens, with one datagram at a time per stream. Other senders cannot occupy the reassembly
+// buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"
@@ -9,9 +10,10 @@ namespace iog::app {
 
 static_assert(net::FragmentSenders::kMostDatagrams >= 2 * vehicle::kMaxSensors + 2);
 
-// replayer: may send in the name of every sensor. A sensor without an address admits any sender,
-// because its packets may come from anyone. Poses and maps without an address do not, because they
-// fit into a single frame.
+// The replayer may send on behalf of every sensor. If a sensor has no configured address, fragments
+// from any sender are accepted, because any sender may send the sensor's packets. This does not
+// apply to poses and maps without a configured address, because they fit into a single Ethernet
+// frame.
 [[nodiscard]] inline net::FragmentSenders fragment_senders(const vehicle::Vehicle& car,
                                                            net::Ipv4Address replayer) {
   net::FragmentSenders senders;

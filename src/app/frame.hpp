@@ -1,16 +1,16 @@
-// The open frame: decides which packets belong to it and when it ends, and records their outcomes.
-// Time and datagrams are arguments, so the target and `iog fuse` cut the same frames without a
-// clock or a network.
+// The open frame. It determines which packets belong to it and when it ends, and records the
+// packets' outcomes. Time and datagrams are passed as arguments, so the target and `iog fuse`
+// produce the same frames without a clock or a network.
 //
 // A frame opens with its first packet. It ends when every sensor has delivered its scan, when a
 // sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes first.
-// If nothing arrives, an empty frame ends every two periods, so that silence is reported.
+// If nothing arrives, an empty frame ends every two periods, so that missing data is reported.
 //
 // One core fuses each packet on arrival. A dense lidar may send more than one core can process.
-// With several cores, its packets are buffered until there is a part for each core. The parts are
-// fused in a round while the next packets arrive, and joined when the frame ends
-// (fusion/shared_fusion.hpp). The bytes are the same. If the frame has classes, all packets are
-// buffered until it ends (app/perception_engine.hpp).
+// With several cores, packets are therefore buffered until there is a part for each core. The parts
+// are fused in a round while the next packets arrive, and they are joined when the frame ends
+// (fusion/shared_fusion.hpp). The resulting bytes are the same. If the frame has classes, all
+// packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
 
 #include <array>
@@ -28,48 +28,52 @@
 
 namespace iog::app {
 
-// Whether several cores fuse this car's packets on arrival. This needs a dense lidar, and a fusion
-// rule that can join parts of a frame. For four LUX one core is enough: it has fused their frame
-// before two cores have divided it.
+// Whether several cores fuse this car's packets on arrival. This requires a dense lidar and a
+// fusion rule that can join parts of a frame. For four LUX, one core is enough, because it fuses
+// their frame faster than the frame can be split between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // When the points of a frame's packets are fused.
 enum class Fusing : std::uint8_t { kAsTheyCome, kAtItsEnd };
 
-// Holds 19 MB, so it must be in static memory.
+// Uses 19 MB, so it must be in static memory.
 class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
 
-  // vehicle and space must outlive the frame. The scans of all sensors together may mark at most
-  // grid::kMaxMarks cells. replayer_ipv4 may send in the name of every sensor; 0: none.
+  // vehicle and space must outlive this object. The scans of all sensors together may mark at most
+  // grid::kMaxMarks cells. replayer_ipv4 may send on behalf of every sensor. replayer_ipv4 is 0 if
+  // there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Call it before the first datagram. Silence is counted from now on.
+  // Call it before the first datagram. The time without datagrams is measured from now on.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
-  // Reads the datagram as a sensor's packet. Returns nothing if it was dropped. The payload must
-  // outlive the packet.
+  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was dropped. The
+  // payload must outlive the packet.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram) {
     return intake_.receive(datagram);
   }
 
-  // Whether the datagram is for a sensor's port, from a sender that may speak for the sensor.
+  // Whether the datagram is addressed to a sensor's port and comes from a sender that may send on
+  // behalf of the sensor.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }
 
-  // Whether the packet belongs to the open frame. If it belongs to the next one, close this frame
-  // and ask again. A packet without room in this frame's buffer belongs to the next.
+  // Determines whether the packet belongs to the open frame. If the packet belongs to the next
+  // frame, close this frame and call classify() again. A packet that does not fit into this frame's
+  // buffer belongs to the next frame.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     const Outcome outcome = intake_.classify(packet);
     const bool is_full = fusing_ == Fusing::kAtItsEnd && !fusion_.packets().fits(packet);
     return outcome == Outcome::kThisFrame && is_full ? Outcome::kNextFrame : outcome;
   }
 
-  // Only after classify() returned kThisFrame. accept() counts the packet. keep() also buffers it,
-  // with its time of measurement. fuse() also has the crew fuse its points, now or later.
+  // Call these functions only after classify() has returned kThisFrame. accept() counts the packet.
+  // keep() also buffers the packet with its measurement time. fuse() also fuses the packet's points
+  // on the cores of the crew, immediately or later.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us, std::uint64_t measured_us) {
     accept(packet, now_us);
@@ -77,27 +81,28 @@ class Frame {
   }
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
 
-  // The fusion, with the buffered packets.
+  // The fusion, which contains the buffered packets.
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
 
-  // Sheds a packet that has waited too long. Its points are counted as not taken.
+  // Sheds a packet that has waited too long. The packet's points are counted as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
-  // Whether the frame has a packet.
+  // Whether the frame has at least one packet.
   [[nodiscard]] bool is_begun() const { return intake_.packets_accepted() > 0; }
 
   // Whether every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const { return intake_.is_complete(); }
 
-  // Whether the frame's time is over.
+  // Whether the frame's deadline has passed.
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // Counted from 0; wraps.
+  // The frame number, starting at 0. It wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // finish() completes the grid, and calls lap(stage) after each stage with its stream::StageTicks.
-  // end_fusion() is its last step, for callers that fuse the buffered packets themselves.
+  // finish() completes the grid. After each stage, it calls lap(stage) with the stage's
+  // stream::StageTicks. end_fusion() is the last step of finish(), for callers that fuse the
+  // buffered packets themselves.
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {
     if (is_shared_) {
@@ -112,7 +117,7 @@ class Frame {
   }
   void end_fusion() { fusion_.end_frame(intake_); }
 
-  // Writes the frame's part of the header and of the end message.
+  // Fills in the frame's fields of the header and of the end message.
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
 
   // The same as SharedFusion::release().
@@ -121,7 +126,7 @@ class Frame {
     fusion_.release(visit);
   }
 
-  // Begins the next frame. This one must be closed and its grid clear.
+  // Begins the next frame. The current frame must be closed and its grid must be clear.
   void start_next(std::uint64_t now_us);
 
   template <typename Visit>
@@ -150,8 +155,9 @@ class Frame {
   std::uint32_t number_ = 0;
 };
 
-// Handles one datagram, if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
-// open frame. Calls close() if the frame ends before or with this packet.
+// Handles one datagram if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
+// open frame. Calls close() if the frame ends because of this packet, either before or after the
+// packet is fused.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

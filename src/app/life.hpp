@@ -1,10 +1,11 @@
-// Liveness monitor: services the watchdog only while all checkpoints report within their windows.
-// These are the steps of the loop, the cores, the Ethernet controller, the closing of frames and
-// the memory check. A late checkpoint ends the run, and the next run names it.
+// Liveness monitor. It services the watchdog only while all checkpoints report within their time
+// windows. The checkpoints are the steps of the loop, the cores, the Ethernet controller, the
+// closing of frames and the memory check. If a checkpoint is late, the run ends, and the next run
+// reports the checkpoint.
 //
-// A core that ended by a fault, or was stopped, is known to be lost and excused: the others do its
-// work (docs/cores.md). A core that should be alive and does not answer a wake-up is late, even if
-// it holds no work.
+// A core that faulted or was stopped is known to be lost. It need not report, because the other
+// cores do its work (docs/cores.md). A core that should be alive but does not answer a wake-up is
+// late, even if it has no work.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@
 
 namespace iog::app {
 
-// The numbers are bits on the wire (docs/spec.md 3.7).
+// The numbers are bit positions on the wire (docs/spec.md 3.7).
 enum class Alive : std::uint8_t {
   kDatagrams,  // the loop has taken the datagrams that had arrived
   kTime,       // it has compared the clock with the frame's deadline
@@ -27,7 +28,8 @@ enum class Alive : std::uint8_t {
   kLine,       // it has served the serial line
   kFrames,     // a frame was closed, if only to report silence
   kMemory,     // a memory check is complete
-  kPort,       // a frame came or left, there is no link, or nothing waits and it can receive
+  kPort,       // a frame was received or sent, there is no link, or nothing is waiting and the port
+               // can receive
   kCore1,      // the core has answered a wake-up, or is known to be lost
   kCore2,
   kCore3,
@@ -36,12 +38,12 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // Longer than an emulated core may have to wait on a busy PC, and longer than 2 s, in which
-  // silence is reported even with the slowest frames (two periods).
+  // Longer than an emulated core may have to wait on a busy PC. Also longer than 2 s. Two periods
+  // of the slowest frames take 2 s, and missing data is reported after this time at the latest.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
-  // docs/safety.md promises a complete check within this time.
+  // docs/safety.md states that a complete memory check takes at most this time.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
-  // Period for waking the cores and checking the controller: 20 times per window.
+  // The period for waking the cores and checking the controller, 20 times per window.
   static constexpr std::uint64_t kCallUs = 250'000;
 
   explicit Life(std::uint64_t now_us) : supervision_(kCheckpoints, now_us), called_us_(now_us) {}
@@ -50,7 +52,7 @@ class Life {
     supervision_.lives(static_cast<std::size_t>(who), now_us);
   }
 
-  // Call it once per pass, after all steps. machine and platform: as in app/loop.hpp.
+  // Call it once per pass, after all steps. machine and platform are the same as in app/loop.hpp.
   template <typename M, typename P>
   void end_pass(M& machine, P& platform, const health::MemoryCheck& check) {
     const std::uint64_t now_us = machine.clock().now_us();

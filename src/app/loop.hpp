@@ -1,9 +1,9 @@
-// The loop: everything the firmware does after start-up.
+// The main loop: everything that the firmware does after start-up.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
-// The loop never blocks. It takes datagrams as they arrive and puts messages into the transmit
+// The loop never blocks. It processes datagrams as they arrive and puts messages into the transmit
 // ring. When nothing is left to do, the processor sleeps until the next frame or tick. If the loop
 // is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
@@ -44,7 +44,7 @@
 
 namespace iog::app {
 
-// A machine: one object of each hardware interface, and the depth that its stack has reached.
+// A machine: one object for each hardware interface, and the maximum stack depth so far.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -61,15 +61,16 @@ concept Machine = requires(T& machine) {
   { machine.idle() } -> std::same_as<void>;
 };
 
-// The most datagrams taken in one pass, so that a flood cannot keep the loop from its tick and its
-// watchdog. A frame of four LUX has 24, a full receive ring 256.
+// The maximum number of datagrams processed in one pass. The limit ensures that the loop still runs
+// its tick and services its watchdog if it is flooded with datagrams. A frame of four LUX has 24
+// datagrams, and a full receive ring contains 256.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The most datagrams that a slow loop sheds at once: a full receive ring, and as many that arrive
-// meanwhile.
+// The maximum number of datagrams that a slow loop sheds at once: the content of a full receive
+// ring, and the same number of datagrams that may arrive in the meantime.
 inline constexpr int kMaxDatagramsLeft = 512;
 
-// The machine as the pipeline's platform.
+// Adapts the machine to the interface that the pipeline requires (Platform).
 template <Machine M>
 class MachinePlatform {
  public:
@@ -77,8 +78,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // cores: number of cores that should work, if the machine has that many. commands: only if the
-  // car has a key.
+  // `cores` is the number of cores that should work, if the machine has that many. `commands` is
+  // set only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -97,7 +98,8 @@ class MachinePlatform {
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
   // Returns the datagram for the pipeline, valid until the next call. Returns nothing if service
-  // discovery has handled it, or if it lacked a valid signature and is dropped.
+  // discovery has handled the datagram, or if the datagram was dropped because it has no valid
+  // signature.
   [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
                                                       std::uint64_t now_us) {
     if (offering_.take(datagram, now_us)) {
@@ -106,7 +108,7 @@ class MachinePlatform {
     return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
   }
 
-  // Also pumps the serial transmitter, because a frame may have hundreds of messages.
+  // Also services the serial transmitter, because a frame may have hundreds of messages.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
     const bool is_sent = offering_.send_message(message);
@@ -116,7 +118,8 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // team(): the supervised cores (app/life.hpp). frames(): number of closed frames, modulo 2^32.
+  // team() returns the supervised cores (app/life.hpp). frames() returns the number of closed
+  // frames, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
 
@@ -134,14 +137,15 @@ class MachinePlatform {
     }
   }
 
-  // Writes to the console. Call it when nothing waits.
+  // Writes the time statistics to the console. Call it when no work is pending.
   void tell_times(std::uint64_t now_us) { times_.tell(now_us, machine_.console()); }
 
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // Counters of commands and service discovery are included only if these are on.
+  // The counters of commands and of service discovery are included only if the respective feature
+  // is enabled.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -167,7 +171,8 @@ class MachinePlatform {
   }
 
  private:
-  // A signature follows each frame, and also occurs within a frame of many messages.
+  // A signature is sent after each frame. If a frame has many messages, signatures are also sent
+  // within the frame.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {
@@ -175,7 +180,7 @@ class MachinePlatform {
     }
   }
 
-  // A frame period. Encoding all tiles takes a small fraction of it.
+  // One frame period. Encoding all tiles takes a small fraction of this time.
   static constexpr std::uint32_t kPatienceUs = 40'000;
 
   // Members aligned to a cache line come first.
@@ -191,8 +196,8 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. Every frame goes to the network, with classes if the vehicle asks for
-// them. The serial link gets as much of the frame's grid as it can carry.
+// The target's pipeline. Every frame is sent to the network, with classes if they are enabled for
+// the vehicle. The serial link transmits as much of the frame's grid as its bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
@@ -206,8 +211,9 @@ template <typename ItsPipeline>
   return pipeline.is_begun() && backlog.must_yield(pipeline.deadline_us(), now_us);
 }
 
-// Takes the datagrams of one pass: at most kMaxDatagramsPerPass. Stops early when the frame is due
-// to end, so that slow points cannot delay it, or when datagrams have waited too long.
+// Processes the datagrams of one pass, at most kMaxDatagramsPerPass. Stops early if the frame is
+// due to end, so that slow processing of points cannot delay the end of the frame. Also stops early
+// if datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
                     ItsPipeline& pipeline) {
@@ -227,8 +233,8 @@ void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& bac
   }
 }
 
-// Sheds the datagrams in the receive ring. If the frame is due to end, it is closed first, and the
-// next pass sheds the rest.
+// Sheds the datagrams in the receive ring. If the frame is due to end, the frame is closed first,
+// and the next pass sheds the remaining datagrams.
 template <Machine M, typename ItsPipeline>
 void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
                      ItsPipeline& pipeline) {
@@ -249,7 +255,7 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
   backlog.begin(now_us);
 }
 
-// Runs a slice of the memory check, if one is due. A changed region ends the run.
+// Runs a step of the memory check if one is due. Ends the run if a memory region has changed.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
   if (const auto changed = check.step(machine.clock().now_us())) {
@@ -259,8 +265,8 @@ void check_memory(M& machine, health::MemoryCheck& check) {
   }
 }
 
-// One pass of the loop: takes datagrams, does what is due, sends what it can. Returns whether
-// frames are still waiting.
+// Runs one pass of the loop: processes datagrams, performs the actions that are due, and sends as
+// many messages as possible. Returns whether Ethernet frames are still waiting.
 template <Machine M, typename ItsPipeline>
 bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, Backlog& backlog,
           health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {

@@ -1,8 +1,9 @@
-// Time statistics of the loop since start: duration of the stages of a frame, delay of closing it,
-// and work of each core per frame. Frames without packets do not count. A new maximum is written to
-// the console: "worst publish 12345 us".
+// Time statistics of the loop since start-up: the duration of each stage of a frame, the delay of
+// closing the frame, and the working time of each core per frame. Frames without packets are
+// ignored. A new maximum is written to the console: "worst publish 12345 us".
 //
-// A stage costs two readings of the stopwatch, and a frame costs some divisions (docs/safety.md).
+// The overhead is two readings of the stopwatch per stage and a few divisions per frame
+// (docs/safety.md).
 #pragma once
 
 #include <algorithm>
@@ -28,7 +29,8 @@ class LoopTimes {
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 
-  // Call it once per frame. ticks_hz: frequency of the stopwatch; if it is 0, all times are 0.
+  // Call it once per frame. ticks_hz is the frequency of the stopwatch. If it is 0, all times are
+  // 0.
   void add(const FrameTimes& frame, const work::CoreTimes& cores, std::uint32_t ticks_hz) {
     const auto us = [ticks_hz](std::uint64_t ticks) {
       constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -67,8 +69,8 @@ class LoopTimes {
   };
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
-  // Writes at most one line per second. A line fits into the transmit buffer of a serial line, so
-  // writing does not block. Call it when nothing waits.
+  // Writes at most one line per second. A line fits into the transmit buffer of the serial port, so
+  // writing does not block. Call it when no work is pending.
   template <hal::Console Console>
   void tell(std::uint64_t now_us, Console& console) {
     if (now_us - told_at_us_ < kTellEveryUs) {

@@ -17,22 +17,23 @@ namespace iog::app {
 template <Platform P>
 class MessageSender {
  public:
-  // platform must outlive the sender.
+  // platform must outlive this object.
   explicit MessageSender(P& platform) : platform_(&platform) {}
 
   // The number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
-  // Sends a complete message with room for its protection. Returns false if the network did not
-  // accept it. Even a lost message has a number, so that a receiver notices the loss.
+  // Sends a complete message that has room for its protection. Returns false if the network did not
+  // accept it. A lost message also uses up a sequence number, so that the receiver notices the
+  // loss.
   [[nodiscard]] bool send(std::span<std::byte> message) {
     sender_.protect(message);
     ++sequence_;
     return platform_->send_message(message);
   }
 
-  // Sends a message: a header and a body. write(buffer) writes the body and returns its length in
-  // bytes. If the message is lost, the number of the next one shows it.
+  // Sends a message with a header and a body. write(buffer) writes the body and returns its length
+  // in bytes. If the message is lost, the receiver detects the loss from the next sequence number.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

@@ -1,4 +1,4 @@
-// Network sink: turns a closed frame into messages.
+// Network sink: converts a closed frame to messages.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace iog::app {
 
-// Holds 2.4 MB of sent and encoded tiles, so it must be in static memory.
+// Contains 2.4 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class NetworkSink {
  public:
-  // platform must outlive the sink.
+  // platform must outlive this object.
   NetworkSink(P& platform, Coding coding)
       : messages_(platform), tiles_(platform, messages_, coding) {}
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  // The end message of the current frame. Fill it before the frame begins, except for the counts of
-  // tiles.
+  // The end message of the current frame. Fill it in before the frame begins, except for the counts
+  // of tiles.
   [[nodiscard]] stream::FrameEnd& end() { return end_; }
 
   void begin_frame(const stream::Header& header) {
@@ -50,12 +50,12 @@ class NetworkSink {
   }
   void encode_rest() { tiles_.encode_rest(); }
 
-  // The same for cells that do not change until the frame ends.
+  // Same as above, for cells that do not change until the frame ends.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);
   }
 
-  // Only if all waiting tiles are encoded.
+  // Call it only if all waiting tiles are encoded.
   void end_encoded_tiles() { end_tiles(tiles_.finish_encoded()); }
 
   void send_frame_end() {

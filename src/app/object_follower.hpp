@@ -13,21 +13,22 @@
 
 namespace iog::app {
 
-// Holds 2 MB, so it must be in static memory.
+// Uses 2 MB, so it must be in static memory.
 class ObjectFollower {
  public:
-  // Begins a frame whose slices were added to the window. end_us: middle of its last slice on the
-  // clock of the poses. slices: the registered slices, at least one. car: the vehicle's position at
-  // that time.
+  // Begins a frame whose slices have been added to the window. end_us is the middle of the frame's
+  // last slice on the clock of the poses. `slices` contains the registered slices, at least one.
+  // `car` is the vehicle's position at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Reads the labels of the frame's hits, on all cores of the crew. The classes must be decided.
+  // Reads the labels of the frame's hits on all cores of the crew. The classes must have been
+  // computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
-  // Updates the tracks, and labels the cells of moving objects. Call it before the frame has ended.
-  // It reads only the labels of the window, before it changes any.
+  // Updates the tracks and labels the cells of moving objects. Call it before the frame has ended.
+  // It reads only the labels of the window, and reads all of them before it changes any.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
-  // Handles a frame without slices. end_us: when it ends.
+  // Handles a frame without slices. end_us is the end of the frame.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
   // Call it when the window has lost its position.

@@ -9,15 +9,15 @@
 
 namespace iog::app {
 
-// Younger tracks are not sent, because they may be anything.
+// Younger tracks are not sent, because their nature is still uncertain.
 inline constexpr std::uint32_t kToldFrom = 4;  // updates
 
-// The record of an existing track. now_us: time of its position.
+// Returns the record of an existing track. now_us is the time to which the track's position refers.
 [[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
                                              objects::Point car);
 
-// Lists the tracks that are sent, ordered by id. time_us: time of their positions; 0: there are
-// none. counts: of the frame.
+// Lists the tracks that are sent, ordered by id. time_us is the time to which their positions
+// refer. If it is 0, there are no tracks. `counts` contains the counts of the frame.
 void list_objects(const objects::Tracks& tracks, std::uint64_t time_us,
                   const objects::FrameCounts& counts, objects::Point car, stream::ObjectList& list);
 

@@ -1,9 +1,9 @@
-// The service that a target offers: service discovery on its host, and a copy of each message to
-// the subscriber. A target without the service sends the same messages to its peer only.
+// The service that a target offers: service discovery on its host, and a copy of each message for
+// the subscriber. A target without this service sends the same messages only to its peer.
 //
-// The peer has priority. A frame has at most kMostMessages messages, and a copy is sent only while
-// enough buffers remain for the peer's part of the frame. The port's ring is larger to make room
-// for copies.
+// The peer has priority. A frame has at most kMostMessages messages. A copy is sent only while
+// enough buffers remain for the peer's messages of the frame. The port's ring is enlarged to make
+// room for the copies.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,14 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // A whole grid of raw tiles, and other messages that may coincide.
+  // The messages of a whole grid of raw tiles, plus other messages that may be sent at the same
+  // time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
-  // Buffers reserved for the peer if a frame has more messages.
+  // Buffers that stay reserved for the peer if a frame has more messages than expected.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // Port and host must outlive it. run_number: seed of the delay before the first offer.
+  // Port and host must outlive this object. run_number is the seed of the random delay before the
+  // first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),
         host_(host),
@@ -42,7 +44,8 @@ class Offering {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
 
-  // Returns true if the datagram belonged to service discovery. It is answered at once.
+  // Returns true if the datagram belonged to service discovery. Such a datagram is answered
+  // immediately.
   [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
       return false;
@@ -59,7 +62,7 @@ class Offering {
     }
   }
 
-  // Withdraws the offer. Call it once, before the run ends. The message is sent at once if the
+  // Withdraws the offer. Call it once, before the run ends. The message is sent immediately if the
   // controller accepts it.
   void withdraw() {
     if (is_on_) {

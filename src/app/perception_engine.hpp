@@ -1,16 +1,16 @@
-// Computes the perception grid of a frame (app/frame.hpp): poses and maps in, classes out.
+// Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
 // The frame's packets are buffered until it ends. Packets measured in the same slice of a few
-// milliseconds are then fused together and added to the window by the pose of that slice. The
-// frame's own grid is the join of its slices, byte for byte the same as if packets were fused on
-// arrival.
+// milliseconds are then fused together and added to the window with the pose of this slice. The
+// frame's own grid is joined from its slices. It is byte-for-byte identical to a grid whose packets
+// were fused on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
-// Packets without a pose are not added to the window, but count in the frame's grid. If the poses
-// break off, all of the window becomes unknown. All such events are counted.
+// Packets without a pose are not added to the window, but they are fused into the frame's grid. If
+// the sequence of poses breaks, the whole window becomes unknown. All such events are counted.
 #pragma once
 
 #include <cstddef>
@@ -37,27 +37,28 @@
 
 namespace iog::app {
 
-// Why a vehicle cannot have a perception grid. The compiler of car files rejects such a
-// description, but on a PC the rule may be changed later.
+// The reason why a vehicle cannot have a perception grid. The compiler of car files rejects such a
+// vehicle, but on a PC the fusion rule may be changed later.
 enum class Unfit : std::uint8_t {
   kNone,
   kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
-  kQuantisation,  // its quantisation is not blurring: cells behind a hit would count as hit
+  kQuantisation,  // its quantisation is not blurring: cells behind a hit would be treated as hit
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Holds 32 MB, so it must be in static memory.
+// Uses 32 MB, so it must be in static memory.
 class PerceptionEngine {
  public:
-  // All must outlive the engine. The frame must fuse at its end, and the vehicle must be fit. The
-  // replayer may also send poses and maps.
+  // All arguments must outlive the engine. The frame must be constructed with Fusing::kAtItsEnd,
+  // and the vehicle must be able to have a perception grid. The replayer may also send poses and
+  // maps.
   PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
-  // Sets the map that is present from the start. Call it before the first datagram. The map must
+  // Sets the map that is available from the start. Call it before the first datagram. The map must
   // outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call it before the first datagram. The window's age is counted from now on.
+  // Call it before the first datagram. The window's age is measured from now on.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
   // Returns true if the datagram was a pose or part of a map. Logs the datagrams that the frame
@@ -68,8 +69,8 @@ class PerceptionEngine {
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // Closes the frame. finish() completes the grid and the classes on all cores of the crew, and
-  // calls lap(stage) after each stage with its stream::StageTicks.
+  // Closes the frame. finish() completes the grid and the classes on all cores of the crew. After
+  // each stage, it calls lap(stage) with the stage's stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -77,10 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // The three steps of finish(), for callers that run other tasks meanwhile. decide() completes the
-  // grid and all classes except those of moving objects. follow_objects() adds those on core 0; the
-  // grid may be read meanwhile. end() stores the ground; core 0 runs do_beside() at the same time,
-  // which may read the classes.
+  // The three steps of finish(), for callers that run other tasks at the same time. decide()
+  // completes the grid and all classes except the classes of moving objects. follow_objects() adds
+  // the classes of moving objects on core 0. Other cores may read the grid while follow_objects()
+  // runs. end() stores the ground. While end() runs, core 0 runs do_beside(), which may read the
+  // classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -102,26 +104,28 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // Writes the engine's part of the frame's header and of the end of its classes, and lists the
-  // tracked objects.
+  // Fills in the engine's fields of the frame's header and of the end message of the classes. Also
+  // lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // slices(): the registered slices. stamp_us(): the frame's end on the clock of the poses. This is
-  // the end of its last slice, or the newest pose if it has no packets. It advances from frame to
-  // frame even if that clock restarts or is unknown. is_forgotten(): whether the content from
-  // before the frame has lost its position.
+  // slices() returns the registered slices. stamp_us() returns the frame's end on the clock of the
+  // poses. This is the end of the frame's last slice, or the time of the newest pose if the frame
+  // has no packets. It advances from frame to frame even if the clock of the poses restarts or is
+  // unknown. is_forgotten() returns whether the earlier content of the window has lost its
+  // position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
   // The classes. Valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
-  // The tracked objects, valid as long. There are none if the car file switches them off.
+  // The tracked objects, valid until the next finish(). There are none if object tracking is
+  // disabled in the car file.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
-  // The frame's receptions, valid as long. Only for a vehicle whose classes depend on arrival
-  // times.
+  // The frame's receptions, valid until the next finish(). They are recorded only for a vehicle
+  // whose classes depend on arrival times.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   void start_next() { receptions_.clear(); }
 
@@ -141,7 +145,7 @@ class PerceptionEngine {
   }
 
  private:
-  // Fuses one slice after the other. Each tile is read while it is in the cache.
+  // Fuses one slice after the other. Each tile is read while it is still in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();
@@ -162,7 +166,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // Fuses as many slices at once as fit, then adds them to the window.
+  // Fuses as many slices at once as fit into memory, then adds these slices to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();
@@ -199,14 +203,15 @@ class PerceptionEngine {
   Frame* frame_;
   const vehicle::Vehicle* vehicle_;
   perception::WindowClock clock_;
-  perception::Contradiction contradiction_;  // of the poses, by the slices they registered
+  perception::Contradiction contradiction_;  // of the poses, detected from the slices that they
+                                             // registered
   std::uint32_t epoch_ = 0;                  // epoch of the poses in the window
   // Of the current frame.
   bool is_forgotten_ = false;
-  pose::CauseCounts causes_{};  // since start; causes_before_: up to the previous frame
+  pose::CauseCounts causes_{};  // since start-up; causes_before_: up to the previous frame
   pose::CauseCounts causes_before_{};
   pose::Placed end_{};
-  std::uint64_t frame_end_us_ = 0;  // the middle of its last slice; 0: nothing is tracked
+  std::uint64_t frame_end_us_ = 0;  // the middle of the frame's last slice; 0 if nothing is tracked
   bool is_following_ = false;       // there are hits to track
   objects::FrameCounts object_counts_{};
   perception::FrameCounts counts_{};

@@ -1,5 +1,5 @@
-// Network sink for frames with classes. Between the tiles of a frame and its end, it sends the
-// tiles of the classes, their end, and the objects.
+// Network sink for frames with classes. Between the tiles and the end message of a frame, it sends
+// the tiles of the classes, the end message of the classes, and the objects.
 #pragma once
 
 #include <cstddef>
@@ -17,21 +17,21 @@
 
 namespace iog::app {
 
-// Holds 4.6 MB of sent and encoded tiles, so it must be in static memory.
+// Contains 4.6 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class PerceptionSink : private NetworkSink<P> {
   using Indexes = NetworkSink<P>;
 
  public:
-  // platform must outlive the sink.
+  // platform must outlive this object.
   PerceptionSink(P& platform, Coding coding)
       : Indexes(platform, coding), classes_(platform, this->messages(), coding) {}
 
   using Indexes::begin_frame;
   using Indexes::end;
 
-  // The end message of the classes; fill it before they are encoded. The list of objects; fill it
-  // before they are sent.
+  // The end message of the classes, which must be filled in before the classes are encoded. The
+  // list of objects must be filled in before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
@@ -42,8 +42,9 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // Sends the frame in three steps. The first two divide their work among the cores. Meanwhile core
-  // 0 runs do_beside() in encode_tiles(), and sends the messages of the tiles in encode_classes().
+  // Sends the frame in three steps. The first two steps distribute their work among the cores. At
+  // the same time, core 0 runs do_beside() in encode_tiles(), and sends the messages of the tiles
+  // in encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);
@@ -79,7 +80,7 @@ class PerceptionSink : private NetworkSink<P> {
     send_classes();
   }
 
-  // Only if the frame's header says that it has objects.
+  // Call it only if the frame's header states that the frame has objects.
   void send_objects() {
     for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
       this->messages().send(

@@ -1,10 +1,10 @@
-// The pipeline: the way of the data from a datagram to the last message of its frame.
+// The pipeline: the path of the data from a datagram to the last message of its frame.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
 //                                                       '-> [window] classes -> tiles --^
 //
-// All access to the machine goes through app::Platform, so the target and the PC run this same
-// file. A closed frame goes to the network and to any other sinks.
+// All access to the machine goes through app::Platform, so the target and the PC use the same code.
+// A closed frame is passed to the network sink and to any other sinks.
 #pragma once
 
 #include <algorithm>
@@ -48,12 +48,12 @@ struct NoPerception {
   void for_each_constant(Visit&& /*visit*/) const {}
 };
 
-// Perception: PerceptionEngine or NoPerception. Classes go to every ClassSink.
+// Perception is PerceptionEngine or NoPerception. Classes are passed to every ClassSink.
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send in the name of
-  // every sensor; 0: none.
+  // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send on behalf of
+  // every sensor. replayer_ipv4 is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -67,18 +67,18 @@ class FramePipeline {
                 Sinks&... sinks)
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
-  // Sets the map that is present from the start. Call it before the first datagram. The map must
+  // Sets the map that is available from the start. Call it before the first datagram. The map must
   // outlive the pipeline. Has no effect without classes.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
-  // Call it before the first datagram; otherwise time starts at 0. Silence is counted from now on,
-  // so the time needed to set up the pipeline does not count.
+  // Call it before the first datagram, otherwise time starts at 0. The time without datagrams is
+  // measured from now on, so it does not include the time needed to set up the pipeline.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);
   }
 
-  // Handles one datagram. May close the frame before or after it.
+  // Handles one datagram. May close the frame before or after the datagram is processed.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     take_packet(
@@ -98,7 +98,7 @@ class FramePipeline {
   }
 
   // Handles one datagram that has waited too long. A sensor's packet is counted and shed. Poses and
-  // maps are taken as usual.
+  // maps are processed as usual.
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     if (const std::optional<intake::SensorPacket> packet = receive(datagram, now_us)) {
@@ -108,7 +108,7 @@ class FramePipeline {
     end_stage(&stream::StageTicks::fuse);
   }
 
-  // Closes the frame if its time is over.
+  // Closes the frame if its deadline has passed.
   void tick(std::uint64_t now_us) {
     if (frame_.is_overdue(now_us)) {
       begin_stage();
@@ -116,11 +116,12 @@ class FramePipeline {
     }
   }
 
-  // is_begun(): whether the current frame has packets. deadline_us(): when its time is over.
+  // is_begun() returns whether the current frame has packets. deadline_us() returns the frame's
+  // deadline.
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
-  // For observers.
+  // For read access by observers.
   [[nodiscard]] const Perception& perception() const { return perception_; }
 
   template <typename Visit>
@@ -144,8 +145,8 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
-  // Stage timing. begin_stage() starts it; end_stage() adds the time since then to a stage and
-  // starts the next.
+  // Stage timing. begin_stage() starts the timer. end_stage() adds the elapsed time to a stage and
+  // restarts the timer for the next stage.
   using Stage = std::uint32_t stream::StageTicks::*;
   void begin_stage() { since_ = platform_->ticks(); }
   void end_stage(Stage stage) {
@@ -154,8 +155,8 @@ class FramePipeline {
     since_ = now;
   }
 
-  // Reads the datagram as a sensor's packet. Returns nothing if it was a pose or part of a map, or
-  // was dropped.
+  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was a pose, was part
+  // of a map, or was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
     return perception_.receive(datagram, now_us) ? std::nullopt : frame_.receive(datagram);
@@ -187,7 +188,7 @@ class FramePipeline {
     end_stage(&stream::StageTicks::publish);
   }
 
-  // Fills the frame's end message, and returns the header of its messages.
+  // Fills in the frame's end message, and returns the header of the frame's messages.
   [[nodiscard]] stream::Header describe(std::uint64_t now_us) {
     stream::Header header;
     stream::FrameEnd& end = network_.end();
@@ -213,7 +214,7 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // Not inlined, like the next one, so that they use the same stack space.
+  // Neither this function nor the next one is inlined, so that both use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     take_tiles(header);
     if constexpr (kPerceives) {
@@ -240,7 +241,7 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The frame owns the grid. It visits each known tile once and clears it.
+  // The grid belongs to the frame, which visits each known tile once and then clears it.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {
@@ -291,8 +292,8 @@ class FramePipeline {
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// A pipeline with the classes of the window. The vehicle must be fit for them. The replayer may
-// send poses, too.
+// A pipeline with the classes of the window. The vehicle must be able to have a perception grid.
+// The replayer may also send poses.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 

@@ -1,4 +1,4 @@
-// What the pipeline needs of its machine, and the sinks that receive its frames.
+// The pipeline's requirements on its machine, and the sinks that receive its frames.
 #pragma once
 
 #include <array>
@@ -16,29 +16,30 @@
 
 namespace iog::app {
 
-// State of the platform.
+// The state of the platform.
 struct Vitals {
   std::uint32_t stack_used_bytes = 0;  // greatest depth so far
-  std::uint32_t link_drops = 0;        // datagrams dropped by the link itself, since start
+  std::uint32_t link_drops = 0;        // datagrams dropped by the link itself, since start-up
   std::int16_t temperature_dc = hal::kTemperatureNotKnown;  // of the chip, 1/10 degree Celsius
   std::size_t link_counter_count = 0;
   std::array<std::uint32_t, stream::kMaxLinkCounters>
-      link_counters{};  // since start, as docs/spec.md
+      link_counters{};  // since start-up, as docs/spec.md
 };
 
 // Processing times of a frame.
 struct FrameTimes {
   stream::StageTicks ticks{};  // publish: of the previous frame
-  std::uint32_t late_us = 0;   // how long after its deadline it was closed
+  std::uint32_t late_us = 0;   // delay between the frame's deadline and its closing
   bool has_packets = false;
 };
 
-// send_message(bytes): sends a copy, at most protection::kMaxMessageBytes; false if it cannot be
-//                   sent.
-// ticks(), ticks_hz(): a stopwatch, as hal::Stopwatch.
-// vitals(times): called once per frame, before its first message.
-// run_number(): as hal::RunNumber.
-// cores(): number of working cores. share(items, work, beside): runs all items, as work::Team.
+// send_message(bytes) sends a copy of at most protection::kMaxMessageBytes bytes. Returns false if
+// the message cannot be sent.
+// ticks() and ticks_hz() form a stopwatch, like hal::Stopwatch.
+// vitals(times) is called once per frame, before the frame's first message.
+// run_number() is the same as in hal::RunNumber.
+// cores() returns the number of working cores. share(items, work, beside) runs all items, like
+// work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {
@@ -57,9 +58,9 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// Receives a closed frame: first the header of its messages, then each tile with a known cell in
-// rising order, then the end. The type and number in the header do not matter. The sink does not
-// own the cells, and they change after the call.
+// Receives a closed frame: first the header of the frame's messages, then each tile with a known
+// cell in ascending order, then the end. The type and number in the header are ignored. The sink
+// does not own the cells, which change after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {
@@ -68,8 +69,8 @@ concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t 
   { sink.end_frame() } -> std::same_as<void>;
 };
 
-// A sink that also receives classes, after the tiles of the frame's own grid. The view changes
-// after the call.
+// A sink that also receives classes, after the tiles of the frame's own grid. The view is valid
+// only during the call.
 template <typename T>
 concept ClassSink = FrameSink<T> &&
     requires(T& sink, const stream::ClassEnd& end, const window::WindowView& classes) {

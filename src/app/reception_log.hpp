@@ -1,4 +1,5 @@
-// Records what a frame has received and when, for a PC that repeats the frame (docs/spec.md 3.13).
+// Records the datagrams that a frame has received and their arrival times, for a PC that repeats
+// the frame (docs/spec.md 3.13).
 #pragma once
 
 #include <array>
@@ -13,12 +14,13 @@ namespace iog::app {
 
 class ReceptionLog {
  public:
-  // A log that is off stays empty.
+  // A disabled log stays empty.
   explicit ReceptionLog(bool is_on) : is_on_(is_on) {}
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // Adds a datagram. Call it when the datagram is taken, and only if its sender may send it.
+  // Adds a datagram. Call it when the datagram is processed, and only if the datagram's sender is
+  // allowed to send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;
@@ -27,7 +29,7 @@ class ReceptionLog {
       ++not_listed_;
       return;
     }
-    // Until the frame is closed, this field holds the time itself, modulo 2^32.
+    // Until the frame is closed, this field contains the arrival time itself, modulo 2^32.
     list_[count_++] = {.port = datagram.destination_port,
                        .key = stream::key_of(datagram.payload),
                        .before_close_us = static_cast<std::uint32_t>(now_us)};
@@ -40,8 +42,8 @@ class ReceptionLog {
     }
   }
 
-  // Call it once per frame, before the log is read. A frame must be closed within 2^32 us of all
-  // its receptions.
+  // Call it once per frame, before the log is read. A frame must be closed less than 2^32 us after
+  // any of its receptions.
   void close(std::uint64_t closed_us) {
     for (stream::Reception& each : std::span(list_).first(count_)) {
       each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;
@@ -52,7 +54,7 @@ class ReceptionLog {
   [[nodiscard]] std::span<const stream::Reception> all() const {
     return std::span(list_).first(count_);
   }
-  // The number of datagrams after the last one that fitted.
+  // The number of datagrams that did not fit into the list.
   [[nodiscard]] std::uint32_t not_listed() const { return not_listed_; }
 
   void clear() {

@@ -1,6 +1,6 @@
-// A target without a car block: it makes no grid, and reports why. It answers ARP and ping as
-// usual, takes no datagrams, and sends its peer one message per second with the reason
-// (docs/spec.md 3.11).
+// A target without a car block. Such a target computes no grid, but reports the reason. It answers
+// ARP and ping as usual, ignores datagrams, and sends one message with the reason to its peer every
+// second (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace iog::app {
 
 inline constexpr std::uint64_t kRefusalPeriodUs = 1'000'000;
 
-// The texts of the refusal must outlive it.
+// The texts of the refusal must outlive this object.
 template <Machine M>
 class RefusedCar {
  public:
   RefusedCar(M& machine, MachinePlatform<M>& platform, const stream::CarRefusal& refusal)
       : machine_(&machine), platform_(&platform), messages_(platform), refusal_(refusal) {}
 
-  // One pass of the loop. Returns whether frames are still waiting.
+  // Runs one pass of the loop. Returns whether Ethernet frames are still waiting.
   bool pass() {
     leave_datagrams();
     const std::uint64_t now_us = machine_->clock().now_us();
@@ -70,7 +70,7 @@ template <Machine M>
   }
 }
 
-// The same for a target that does not even know its address. It sends nothing.
+// Same as above, for a target that does not even know its own address. Such a target sends nothing.
 template <Machine M>
 [[noreturn]] void run_mute(M& machine) {
   for (;;) {

@@ -1,14 +1,15 @@
-// Turns the tiles of one grid into messages. Each tile is encoded in the shortest way, which may be
-// the changes since it was last sent.
+// Converts the tiles of one grid to messages. Each tile is sent in its shortest encoding, which may
+// contain only the changes since the tile was last sent.
 //
-// Several cores encode waiting tiles, and compute what each adds to the grid's CRC, independently
-// of other tiles. Messages and CRC are then made in the order of tiles, so the bytes are the same
-// for any number of cores. Tiles whose cells do not change all wait, so that core 0 can do
-// something else while they are encoded. Other tiles wait in batches. A single core encodes each
-// tile at once, while it is in its cache.
+// Several cores encode waiting tiles and compute each tile's contribution to the grid's CRC. They
+// process each tile independently of the other tiles. Messages and CRC are then generated in
+// ascending order of tiles, so the bytes are the same for any number of cores. If the cells of the
+// tiles do not change, all tiles are collected first, so that core 0 can do other work while they
+// are encoded. Other tiles wait in batches. A single core encodes each tile immediately, while the
+// tile is still in its cache.
 //
-// For classes the encoded tile is cached. While neither its cells nor its reference change, the
-// cells are not read again.
+// For classes, encoded tiles are cached. As long as neither the cells nor the reference of a tile
+// change, its cells are not read again.
 #pragma once
 
 #include <algorithm>
@@ -36,14 +37,14 @@
 
 namespace iog::app {
 
-// How tiles are sent. Encoded tiles take a tenth of the bytes of raw ones, but more instructions.
+// How tiles are sent. Encoded tiles need a tenth of the bytes of raw tiles, but more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// How long the cells of an added tile do not change.
+// How long the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// Holds 2.2 or 2.4 MB: sent and encoded tiles, and for indexes a batch of copies. It must be in
-// static memory. Hash: stream::GridHash for indexes, stream::ClassHash for classes.
+// Uses 2.2 or 2.4 MB for sent and encoded tiles and, for indexes, a batch of copies. It must be in
+// static memory. Hash is stream::GridHash for indexes and stream::ClassHash for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -53,11 +54,11 @@ class TileSender {
     std::uint32_t crc = 0;         // of the grid
   };
 
-  // platform and messages must outlive the sender.
+  // platform and messages must outlive this object.
   TileSender(P& platform, MessageSender<P>& messages, Coding coding)
       : platform_(&platform), messages_(&messages), coding_{coding} {}
 
-  // Begins a frame's grid of occupancy indexes, or of classes.
+  // Begins a frame's grid of occupancy indexes or of classes.
   void begin(const stream::Header& header) {
     begin_frame(header);
     hash_ = Hash();
@@ -69,42 +70,43 @@ class TileSender {
     tiles_.begin_classes(header, window);
   }
 
-  // Adds a tile. Tiles must come in rising order. A tile of indexes must have a known cell.
+  // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have a known cell.
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
-  // Adds a tile of classes, whose cells must not change until finish(). Skipped if no cell has a
-  // class. age_frames: since the tile was decided. version: not 0, and different if the cells have
-  // changed since the tile was last added.
+  // Adds a tile of classes. The cells must not change until finish(). The tile is skipped if no
+  // cell has a class. age_frames is the number of frames since the tile's classes were computed.
+  // `version` must not be 0, and must differ from the previous version if the cells have changed
+  // since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
         CellsStay::kToTheFinish);
   }
 
-  // Whether the tiles of this grid wait, because several cores encode them.
+  // Whether the tiles of this grid wait because several cores encode them.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
-  // Encodes all waiting tiles. Core 0 runs do_beside() once, meanwhile or before.
+  // Encodes all waiting tiles. Core 0 runs do_beside() once, either at the same time or before.
   template <typename DoBeside>
   void encode(DoBeside do_beside) {
     encode_waiting(work::beside_of(do_beside));
   }
 
-  // Encodes tiles added since then, if there are any.
+  // Encodes any tiles that were added after encode().
   void encode_rest() {
     if (encoded_ < waiting_count_) {
       encode_waiting({});
     }
   }
 
-  // Ends the grid. Its messages then cover every tile.
+  // Ends the grid. After the call, the grid's messages cover every tile.
   Sent finish() {
     encode_rest();
     return finish_encoded();
   }
-  // The same if all waiting tiles are encoded. It needs no other cores, so it may run while they
-  // are busy.
+  // Same as finish(), but all waiting tiles must be encoded. This function needs no other cores, so
+  // it may be called while they are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(geometry::kTileCount);
@@ -113,13 +115,14 @@ class TileSender {
   }
 
  private:
-  // Tiles whose cells change are copied and encoded in rounds of this size. It is large enough for
-  // few rounds, and small enough that their data stay in the second level cache.
+  // Tiles whose cells change are copied and encoded in rounds of this size. The size is large
+  // enough to keep the number of rounds low, and small enough to keep the data of a round in the L2
+  // cache.
   static constexpr std::size_t kBatch = 192;
-  // Tiles that one core takes at a time.
+  // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  // Whether encoded tiles are cached, as for classes.
+  // Whether encoded tiles are cached. Only tiles of classes are cached.
   static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
 
   struct Added {
@@ -134,12 +137,13 @@ class TileSender {
   struct Copy {
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells;
   };
-  // The encoded tile as it is sent.
+  // The encoded tile, in the form in which it is sent.
   struct Found {
     std::uint32_t version = kNoVersion;  // of the cells
     bool is_left_out = false;
-    std::uint32_t remainder = 0;        // what the cells add to the grid's CRC
-    std::uint32_t reference_frame = 0;  // of the cells' reference; their own frame without one
+    std::uint32_t remainder = 0;        // contribution of the cells to the grid's CRC
+    std::uint32_t reference_frame = 0;  // frame of the cells' reference, or the cells' own frame if
+                                        // there is no reference
     tile_coding::EncodedTile encoded{};
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> payload{};
   };
@@ -182,8 +186,8 @@ class TileSender {
     send(added, found);
   }
 
-  // A task reads nothing that another task writes. It writes only the slots of its own tiles and
-  // its core's encoder. A half-written slot has no version.
+  // A task reads no data that another task writes. It writes only to the slots of its own tiles and
+  // to its core's encoder. A partially written slot has no version.
   void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
     const bool is_kept = kIsKept && found.version == added.version;
     if (is_kept && found.is_left_out) {
@@ -206,8 +210,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Sends the same cells again: against the same reference, or as unchanged if they were sent
-  // without one. Repeating it from any point on gives the same result.
+  // Encodes the same cells again. The cells are encoded against the same reference, or as unchanged
+  // if they were sent without a reference. If this function is interrupted and repeated, the result
+  // is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -218,7 +223,7 @@ class TileSender {
     }
   }
 
-  // Sends an encoded tile. Call it in the order of tiles.
+  // Sends an encoded tile. Call it in ascending order of tiles.
   void send(const Added& added, const Found& found) {
     if (found.is_left_out) {
       return;

@@ -1,7 +1,8 @@
-// Classifies the cells of a group by their masses, and computes bits for later frames.
+// Classifies the cells of a group from their masses, and computes bits for later frames.
 //
-// A class needs half of all mass, so ignorance leads to no class. The map refines what the sensors
-// see. It never overrules them and never decides alone.
+// A cell gets a class only if at least half of the total mass supports it, so ignorance never
+// results in a class. The map refines the classes that the sensors support. It never overrules the
+// sensors, and it never determines a class without them.
 #pragma once
 
 #include <array>
@@ -13,13 +14,13 @@
 
 namespace iog::decision {
 
-// The classes of a cell's byte. The byte is 8 times the class plus a confidence of 0 ... 7, floor
-// of (mass - 2^14) / 2^11.
+// The classes in a cell's byte. The byte equals 8 times the class plus a confidence of 0 ... 7. The
+// confidence is (mass - 2^14) / 2^11, rounded down.
 enum class Class : std::uint8_t {
   kUnknown,            // confidence is always 0
   kDrivable,           // free, on a road
   kNonDrivable,        // free, beside the roads
-  kFree,               // free, unknown to the map
+  kFree,               // free, no map data
   kMoving,             // occupied by a moving object
   kStopped,            // static, on a road
   kStoppedOrUnmapped,  // static, movable or not
@@ -32,45 +33,45 @@ inline constexpr std::int32_t kSurenessCount = 8;
   return static_cast<Class>(byte / kSurenessCount);
 }
 
-// Classes of the map, one bit each. A sum means "one of these".
+// Classes of the map, with one bit for each class. A sum of bits means "one of these classes".
 inline constexpr std::uint8_t kBuilding = 1;
 inline constexpr std::uint8_t kRoad = 2;
 inline constexpr std::uint8_t kIntermediate = 4;
 inline constexpr std::uint8_t kAnywhere = kBuilding + kRoad + kIntermediate;
 
-// Bit i of each member is for cell i of the group.
+// Bit i of each member refers to cell i of the group.
 struct alignas(8) Bits {
   std::uint8_t freed = 0;   // F > 2^14
   std::uint8_t seen = 0;    // free evidence in this frame, and F > 22938
   std::uint8_t stands = 0;  // persistence > 4096
   std::uint8_t taken = 0;   // O + M + K > 8192
-  std::uint8_t held = 0;    // O + M + K > 0 or persistence > 0: not only F is known
+  std::uint8_t held = 0;    // O + M + K > 0 or persistence > 0
   friend constexpr bool operator==(const Bits&, const Bits&) = default;
 };
 
 // The class bytes of a group's cells.
 using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 
-// For each cell, the classes of the map that are impossible there. 0: the map says nothing.
+// For each cell, the classes of the map that are ruled out there. 0 if the map has no information.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
-// Writes the class bytes of a group from its masses and from the classes that are ruled out. Both
-// arrays must be aligned to 8 bytes. `of_this_frame` must be all 0 for a group that is decided
-// without evidence.
+// Computes and writes the class bytes of a group from the group's masses and the classes that are
+// ruled out. Both arrays must be aligned to 8 bytes. `of_this_frame` must be all 0 for a group that
+// is decided without evidence.
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Two of the members of Bits.
+// Contains two of the members of Bits.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;
 };
 
-// The same as decide() for a group without occupied mass. All other bits are 0.
+// Same as decide(), for a group without occupied mass. All other bits are 0.
 FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
 
-// A group for evidence::fuse_free() and decide_free().
+// The arguments of evidence::fuse_free() and decide_free() for one group.
 struct Crossed {
   evidence::Free* free;
   const evidence::Fading* fading;
@@ -80,7 +81,8 @@ struct Crossed {
   Decided* decided;
 };
 
-// Fuses and decides two groups at once. Each fills the time in which the other waits for results.
+// Fuses and classifies two groups at once. Instructions of one group fill the time in which the
+// other group waits for results.
 std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups);
 
 }  // namespace iog::decision

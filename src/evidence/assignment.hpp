@@ -1,9 +1,9 @@
-// Masses graded by the size of an occupancy index: a basic belief assignment with two focal sets,
-// free or occupied, and ignorance. Without an assignment, all hits have one mass and all crossing
-// beams another (Gains).
+// Masses graded by the magnitude of an occupancy index: a basic belief assignment whose focal sets
+// are ignorance and either free or occupied. Without an assignment, all hits have the same mass and
+// all crossing beams have the same mass (Gains).
 //
-// Masses are multiples of 1/128, rounded down. Indexes beyond kGradedIndexes - 1 have the mass of
-// kGradedIndexes - 1, on either side.
+// Masses are multiples of 1/128, rounded down. Indexes whose magnitude exceeds kGradedIndexes - 1
+// have the same mass as kGradedIndexes - 1.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace iog::evidence {
 
-// The joined occupancy indexes of a group's cells in one frame. 0: no evidence.
+// The joined occupancy indexes of a group's cells in one frame. 0 means no evidence.
 using Indexes = std::array<index::OccupancyIndex, kGroupCells>;
 
 inline constexpr std::size_t kGradedIndexes = 32;
@@ -32,15 +32,18 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// Not constexpr and never defined: a call at compile time fails with this name as the message.
+// Not constexpr and never defined, so that a call at compile time fails with this name as the error
+// message.
 void an_index_beyond_the_table_has_another_mass();
 
-// floor(128 mass), 0 <= mass <= 1, limited to 127: certainty is excluded.
+// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127. Full certainty is excluded in this
+// way.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
 
-// Kurdej 2015, section 4.5.2.2: k echoes in a cell have mass 1 - 0.2^k. An index of 2 is one echo.
+// Kurdej 2015, section 4.5.2.2: k echoes in a cell have a mass of 1 - 0.2^k. An index of 2
+// corresponds to one echo.
 consteval Assignment make_reinforced() {
   Assignment assignment{.free_by_time = -1};
   double doubt = 1;
@@ -52,9 +55,10 @@ consteval Assignment make_reinforced() {
 }
 inline constexpr Assignment kReinforced = make_reinforced();
 
-// The least committed mass with the pignistic probability p_n: |2 p_n - 1|, at most 0.95. It is for
-// comparison only: one hit of +2 weighs less than one beam of -14 and is lost. Does not compile if
-// the recursive set of epsilon needs more than kGradedIndexes to reach 0.95.
+// The least committed mass with the pignistic probability p_n is |2 p_n - 1|, clamped to 0.95. This
+// assignment is for comparison only, because one hit of +2 has less weight than one beam of -14 and
+// is lost. Does not compile if the recursive set of epsilon needs more than kGradedIndexes to reach
+// 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -1,12 +1,12 @@
-// Ageing and fusion of one cell (Kurdej 2015, chapters 5 and 6). This is the specification in plain
-// integers; fusion_neon.cpp does the same for eight cells at once.
+// Ageing and fusion of one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in
+// plain integers. fusion_neon.cpp computes the same for eight cells at once.
 //
-// All values are fractions of 2^15. a.b is floor(ab / 2^15), ~a is 32767 - a. Small letters: o, f
-// evidence; c, x conflict. Capitals: masses of F, O, M, K; P = O + M + K; W = 32767 - F - P, the
-// ignorance.
+// All values are in units of 2^-15. a.b is floor(ab / 2^15), and ~a is 32767 - a. o and f are
+// evidence, c and x are conflict. F, O, M and K are masses, P = O + M + K, and W = 32767 - F - P is
+// the ignorance.
 //
-// Ranges. A cell is valid if F, O, M, K and its persistence are 0 ... 32767 and W >= 0. Factors and
-// evidence are 0 ... 32767, and one of o and f is 0. Then:
+// Ranges: A cell is valid if F, O, M, K and its persistence are 0 ... 32767 and W >= 0. Factors and
+// evidence are 0 ... 32767, and o or f is 0. The following then holds:
 //
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
@@ -17,8 +17,9 @@
 //   conflict     c + x <= 32767, because one of them is 0
 //   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks
-// All terms of F', O', M' and K' are non-negative, so no partial sum is above 32767. Signed 16 bits
-// hold every intermediate result except the product. Rounding losses go to ignorance.
+// All terms of F', O', M' and K' are non-negative, so no partial sum exceeds 32767. Every
+// intermediate result except the product fits into a signed 16-bit integer. Rounding losses are
+// added to ignorance.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +44,7 @@ struct Cell {
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// The masses that one frame gives to a cell. One of them is 0.
+// The masses that one frame assigns to a cell. At least one of them is 0.
 struct Evidence {
   std::int32_t occupied = 0;  // o
   std::int32_t free = 0;      // f
@@ -51,7 +52,7 @@ struct Evidence {
 
 constexpr std::int32_t product(std::int32_t a, std::int32_t b) { return (a * b) >> 15; }
 
-// The product rounded to nearest, a half up.
+// The product, rounded to nearest. Ties are rounded up.
 constexpr std::int32_t rounded_product(std::int32_t a, std::int32_t b) {
   return (a * b + (1 << 14)) >> 15;
 }
@@ -72,7 +73,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) 
   return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
 }
 
-// index: -127 ... 127.
+// index must be in -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {
   constexpr int kUnit = (kCertain + 1) / kMassFraction;
@@ -87,9 +88,9 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Masses after the evidence. c is the conflict of a cell that was free and is now occupied: it goes
-// to {M} if the object moved there, else to O. x is the conflict of a cell that was occupied and is
-// now free: it goes to ignorance.
+// Returns the masses after the evidence. c is the conflict of a cell that was free and is now
+// occupied. It is added to {M} if the object moved there, else to O. x is the conflict of a cell
+// that was occupied and is now free. It is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -103,8 +104,8 @@ constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) 
   return next;
 }
 
-// The accumulator of a cell with the masses of `next`. The conflict c + x is not part of these
-// masses (Kurdej 2015, equations 5.5 and 5.6).
+// Returns the accumulator of a cell with the masses of `next`. These masses do not include the
+// conflict c + x (Kurdej 2015, equations 5.5 and 5.6).
 constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
   const std::int32_t taken = next.taken();
   const std::int32_t gain =
@@ -113,8 +114,8 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// Specialisation: persistent cells become static (Kurdej 2015, equations 5.7 and 5.8). Only
-// occupied sets are specialised. The mass that {M} loses goes to ignorance.
+// Specialises a cell: persistent cells become static (Kurdej 2015, equations 5.7 and 5.8). Only
+// occupied sets are specialised. The mass that {M} loses is added to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
   const std::int32_t settled = product(cell.occupied, part);
@@ -125,7 +126,7 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// A cell after a frame with evidence. It must be aged already.
+// Returns a cell after a frame with evidence. The cell must already be aged.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =
       product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);

@@ -1,15 +1,16 @@
 // Effects of time on a cell, in units of 2^-15: the decay of its masses, and the weight of a
-// frame's evidence. src/ageing computes both from the stamps of frames.
+// frame's evidence. src/ageing computes both from the timestamps of frames.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::evidence {
 
-// An ageing factor of 1, which changes nothing: 2^15, stored in an int16 as -2^15.
+// An ageing factor of 1, which leaves a mass unchanged. Its value 2^15 is stored in an int16 as
+// -2^15.
 inline constexpr std::int16_t kWhole = -32768;
 
-// The ageing factors (Kurdej 2015, chapter 6): 0 ... 32767, or kWhole.
+// The ageing factors (Kurdej 2015, chapter 6). Each factor is 0 ... 32767, or kWhole.
 struct alignas(16) Fading {
   std::int16_t free = kWhole;
   std::int16_t occupied = kWhole;
@@ -19,17 +20,18 @@ struct alignas(16) Fading {
   friend constexpr bool operator==(const Fading&, const Fading&) = default;
 };
 
-// After a time that is too long or unknown, nothing is left.
+// The factors after a time that is too long or unknown: all masses become 0.
 inline constexpr Fading kForgotten{0, 0, 0, 0, 0};
 
-// The mass of a hit is 0.87, so it outlasts one free frame of 40 ms.
+// The mass of a hit is 0.87, so that the hit outlasts one free frame of 40 ms.
 inline constexpr std::int16_t kHitMass = 111 * 256;
 
-// The weights of a group's evidence in one frame, 0 ... 32767.
+// The weights of a group's evidence in one frame. Each weight is 0 ... 32767.
 struct alignas(16) Gains {
   std::int16_t free_mass = 0;        // f, free mass from crossing beams
-  std::int16_t persistence = 0;      // d, the accumulator's gain while the cell is occupied
-  std::int16_t decline = 0;          // d_gamma, its loss while the cell is not occupied
+  std::int16_t persistence = 0;      // d, the accumulator's increase while the cell is occupied
+  std::int16_t decline = 0;          // d_gamma, the accumulator's decrease while the cell is not
+                                     // occupied
   std::int16_t specialisation = 0;   // q, the fraction of the accumulator that specialises
   std::int16_t hit_mass = kHitMass;  // o, occupied mass from a hit
   friend constexpr bool operator==(const Gains&, const Gains&) = default;

@@ -1,5 +1,6 @@
-// Free masses of a group, eight cells per register: ageing and fusion of a frame's evidence. These
-// are the building blocks of fusion_neon.cpp, for callers that do more with the result.
+// Ageing of a group's free masses, and fusion of a frame's evidence into them, for eight cells per
+// register. These functions are the building blocks of fusion_neon.cpp. Callers that process the
+// result further can also use these functions.
 #pragma once
 
 #include <arm_neon.h>
@@ -13,7 +14,8 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// Works as XOR, because 32767 contains every bit of 0 ... 32767.
+// The complement can be computed with XOR, because all bits that occur in 0 ... 32767 are set in
+// 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
@@ -22,24 +24,26 @@ inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
 
 static_assert(sizeof(Fading) == sizeof(int16x8_t) && offsetof(Fading, persistence) == 8);
 
-// Lanes 0 to 3: factors of free, occupied, moving and standing. Lane 4: persistence.
+// Lanes 0 to 3 contain the factors of free, occupied, moving and standing. Lane 4 contains the
+// factor of persistence.
 inline int16x8_t factors_of(const Fading& fading) {
   int16x8_t factors;
   __builtin_memcpy(&factors, &fading, sizeof(factors));
   return factors;
 }
 
-// A product with kWhole is exactly -mass. A product with any other factor is not negative.
+// The product of a mass and kWhole is exactly -mass. The product of a mass and any other factor is
+// not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
   return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));
 }
 
-// All ones in lanes whose evidence is a crossing beam.
+// Sets all bits in lanes whose evidence is a crossing beam.
 inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 
-// The free mass after a frame without hits, for a group without occupied mass. o, c, x and P are 0,
-// so F' = F.~0 + W.f with W = ~F.
+// Returns the free mass after a frame without hits, for a group without occupied mass. o, c, x and
+// P are 0, so F' = F.~0 + W.f with W = ~F.
 inline int16x8_t free_after(int16x8_t free, const Fading& fading, const Indexes& indexes,
                             const Gains& gains) {
   const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));

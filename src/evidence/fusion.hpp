@@ -1,5 +1,6 @@
 // Ages eight cells and fuses a frame's evidence into them. evidence/cell.hpp specifies the result
-// for each cell. CMake selects the version for eight cells: fusion.cpp or fusion_neon.cpp.
+// for each cell. CMake selects the implementation for eight cells, which is fusion.cpp or
+// fusion_neon.cpp.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +14,18 @@ namespace iog::evidence {
 // Ages the group's masses.
 void age(Free& free, Taken& taken, const Fading& fading);
 
-// Ages the group's masses, then fuses the evidence of one frame. A cell with index 0 only ages. Bit
-// i of `moved`: the object in cell i moved there, so a hit on free ground adds to {M}.
+// Ages the group's masses, then fuses the evidence of one frame. A cell with index 0 is only aged.
+// Bit i of `moved` is set if the object in cell i has moved there. A hit on free ground then adds
+// mass to {M}.
 void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
           std::uint8_t moved, const Gains& gains);
 
-// The same with masses graded by index.
+// Same as above, with masses that are graded by index.
 void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
           std::uint8_t moved, const Gains& gains, const Assignment& assignment);
 
-// The same as age() and fuse() for a group without occupied mass and without hits: all masses
-// except F are 0 and stay 0. No index may be above 0.
+// Same as age() and fuse(), for a group without occupied mass and without hits. All masses except F
+// are 0 and stay 0. All indexes must be 0 or negative.
 void age_free(Free& free, const Fading& fading);
 void fuse_free(Free& free, const Fading& fading, const Indexes& indexes, const Gains& gains);
 

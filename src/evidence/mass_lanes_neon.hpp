@@ -1,8 +1,7 @@
-// Sequential access to the masses of a group except F, eight cells per register, in the order of
-// memory.
+// Sequential access to a group's masses except F, with eight cells per register, in memory order.
 //
-// A load that advances its pointer is one instruction. The compiler never chooses it, and uses two
-// half-register loads at offsets instead.
+// A load that also advances its pointer is one instruction. The compiler never selects this
+// instruction, and uses two half-register loads with offsets instead.
 #pragma once
 
 #include <arm_neon.h>
@@ -28,7 +27,7 @@ inline void store(int16x8_t lanes, Masses& masses) {
   __builtin_memcpy(__builtin_assume_aligned(masses.data(), sizeof(lanes)), &lanes, sizeof(lanes));
 }
 
-// Occupied, moving, standing and persistence, in this order.
+// Reads the occupied, moving, standing and persistence values, in this order.
 class MassReader {
  public:
   explicit MassReader(const Taken& taken) : next_(&taken.occupied) {}

@@ -1,9 +1,8 @@
 // Fusion of one frame: beams in, a grid of occupancy indexes out (docs/model.md section 3).
 //
 // The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
-// objects. All beams carve before any mark is applied. Beams may come in any order among
-// themselves, and so may marks. So the grid is the same to the byte for any order of a frame's
-// packets.
+// objects. All beams carve before any mark is applied. Beams and marks may each be added in any
+// order. The grid is therefore byte-for-byte identical for any order of a frame's packets.
 #pragma once
 
 #include <array>
@@ -30,7 +29,7 @@ namespace iog::fusion {
 
 class FrameFusion {
  public:
-  // vehicle must outlive the fusion.
+  // vehicle must outlive this object.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
       : grids_(vehicle.window.is_opened_from_below),
         turns_(vehicle, grids_, marks_),
@@ -40,17 +39,18 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // From now on these ground models judge packets of sensors that follow the ground, and their
-  // lowest returns are collected. The models must be the vehicle's, change only when nothing is
-  // pending, and outlive the fusion.
+  // From now on, packets of sensors with an estimated ground are classified with these ground
+  // models, and the lowest returns of these sensors are collected. The models must belong to the
+  // vehicle and outlive this object. They may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // The lowest returns of a sensor, by its place among the sensors that follow the ground.
+  // The lowest returns of a sensor. place is the sensor's position among the sensors with an
+  // estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Carves the beam of this point, now or later, and stores its mark or those of its arc. The
-  // sensor must be one of the vehicle's, and the point's layer and azimuth must be valid in its
-  // format. The vehicle's height band decides what is an obstacle. All points of a frame together
-  // may mark at most kMaxMarks cells.
+  // Stores the mark of this point, or the marks of its arc, and carves the point's beam immediately
+  // or later. The sensor must belong to the vehicle, and the point's layer and azimuth must be
+  // valid in the sensor's format. Returns within the vehicle's height band are obstacles. All
+  // points of a frame together may mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);
@@ -59,9 +59,9 @@ class FrameFusion {
                                      : azimuths_.add(sensor, point);
   }
 
-  // Does the same for all points of a packet, over the ground if the sensor follows it. Packet:
-  // for_each_point(visit) calls visit(point) for each point. count(fate) is called for each point.
-  // Inline, so that a point is decoded in registers.
+  // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
+  // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
+  // count(fate) is called for each point. Inline, so that points are decoded in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -70,7 +70,7 @@ class FrameFusion {
     if (place) {
       add_all(sensor, grounds_->at(*place), lows_[*place], packet, count);
     } else if (sensor.layers_share_lines) {
-      // Inline, because a call costs some 30 instructions per point.
+      // Inline, because a function call costs about 30 instructions per point.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor) ](const lidar::ScanPoint& point)
                                 __attribute__((always_inline)) { count(turn.add(point)); });
     } else if (sensor.arc.is_given()) {
@@ -88,11 +88,11 @@ class FrameFusion {
     turns_.carve_waiting();
   }
 
-  // Carves all pending beams and applies the marks by the vehicle's fusion rule. Call it once per
-  // frame, after the last point.
+  // Carves all pending beams and applies the marks according to the vehicle's fusion rule. Call it
+  // once per frame, after the last point.
   void finish();
 
-  // The grid. It is complete from finish() until it is cleared.
+  // The grid. The grid is complete after finish() and until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from its lowest y, and clears it. Returns false if all
@@ -107,22 +107,23 @@ class FrameFusion {
     return is_known;
   }
 
-  // keeps_heights(): whether heights are kept (grid/frame_grids.hpp). low_and_tall(): for a tile
-  // not yet taken, the cells that were freed by a low beam or hit by a tall return.
+  // keeps_heights() returns whether heights are kept (grid/frame_grids.hpp). low_and_tall() returns
+  // the cells of a tile that were freed by a low beam or hit by a tall return. The tile must not
+  // have been taken yet.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
   [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
     return grids_.low_and_tall(tile);
   }
 
-  // Visits the frame tile by tile in rising order and clears it. Calls visit(number, indexes) for
-  // each tile with a known cell. The indexes run row by row from the lowest y, and are valid during
-  // the call.
+  // Visits the tiles of the frame in ascending order and clears the frame. Calls visit(number,
+  // indexes) for each tile with a known cell. The indexes are stored row by row from the lowest y,
+  // and are valid only during the call.
   template <typename Visit>
   void release(Visit&& visit) {
     release_with_heights([&](std::size_t tile, auto indexes,
                              const grid::TileBits& /*low_and_tall*/) { visit(tile, indexes); });
   }
-  // The same with visit(number, indexes, low_and_tall).
+  // Same as above, but calls visit(number, indexes, low_and_tall).
   template <typename Visit>
   void release_with_heights(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
@@ -150,13 +151,14 @@ class FrameFusion {
   }
 
  private:
-  // Not inlined, so that the fusion by the height band keeps the registers.
+  // Not inlined, so that the code for the height band can keep its values in registers.
   template <typename Packet, typename Count>
   [[gnu::noinline]] void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // Not inlined, because a point over the ground needs more registers than there are.
+      // Not inlined, because processing a point with an estimated ground needs more registers than
+      // the processor has.
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });
     } else {

@@ -1,5 +1,6 @@
-// Buffer for the packets of a frame. They are kept until several cores fuse them, or until the
-// frame ends if classes are made: only then is it known which packets were measured together.
+// Buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
+// frame has classes, they are buffered until the frame ends, because only then is it known which
+// packets were measured together.
 #pragma once
 
 #include <array>
@@ -12,19 +13,20 @@
 
 namespace iog::fusion {
 
-// Enough for 40 ms of 128 layers (an OS1-128: 51 packets, 1.3 MB), of two sensors with 64 layers,
-// or of an HDL-64E S3 with two returns (232 packets, 280 KB). Four LUX send about 30 KB.
+// Enough for 40 ms of data from a sensor with 128 layers (OS1-128: 51 packets, 1.3 MB), from two
+// sensors with 64 layers each, or from an HDL-64E S3 with two returns (232 packets, 280 KB). Four
+// LUX send about 30 KB in this time.
 inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // Time of measurement: on the clock of the poses if the sensor is synchronised, else on the
-  // target's.
+  // Measurement time, on the clock of the poses if the sensor is synchronised, else on the target's
+  // clock.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // Set by FrameSlices: whether the time on the clock of the poses is known, the slice in which it
-  // lies, and the group of packets that are fused together.
+  // Set by FrameSlices: whether the measurement time is known on the clock of the poses, the slice
+  // that contains this time, and the group of packets that are fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;
@@ -35,7 +37,8 @@ class FramePackets {
   // Whether there is room for the packet. An empty buffer has room for any packet.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet's bytes and makes its points refer to the copy. Only if it fits.
+  // Copies the packet's bytes and makes its points refer to the copy. Call it only if fits()
+  // returns true.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();
@@ -49,7 +52,7 @@ class FramePackets {
     return std::span(packets_).first(count_);
   }
 
-  // The packet with this number, as it was decoded on arrival.
+  // Returns the packet with this number, as it was decoded on arrival.
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:

@@ -1,9 +1,9 @@
-// The slices of a frame: groups its packets by time of measurement, and finds where the vehicle was
-// then.
+// The slices of a frame. Groups the frame's packets by measurement time, and looks up the vehicle's
+// pose at that time.
 //
-// Only time decides the slice of a packet, and each slice has one pose. So the result does not
-// depend on the order or grouping of packets. Poses are looked up when the frame ends; by then most
-// slices lie between two of them.
+// The slice of a packet depends only on the packet's measurement time, and each slice has one pose.
+// The result is therefore independent of the order and grouping of packets. Poses are looked up
+// when the frame ends, because by then most slices lie between two poses.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 
 namespace iog::fusion {
 
-// The most registered slices of one frame. 32 slices of 8 ms are more than twice the turn of a
-// VLP-16.
+// The maximum number of registered slices in one frame. 32 slices of 8 ms last more than twice as
+// long as a turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
 struct PlacedSlice {
   pose::Slice slice{};
-  pose::Pose pose{};  // at its middle
+  pose::Pose pose{};  // at the middle of the slice
   pose::Sigma sigma{};
   friend bool operator==(const PlacedSlice&, const PlacedSlice&) = default;
 };
@@ -38,12 +38,12 @@ class FrameSlices {
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.
-  // Returns nothing if no packet has a time: the sensor is not synchronised, and no pose gives the
-  // offset between the clocks.
+  // Returns nothing if no packet has a time on this clock. This happens if no sensor is
+  // synchronised and no pose gives the offset between the clocks.
   std::optional<std::uint64_t> measure(std::span<const vehicle::Sensor> sensors,
                                        std::span<KeptPacket> packets, const pose::Source& poses);
 
-  // Looks up the pose of each slice once, and assigns each packet its group. Call it after
+  // Looks up the pose of each slice once, and assigns a group to each packet. Call it after
   // measure(), with the same packets.
   void place(std::span<KeptPacket> packets, pose::Source& poses);
 
@@ -51,8 +51,8 @@ class FrameSlices {
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }
-  // Writes the registered slices, and the counts of slices and packets, into the message. A slice
-  // with a pose is over budget if there is no room for it here.
+  // Writes the registered slices and the counts of slices and packets into the message. A slice is
+  // counted as over budget if it has a pose but does not fit into this buffer.
   void describe(stream::ClassEnd& end) const;
 
  private:

@@ -1,5 +1,5 @@
-// The tiles of a part of a frame, row by row, separate from the grid in which they were fused. One
-// core hands them to the others.
+// The tiles of a part of a frame, row by row, stored separately from the grid in which they were
+// fused. One core passes these tiles to the other cores.
 #pragma once
 
 #include <array>
@@ -16,8 +16,7 @@ class FrameTiles {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Takes over the grid of a finished fusion, which is clear afterwards. Overwrites all previous
-  // content.
+  // Moves the grid out of a finished fusion and clears the fusion. Overwrites all previous content.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (fusion.keeps_heights()) {
@@ -27,7 +26,7 @@ class FrameTiles {
     }
   }
 
-  // Whether a tile has a known cell, and its indexes if so.
+  // is_known() returns whether a tile has a known cell. tile() returns the indexes of a known tile.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
   // The cells that were freed by a low beam or hit by a tall return (grid/frame_grids.hpp).

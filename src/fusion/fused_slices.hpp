@@ -1,7 +1,7 @@
-// The slices of a round of parts (fusion/shared_fusion.hpp), prepared for the window: the tiles of
+// Prepares the slices of a round of parts (fusion/shared_fusion.hpp) for the window. The tiles of
 // each slice's parts are joined, for up to six slices at a time.
 //
-// Copying never reads its own output, so a task can be repeated from its start.
+// A task that copies tiles never reads its own output, so it can be repeated from its start.
 #pragma once
 
 #include <array>
@@ -23,20 +23,21 @@ struct FusedSlice {
   const placing::SliceCells* cells = nullptr;
 };
 
-// Holds 7 MB, so it must be in static memory.
+// Uses 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
-  // Memory for one slice, for use by a single core. Its content is arbitrary.
+  // Memory for one slice, for use by a single core. The initial content is arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
-  // Begins a round that the fusion has finished. The fusion must not fuse the next round before the
-  // last slice was returned.
+  // Starts reading a round that the fusion has finished. The fusion must not begin the next round
+  // until the last slice has been returned.
   void begin(const SharedFusion& fusion) {
     fusion_ = &fusion;
     shown_ = 0;
   }
 
-  // The next slices, in order; empty after the last. Valid until the next call.
+  // Returns the next slices, in order. Empty after the last slice. The result is valid until the
+  // next call.
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:
@@ -59,7 +60,7 @@ class FusedSlices {
   std::array<placing::SliceCells, kMostSlices> cells_{};
   alignas(32) std::array<JoinedTile, hal::kMaxCores> joined_tiles_{};  // by core
   const SharedFusion* fusion_ = nullptr;
-  std::size_t shown_ = 0;  // of the round's parts
+  std::size_t shown_ = 0;  // the number of the round's parts returned so far
   // The current slices.
   std::size_t slice_count_ = 0;
   std::array<FusedSlice, kMostSlices> slices_{};

@@ -1,9 +1,11 @@
-// A grid joined from several grids of indexes: the result of hits_win for all of their evidence.
+// A grid joined from several grids of indexes. It equals the result of fusing all evidence of these
+// grids with hits_win.
 //
-// A cell is the saturated sum of its positive indexes in the grids, or of the negative ones if none
-// is positive (docs/model.md section 3). Sums of one sign saturate alike in any order. So a frame
-// can be split in any way, each part fused from zero by hits_win, and the parts joined: the result
-// equals the frame fused as a whole.
+// A cell is the saturating sum of its positive indexes in all grids. If no index is positive, it is
+// the saturating sum of the negative indexes (docs/model.md section 3). A saturating sum of numbers
+// with the same sign does not depend on their order. A frame can therefore be split in any way. If
+// each part is fused from zero with hits_win and the parts are joined, the result is the same as if
+// the frame were fused as a whole.
 #pragma once
 
 #include <array>
@@ -16,12 +18,12 @@
 
 namespace iog::fusion {
 
-// Adds the indexes of a tile to those of the same tile in another grid.
+// Adds the indexes of a tile to the indexes of the same tile in another grid.
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 
-// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If a cell is hit in some of
-// the grids, only the bits of those grids count.
+// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If only one of the grids has
+// a hit in a cell, the other grid's bit for this cell is ignored.
 [[nodiscard]] grid::TileBits join(
     std::span<const index::OccupancyIndex, geometry::kTileCells> one,
     const grid::TileBits& bits_of_one,
@@ -32,13 +34,14 @@ class JoinedGrid {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Adds a tile of a grid, row by row from its lowest y. The tile must have a known cell.
+  // Adds a tile of a grid. The indexes are stored row by row from the lowest y. The tile must have
+  // a known cell.
   void add(std::size_t tile, TileIndexes indexes);
 
   // Sets the tile to unknown.
   void forget(std::size_t tile) { is_known_[tile] = false; }
 
-  // Visits the grid tile by tile and clears it, like FrameFusion::release().
+  // Visits the tiles of the grid and clears the grid, like FrameFusion::release().
   template <typename Visit>
   void release(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
@@ -50,8 +53,8 @@ class JoinedGrid {
   }
 
  private:
-  // A tile is known as soon as one of its cells is: no sum of one sign is 0. The stored cells of an
-  // unknown tile are meaningless.
+  // A tile is known as soon as one of its cells is known, because a sum of numbers with the same
+  // sign is never 0. If a tile is unknown, its stored cells are meaningless.
   std::array<bool, geometry::kTileCount> is_known_{};
   alignas(32) std::array<std::array<index::OccupancyIndex, geometry::kTileCells>,
                          geometry::kTileCount> tiles_{};

@@ -1,14 +1,14 @@
-// Fuses a frame's packets: on core 0 alone, one packet after the other, or on several cores.
-// Several cores take the parts of the frame in any order, and then join them.
+// Fuses a frame's packets, either one after the other on core 0 alone, or on several cores. Several
+// cores fuse the parts of the frame in any order and then join them.
 //
 //     packets -> [FrameParts] parts
 //     packets of a part -> its core's fusion -> tiles of the part      task: a part
 //                          tiles of all parts -> the frame's grid      task: a row of tiles
 //
-// Saturated sums of one sign do not depend on how they were split (fusion/joined_grid.hpp), so the
-// result does not depend on which core fused which part. A part begun by a lost core can be fused
-// again from its start: that core has written only to its own fusion, which is not used again, and
-// to the part's slot.
+// A saturating sum of numbers with the same sign does not depend on how the sum is split
+// (fusion/joined_grid.hpp), so the result does not depend on which core fused which part. If a core
+// is lost while it fuses a part, the part can be fused again from its start. The lost core has
+// written only to its own fusion, which is not used again, and to the part's slot.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ namespace iog::fusion {
 // Number of points per outcome.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// The most parts that can wait to be joined.
+// The maximum number of parts that are waiting to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
 // The result of a part, written by the core that fuses it.
@@ -45,18 +45,19 @@ struct FusedPart {
   FrameTiles tiles;
 };
 
-// Memory for sharing, besides core 0's own: a fusion for each helper, and the slots of the parts.
+// Memory needed for fusion on several cores, in addition to the memory of core 0: a fusion for each
+// helper, and the slots of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
-// The memory that this many cores need: 74 MB for four, nothing for one. It must be in static
-// memory.
+// The additional memory for this many cores: 74 MB for four cores, nothing for one core. It must be
+// in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
-  // vehicle must outlive it.
+  // vehicle must outlive this object.
   explicit HelpersMemory(const vehicle::Vehicle& vehicle)
       : HelpersMemory(vehicle, std::make_index_sequence<kCores - 1>()) {}
 
@@ -88,17 +89,17 @@ class HelpersMemory {
   health::Guard behind_parts_;
 };
 
-// Holds 19 MB, so it must be in static memory.
+// Uses 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // All must outlive the fusion. space may be empty if core 0 works alone. watched must include
-  // this frame's packets.
+  // All arguments must outlive this object. space may be empty if core 0 works alone. watched must
+  // include the packets of this frame.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Core 0's own fusion. It is clear whenever the crew fuses.
+  // Core 0's own fusion. It is clear whenever the crew fuses parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
   // The outcomes of the frame's points.
@@ -109,7 +110,7 @@ class SharedFusion {
     add_points(own_, sensor, packet, fates_);
   }
   // Finishes core 0's own fusion and adds it to the frame's grid. Calls visit(tile, indexes,
-  // low_and_tall) as FrameFusion::release_with_heights() does.
+  // low_and_tall) in the same way as FrameFusion::release_with_heights().
   template <typename Visit>
   void join_alone(Visit&& visit) {
     own_.finish();
@@ -121,23 +122,24 @@ class SharedFusion {
     is_joined_ = true;
   }
 
-  // Packets kept until they are fused.
+  // The packets that are buffered until they are fused.
   [[nodiscard]] FramePackets& packets() { return packets_; }
   void fuse_alone(std::size_t number) {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
   }
-  // Lets the crew fuse all kept packets as one slice, in this many parts. No packets are kept
-  // afterwards.
+  // Fuses all buffered packets as one slice on the cores of the crew, in this many parts. The
+  // buffer is empty afterwards.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // The same step by step. deal() splits the kept packets as FrameParts::deal() does.
+  // deal() and the following functions do the same step by step. deal() splits the buffered packets
+  // in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
-  // Fuses the parts of the next round. Returns false if there are none. If room is short, parts of
-  // earlier rounds are joined first.
+  // Fuses the parts of the next round. Returns false if no parts are left. If there are not enough
+  // free slots, parts of earlier rounds are joined first.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
-  // The parts of that round and their results, valid until the next round.
+  // The parts of the last fused round and their results, valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;
@@ -146,13 +148,13 @@ class SharedFusion {
   // Adds the waiting parts to the frame's grid.
   void join(const work::Crew& crew);
 
-  // Call it when all of the frame's packets are fused. Updates the ground of sensors whose turn is
-  // over.
+  // Call it after all packets of the frame have been fused. Updates the estimated ground of sensors
+  // whose turn has ended.
   void end_frame(const intake::Intake& intake);
 
-  // Visits the frame's grid and clears it: the joined grid or, if nothing was joined, core 0's own,
-  // which must be finished. Calls visit(number, cells) for each tile with a known cell, in rising
-  // order.
+  // Visits the tiles of the frame's grid and clears the grid. This is the joined grid or, if
+  // nothing was joined, core 0's own grid, which must be finished. Calls visit(number, cells) for
+  // each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {
@@ -195,7 +197,7 @@ class SharedFusion {
   FrameFusion own_;
   JoinedGrid joined_;
   health::Guard behind_joined_;
-  ground::Grounds grounds_;  // followed by the fusions of all cores
+  ground::Grounds grounds_;  // used by the fusions of all cores
   health::Guard behind_grounds_;
   FramePackets packets_;
   health::Guard behind_packets_;
@@ -206,7 +208,7 @@ class SharedFusion {
   FrameParts parts_;
   std::span<const FramePart> round_;
   std::size_t first_ = 0;    // slot of the round's first part
-  std::size_t waiting_ = 0;  // waiting parts; they have the first slots
+  std::size_t waiting_ = 0;  // number of parts waiting to be joined; they use the first slots
   bool is_joined_ = false;   // the frame's grid has content
 };
 

@@ -1,16 +1,17 @@
 // Marks the detections of radars and ultrasonic units. The direction of a radar detection is known
-// to about half a degree, so it marks the cells of an arc (sensor_model/arc.hpp) and carves
-// nothing. The arc of an ultrasonic unit is as wide as its cone, and the cone is carved
-// (grid/cone.hpp).
+// to about half a degree. The detection therefore marks the cells of an arc (sensor_model/arc.hpp)
+// and carves nothing. The arc of an ultrasonic unit is as wide as the unit's cone, and the cone is
+// carved (grid/cone.hpp).
 //
-// A cell of the arc takes the index of its angular cell. The arc is followed from right to left in
+// A cell of the arc gets the index of its angular cell. The arc is traversed from right to left in
 // whole ticks. Each step is at most one cell long at the detection's range, so the arc has no gaps.
 // If several steps end in one cell, the cell is marked once, with the largest index. Near the
-// sensor an angular cell is narrower than a grid cell, and a detection marks a single cell with the
-// index of its middle. Far away it marks every cell that it may have come from.
+// sensor, an angular cell is narrower than a grid cell, and a detection marks a single cell with
+// the index of the arc's middle. Far from the sensor, a detection marks every cell from which it
+// may have come.
 //
-// Marks commute, so the order of detections does not matter. max_marks_per_point() bounds the cells
-// that a detection marks.
+// Marks commute, so the order of the detections does not matter. max_marks_per_point() is an upper
+// bound on the number of cells that one detection marks.
 #pragma once
 
 #include <array>
@@ -32,18 +33,19 @@ class ArcMarker {
   // Both must outlive the marker.
   ArcMarker(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Stores the marks of this detection, and carves its cone if it has one. The sensor must have an
-  // arc, and the point's layer and azimuth must be valid in its format. The vehicle's height band
-  // decides whether the detection is an obstacle.
+  // Stores the marks of this detection. If the sensor has a cone, also carves the cone. The sensor
+  // must have an arc. The point's layer and azimuth must be valid in the sensor's format. The
+  // detection is an obstacle if it lies within the vehicle's height band.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
  private:
   void mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
   void step_into(geometry::Cell cell, OccupancyIndex index);
 
-  // An arc may leave a cell and come back. Outside, it covers less than the cell's diagonal: three
-  // steps for a level sensor, whose steps are at least half a cell long, and six for a sensor
-  // tilted by 60 degrees. Each step enters at most one other cell.
+  // An arc may leave a cell and enter it again. The part of the arc outside the cell is shorter
+  // than the cell's diagonal. This part has at most three steps for a level sensor, whose steps are
+  // at least half a cell long, and six steps for a sensor tilted by 60 degrees. Each step enters at
+  // most one other cell.
   static constexpr std::size_t kLately = 8;
   struct Step {
     geometry::Cell cell;
@@ -52,7 +54,8 @@ class ArcMarker {
 
   FrameGrids* grids_;
   PendingMarks* marks_;
-  // Ring of the cells that the current arc entered last. A cell is marked when it leaves the ring.
+  // Ring buffer of the cells that the current arc entered last. A cell is marked when it leaves the
+  // ring.
   std::array<Step, kLately> lately_{};
   std::size_t entered_ = 0;
 };

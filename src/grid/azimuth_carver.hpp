@@ -1,8 +1,8 @@
 // Carver for sensors that measure in the same directions in every scan, and for tilted rotating
-// ones. It works azimuth by azimuth, on cached lines (beam_lines.hpp).
+// sensors. It processes one azimuth at a time and uses cached lines (beam_lines.hpp).
 //
-// Beams of one azimuth are collected and carved when the next azimuth begins. Beams on one line, or
-// on lines through the same cells, are carved together.
+// Beams of one azimuth are collected and carved when the next azimuth begins. Beams are carved
+// together if they share a line or if their lines cross the same cells.
 #pragma once
 
 #include <array>
@@ -27,21 +27,22 @@ class AzimuthCarver {
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle.sensors), beams_(grids, marks), vehicle_(&vehicle) {}
 
-  // Carves the beam of this point, now or later, and stores its mark. The sensor must be one of the
-  // vehicle's whose layers do not share lines. The point's layer and azimuth must be valid in its
-  // format.
+  // Stores the mark of this point, and carves the point's beam immediately or later. The sensor
+  // must belong to the vehicle, and its layers must not share lines. The point's layer and azimuth
+  // must be valid in the sensor's format.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // The same for a rotating sensor that follows the ground (docs/ground.md). Carving still uses the
-  // height band. Whether a beam is low depends on its height over the ground.
+  // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving still
+  // uses the height band. However, whether a beam is low is determined by its height above the
+  // estimated ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
                                            const lidar::ScanPoint& point);
 
-  // The car's tilt as seen by one packet. Packet needs for_each_sample(). Its few beams are not
-  // cached.
+  // Estimates the car's tilt from one packet. Packet needs for_each_sample(). The few beams of
+  // these samples are not cached.
   template <typename Packet>
   [[nodiscard]] static ground::Tilt tilt_of(const vehicle::Sensor& sensor,
                                             const ground::Ground& ground, const Packet& packet) {
@@ -61,27 +62,28 @@ class AzimuthCarver {
   void drop_waiting();
 
  private:
-  // Lines of one azimuth that can be pending at a time. Consecutive numbers have different slots,
-  // and so have most numbers that differ by a power of two.
+  // The maximum number of pending lines of one azimuth. Consecutive line numbers map to different
+  // slots. Most line numbers that differ by a power of two also map to different slots.
   static constexpr std::uint32_t kOpenLines = 32;
   static constexpr std::uint32_t place_of(std::uint32_t number) {
     return (number ^ number / kOpenLines) % kOpenLines;
   }
 
-  // A line of the current azimuth and its pending beams; null if none are pending. Its slot follows
-  // from Layer::line.
+  // A line of the current azimuth and its pending beams, or null if no beams are pending. The slot
+  // is computed from Layer::line.
   struct OpenLine {
     KeptLine* line = nullptr;
     LineSteps steps;
   };
 
-  // A line that KeptAzimuth has no room for. Its slot follows from Layer::line.
+  // A line that does not fit into KeptAzimuth. The slot is computed from Layer::line.
   struct FurtherLine {
     KeptLine line;
     std::uint32_t number = 0;
   };
 
-  // The beam of a point. Its sensor and azimuth become the current ones.
+  // Returns the beam of a point. The point's sensor and azimuth become the current sensor and
+  // azimuth.
   [[gnu::always_inline]] KeptBeam& beam_of(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point) {
     if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
@@ -90,7 +92,7 @@ class AzimuthCarver {
     return kept_->has_beam(point.layer) ? kept_->beam(point.layer) : find_beam(point.layer);
   }
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
-  // Rare paths are not inlined, so that the common path keeps the registers.
+  // Rare paths are not inlined, so that the common path can keep its values in registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
   void take(KeptBeam& beam, const WaitingBeam& its);
   void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
@@ -107,8 +109,9 @@ class AzimuthCarver {
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
-  // The current sensor and azimuth. Two bit sets, one bit per slot: further lines already found,
-  // and lines with pending beams.
+  // The current sensor and azimuth, followed by two bit sets with one bit per slot. The first set
+  // contains the further lines that have been found. The second set contains the lines with pending
+  // beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

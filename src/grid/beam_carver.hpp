@@ -1,11 +1,12 @@
-// Applies a beam to its line: lowers the indexes of the cells before its end, and marks the cell of
-// its hit. Beams on one line collect in its steps and are carved together.
+// Applies a beam to its line: lowers the indexes of the cells before the beam's end, and marks the
+// cell of the beam's hit. Beams that share a line are first accumulated in the line's steps, and
+// then carved together.
 //
-// The carvers decide which beams are collected: azimuth_carver.hpp for sensors that measure in the
-// same directions in every scan, turn_carver.hpp for rotating ones. Saturated sums of negative
+// There are two carvers that collect beams: azimuth_carver.hpp for sensors that measure in the same
+// directions in every scan, and turn_carver.hpp for rotating sensors. Saturating sums of negative
 // indexes commute (docs/model.md section 3), so the result does not depend on the order of the
-// beams. For the same reason the beams of a frame may be split among carvers, each with its own
-// grid. The saturated sum of these grids equals the grid of a single carver.
+// beams. For the same reason the beams of a frame may be split among several carvers, each with its
+// own grid. The saturating sum of these grids equals the grid of a single carver.
 #pragma once
 
 #include <algorithm>
@@ -21,16 +22,17 @@
 
 namespace iog::grid {
 
-// One beam: the range of its point along the line, and what the point does to the grid.
+// One beam: the range of its point along the line, and the point's effect on the grid.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
-  bool is_tall = false;  // the return, if heights are kept
+  bool is_tall = false;  // whether it is a tall return, if heights are kept
   bool ends_on_ground = false;
 };
 
-// The line of a beam, the part of it that the beam may free, and the range that it carves without
-// an echo. limits is null if the beam may free all of the line in the grid.
+// The line of a beam, the part of the line that the beam may free, and the range up to which the
+// beam carves if there is no echo. limits is null if the beam may free the whole line within the
+// grid.
 struct BeamOnLine {
   const KeptLine& line;
   const FreePart* limits;
@@ -45,15 +47,15 @@ class BeamCarver {
   // Whether low beams and tall returns are recorded.
   [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
 
-  // Carves and marks as the beam's evidence says. steps_of(end) returns the steps of its line for a
-  // beam that ends there. They must have room for it. low_of() returns the part of the line in
-  // which the beam is low.
+  // Carves and marks according to the beam's evidence. steps_of(end) returns the steps of the line
+  // for a beam that ends at `end`. The steps must have room for one more beam. low_of() returns the
+  // part of the line in which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
 
-  // Adds the zones of the sensor's profile, up to the part's end. FreeSteps::begin_beam() must have
-  // been called. Returns the point where the beam stops freeing.
+  // Adds the zones of the sensor's profile up to the end of the part. FreeSteps::begin_beam() must
+  // have been called. Returns the boundary at which the beam stops freeing cells.
   static Between add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
                            const LinePart& part, std::uint32_t range_mm);
 
@@ -62,7 +64,7 @@ class BeamCarver {
     marks_->mark(sensor, line, hit, range_mm, is_tall);
   }
 
-  // Carves everything pending in the steps and empties them.
+  // Carves all pending beams in the steps and clears the steps.
   void carve(KeptLine& line, LineSteps& steps);
 
  private:
@@ -79,8 +81,8 @@ class BeamCarver {
   PendingMarks* marks_;
 };
 
-// A cell before the point * takes the index of the 1D cell in which the line leaves it, at most k -
-// 1. For a LUX:
+// A cell before the point * gets the index of the 1D cell in which the line leaves the grid cell,
+// or of 1D cell k-1 if that is nearer. Example for a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -88,11 +90,12 @@ class BeamCarver {
 //    freer by      14      7       7       0        0     marked, not carved
 //    steps     +14       -7 at b         -7 at d
 //
-// The line leaves a cell in 1D cell j or earlier exactly if it crosses the cell's far border at
-// distance (j + 1) Delta or before. `through` counts those crossings. So the zone of 1D cell k - 2
-// begins in the cell that contains the point at (k - 2) Delta, here b.
+// The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
+// distance (j + 1) Delta or less. `through` is the number of these crossings. The zone of 1D cell k
+// - 2 therefore begins in the cell that contains the point at (k - 2) Delta, which is b in this
+//   example.
 //
-// Inline, because a call costs as much as a zone.
+// Inline, because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
                                                             FreeSteps& steps, const KeptLine& line,
                                                             const LinePart& part,
@@ -105,7 +108,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // The zone begins with 1D cell k - back, at (k - back) Delta.
+    // The zone begins at the start of 1D cell k - back, at distance (k - back) Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);
@@ -119,10 +122,11 @@ class BeamCarver {
   return last;
 }
 
-// Shortens the low part of a beam that ends on ground. If the road rises, a beam within the height
-// band over the car's plane may be below the band over the road, and pass under a car there. So the
-// beam counts as low only while it is high enough over a straight line: from below the sensor to
-// the point where the beam meets the ground.
+// Shortens the low part of a beam that ends on the ground. On a rising road, a beam that is within
+// the height band above the car's plane may be below the band above the road, and may pass under a
+// car there. The beam is therefore treated as low only where it is high enough above a straight
+// line. This line runs from the ground below the sensor to the point where the beam meets the
+// ground.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {
@@ -132,7 +136,8 @@ inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor
   return low;
 }
 
-// If the point is far behind the part that the beam may free, all of that part becomes free.
+// If the point is far beyond the part of the line that the beam may free, the whole part becomes
+// free.
 template <typename StepsOf, typename LowOf>
 inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                             const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of) {

@@ -1,9 +1,10 @@
 // The lines of beams on the grid, cached from scan to scan.
 //
-// A lidar whose mirror stops at fixed azimuths asks for the same lines in every scan. The mount
-// alone decides where a line runs, how far it stays in the grid and which blocks it crosses. So
-// each line is computed once and cached by its azimuth. The azimuths of a sensor need not be
-// listed: a new or evicted line is computed again. That costs time and does not change the result.
+// A lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The course of a
+// line, the distance over which it stays in the grid, and the blocks that it crosses depend only on
+// the mount. Each line is therefore computed once and cached by its azimuth. The azimuths of a
+// sensor need not be known in advance, because a new or evicted line is simply computed. This costs
+// time but does not change the result.
 #pragma once
 
 #include <algorithm>
@@ -22,19 +23,19 @@
 
 namespace iog::grid {
 
-// The part of a line in which beams of one height are in a height band, as shares of the line's
-// length.
+// The part of a line in which beams of one height are within a height band. The limits of the part
+// are fractions of the line's length.
 class BandLimits {
  public:
-  // A point at least this far beyond the relevant part of its line frees all of it: even the zones
-  // before the point lie beyond the part.
+  // A point that lies at least this far beyond the relevant part of its line frees the whole part,
+  // because even the zones before the point lie beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
-  // end_z: height of the line's end, in subcells.
+  // end_z is the height of the line's end, in subcells.
   BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
-  // The intersection with a part of such a line.
+  // Returns the intersection of these limits with a part of the line.
   [[nodiscard]] LinePart within(const LinePart& part, const vehicle::BeamLine& line,
                                 const traversal::Ruler<geometry::kResolution>& ruler) const {
     if (is_empty_) {
@@ -44,17 +45,17 @@ class BandLimits {
                            : std::max(part.first, Between::before(ruler.through(from_, line))),
             end_within(part, line, ruler)};
   }
-  // The end of that intersection, if it is not empty.
+  // Returns the end of the intersection if the intersection is not empty.
   [[nodiscard]] Between end_within(const LinePart& part, const vehicle::BeamLine& line,
                                    const traversal::Ruler<geometry::kResolution>& ruler) const {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance or beyond free the whole part: even the zones before them lie beyond
-  // it.
+  // Points at this distance or beyond free the whole part, because even the zones before these
+  // points lie beyond the part.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
-  // Whether this part ends farther along a line than that of another layer.
+  // Whether this part ends farther along a line than the part of another layer.
   [[nodiscard]] bool ends_behind(const BandLimits& other) const {
     const traversal::Share& end = to_.share();
     const traversal::Share& other_end = other.to_.share();
@@ -76,8 +77,9 @@ class KeptLine {
 
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
 
-  // Borders crossed up to this distance, which is at most Sensor::range. For greater distances the
-  // result may be too small, but it is never before the line's end.
+  // Returns the number of borders crossed up to this distance, which should be at most
+  // Sensor::range. For greater distances the result may be too small, but it is never before the
+  // line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -86,17 +88,17 @@ class KeptLine {
   // The part of the line in the grid, up to its end at Sensor::range.
   [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
 
-  // The part of in_grid() in which a beam is in the height band.
+  // The part of in_grid() in which a beam is within the height band.
   [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
     return limits.within(in_grid_, line_, ruler_);
   }
-  // The end of that part, if it is not empty.
+  // The end of the part within the height band, if the part is not empty.
   [[nodiscard]] Between end_in_band(const BandLimits& limits) const {
     return limits.end_within(in_grid_, line_, ruler_);
   }
 
-  // end_at(): the end of the cell that contains the point at to_mm. part_between(): from the cell
-  // at from_mm to that end.
+  // end_at() returns the end of the cell that contains the point at to_mm. part_between() returns
+  // the part from the cell at from_mm to this end.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
     return to_mm == 0 ? first
@@ -111,7 +113,8 @@ class KeptLine {
                           end_at(sensor, to_mm)};
   }
 
-  // Whether the line has a block path: it begins in the grid and meets no corner.
+  // Whether the line has a block path. A line has a block path if it begins in the grid and meets
+  // no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
     if (!path_begun_) {
@@ -131,8 +134,8 @@ class KeptLine {
   BlockPath path_;
 };
 
-// The part of its line that a beam may free. A point at free_from_mm or beyond frees all of it:
-// even the zones before the point lie beyond the part.
+// The part of its line that a beam may free. A point at free_from_mm or beyond frees the whole
+// part, because even the zones before the point lie beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;
@@ -144,7 +147,7 @@ class KeptBeam {
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
             KeptLine& line);
 
-  // Layer::line of its layer, and that line.
+  // The number of the beam's line (Layer::line of its layer), and the line itself.
   [[nodiscard]] std::uint32_t line_number() const { return line_number_; }
   [[nodiscard]] KeptLine& line() const { return *line_; }
 
@@ -152,8 +155,9 @@ class KeptBeam {
   // Height of the beam's end, in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // The part in the height band, and the part in which the beam is low (vehicle::Sensor::moved).
-  // Each is computed on first use, because few beams leave the band.
+  // in_band() returns the part within the height band. low_part() returns the part in which the
+  // beam is low (vehicle::Sensor::moved). Both are computed on first use, because few beams leave
+  // the band.
   [[nodiscard]] const FreePart& in_band(const vehicle::Vehicle& vehicle,
                                         const vehicle::Sensor& sensor) {
     if (!has_band_) {
@@ -170,7 +174,7 @@ class KeptBeam {
     }
     return low_;
   }
-  // Whether a return of this beam in the height band is tall.
+  // Whether a return of this beam within the height band is a tall return.
   [[nodiscard]] bool is_tall(const vehicle::Sensor& sensor, std::uint32_t range_mm) const {
     return std::int64_t{end_z_ - sensor.origin_z} * range_mm >= sensor.tall.low;
   }
@@ -189,8 +193,9 @@ class KeptBeam {
   LinePart low_;
 };
 
-// The beams of one sensor at one azimuth. It caches the first four layers and their first two
-// lines. A LUX has no more, and the layers of a level rotating lidar share one line.
+// The beams of one sensor at one azimuth. The first four layers and their first two lines are
+// cached. This is enough for a LUX. It is also enough for a level rotating lidar, because all of
+// its layers share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -205,8 +210,8 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Whether another azimuth may evict this one. True if this one has not been used since another
-  // azimuth last asked for its slot.
+  // Whether another azimuth may evict this azimuth. Returns true if this azimuth has not been used
+  // since another azimuth last requested the same slot.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
@@ -219,12 +224,12 @@ class KeptAzimuth {
   }
   [[nodiscard]] KeptBeam& beam(std::uint8_t layer) { return beams_[layer]; }
 
-  // The layer must be below kMaxLayers, and its line below kMaxLines.
+  // The layer number must be below kMaxLayers, and the number of its line below kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
 
-  // Whether the second line crosses the same first `cells` cells as the first line, cells > 0. The
-  // second line must have been found. True also implies that the first line was found and has a
-  // path. False may be wrong.
+  // Whether the second line crosses the same first `cells` cells as the first line (cells > 0). The
+  // second line must have been found. If the result is true, the first line was also found and has
+  // a block path. The result may be false even if the lines share these cells.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
   }
@@ -241,14 +246,15 @@ class KeptAzimuth {
   bool is_asked_for_ = false;
   std::uint32_t beams_found_ = 0;
   std::uint32_t common_ = 0;     // the lines share this many cells,
-  std::uint32_t different_ = 0;  // but may not share this many
+  std::uint32_t different_ = 0;  // but possibly not this many
   std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };
 
-// A fixed number of cached azimuths per sensor; each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX map to distinct slots at quarter-degree steps. With up to three,
-// this also holds for its finest steps of an eighth of a degree; with four, for nearly all of them.
+// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With up
+// to three sensors, this also holds for the LUX's finest steps of an eighth of a degree. With four
+// sensors, it holds for nearly all of these steps.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

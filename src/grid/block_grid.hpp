@@ -1,13 +1,12 @@
 // Memory layout of a frame's grid: blocks of 4 by 4 cells, sixteen bytes each.
 //
-// A line crosses four cells of a block on average, and one saturated subtraction carves them
-// (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1. Each row of blocks has
-// one cache line of padding. Without it the blocks of a column would compete for two of the 256
-// sets of a level 1 cache.
+// A line crosses four cells of a block on average, and one saturating subtraction carves all of
+// them (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1. Each row of blocks
+// has one cache line of padding. Without the padding, all blocks of a column would compete for only
+// two of the 256 sets of the L1 cache.
 //
-// Outside of this room cells are numbered row by row (geometry/grid.hpp). A stored byte is an
-// occupancy index or -128, which stands for -127: carving saturates at -128, and reading raises it
-// to -127.
+// Outside this room, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
+// occupancy index or -128. Carving saturates at -128, and reading a cell converts -128 to -127.
 #pragma once
 
 #include <array>
@@ -31,7 +30,7 @@ inline constexpr std::int32_t kBlocksPerSide = geometry::kCellsPerSide / kBlockS
 inline constexpr std::int32_t kBlocksPerTile = geometry::kTileSide / kBlockSide;
 static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide);
 
-// Stored blocks per row, including two blocks of padding (one cache line).
+// The number of stored blocks per row, including two blocks of padding (one cache line).
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
 // Byte offset of a cell. Its block begins at a multiple of 16.
@@ -65,10 +64,11 @@ class BlockGrid {
 
   // All cells, row by row from the lowest y.
   void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
-  // The tile's cells, row by row from its lowest y. Returns false if all of them are unknown.
+  // The tile's cells, row by row from its lowest y. Returns false if all cells of the tile are
+  // unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 
-  // Sets all cells of the tile to unknown, and the tile to untouched.
+  // Sets all cells of the tile to unknown, and marks the tile as untouched.
   void clear_tile(std::size_t tile);
 
   // One row of the tile's blocks: kBlocksPerTile contiguous blocks.

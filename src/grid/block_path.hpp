@@ -1,8 +1,9 @@
-// The blocks that a line crosses, in order. Each takes one byte and is computed once.
+// The blocks that a line crosses, in order. Each block takes up one byte and is computed only once.
 //
 // Block 0 contains the line's start. The line meets no corner after its start, so consecutive
-// blocks share a border. The number of a block is therefore the number of block borders between it
-// and block 0. If a line starts on a corner of blocks, block 1 contains none of its cells.
+// blocks share a border. The number of a block is therefore the number of block borders between
+// this block and block 0. If a line starts on a corner of blocks, block 1 contains none of its
+// cells.
 #pragma once
 
 #include <array>
@@ -17,8 +18,9 @@
 
 namespace iog::grid {
 
-// Cursor on a block path: the block, its code, and the codes of the blocks after it. A code selects
-// the stride to the next block (in stored blocks). The line's cells in a block are masks[code / 2].
+// Cursor on a block path: the current block, its code, and the codes of the following blocks. The
+// code selects the stride to the next block, in stored blocks. masks[code / 2] selects the cells of
+// the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;
@@ -27,8 +29,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // The next block. Both candidates are computed first, so that only the selection waits for the
-  // code.
+  // The next block. Both candidates are computed in advance, so that only the selection depends on
+  // the code.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -53,19 +55,20 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // A position relative to the corner where the first block begins, in the line's own direction.
+  // Returns a position relative to the corner of the first block, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
-  // The number of the block that contains a position: the block borders crossed to get there.
+  // The number of the block that contains a position. It equals the number of block borders crossed
+  // before the position.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;
   }
 
-  // Offset from the first block to the block of a position, in stored blocks. corner: from_corner()
-  // of the position.
+  // Offset from the first block to the block that contains a position, in stored blocks. `corner`
+  // is the position's from_corner().
   [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner) const {
     const auto [along_u, along_v] = orientation_.strides(kBlockStride);
     const auto x = static_cast<std::ptrdiff_t>(corner.x / kBlockSide);
@@ -83,18 +86,18 @@ class BlockPath {
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // Mask of the first block's cells that are not before the line's start.
+  // Mask of the cells in the first block that do not lie before the line's start.
   [[nodiscard]] const LaneBytes& start_mask() const { return start_mask_; }
 
-  // A cursor at the first block. start: that block, at start_offset().
+  // Returns a cursor at the first block. `start` is the block at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
     return {masks().of_shape.data(), orientation_.strides(kBlockStride), start, codes_[0],
             &codes_[1]};
   }
 
   // Calls visit(tile) for each tile that the line enters up to this position. The line's heights at
-  // the tile borders show where it enters another row of tiles. That happens at most once per
-  // column of tiles, because the slope is at most 1.
+  // the tile borders determine where the line enters another row of tiles. This happens at most
+  // once per column of tiles, because the slope is at most 1.
   template <typename Visit>
   void for_each_tile(traversal::Position last, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
@@ -122,9 +125,9 @@ class BlockPath {
   }
 
  private:
-  // A line is monotone on each axis, so it enters at most as many blocks as both axes have
-  // together. The search stores a whole column of blocks at once: two codes, even if only one is
-  // valid.
+  // A line is monotone on each axis, so the number of blocks that it enters is at most the sum of
+  // the blocks along both axes. The search always stores two codes per column of blocks, even if
+  // only one of them is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
@@ -132,14 +135,15 @@ class BlockPath {
 
   geometry::Cell start_;
   Orientation orientation_;
-  std::uint8_t x_in_tile_ = 0;  // offset of the line's start in its tile, in its own direction
+  std::uint8_t x_in_tile_ = 0;  // offset of the line's start in its tile, in the line's direction
   std::uint8_t y_in_tile_ = 0;
   std::uint32_t count_ = 0;
-  // Where the search resumes: v in its block, and the phase at the next column of blocks.
+  // The state in which the search resumes: v within the block, and the phase at the next column of
+  // blocks.
   std::uint32_t v_ = 0;
   traversal::Dda dda_;
-  // Height at which the line leaves the first tile's columns, above that tile's lowest row, in
-  // 2^-32 rows.
+  // The height at which the line leaves the first tile's columns. It is relative to the tile's
+  // lowest row, in units of 2^-32 rows.
   std::uint64_t height_at_tile_ = 0;
   LaneBytes start_mask_;
   std::array<BlockCode, kMaxBlocks + 1> codes_{};

@@ -1,8 +1,9 @@
 // One-byte code for the cells of a 4 by 4 block that a line crosses.
 //
-// A line that meets no corner is mirrored and transposed so that it runs towards plus on both axes
-// and rises by at most one cell per column. u counts columns along the line's longer axis, v along
-// the other. Such a line can enter a block in seven cells, numbered
+// A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
+// of both axes and rises by at most one cell per column. u is the column number along the line's
+// longer axis, and v is the row number along the other axis. Such a line can enter a block in seven
+// cells, which are numbered
 //
 //     v
 //     3 | 3  .  .  . |
@@ -11,11 +12,12 @@
 //     0 | 0  4  5  6 |
 //       u 0  1  2  3
 //
-// Entry 7 is one column further than 6, where the block has no cell.
+// Entry 7 is one column beyond entry 6, outside the block.
 //
-// In each column the line crosses at most one border of v. So seven bits, the entry and one bit for
-// each of the next four columns, determine which cells of the block the line crosses and how it
-// leaves. These seven bits are the block's *shape*.
+// In each column the line crosses at most one border of v. Seven bits are therefore enough: three
+// bits for the entry, and one bit for each of the next four columns. They determine which cells of
+// the block the line crosses and how the line leaves the block. These seven bits are the block's
+// *shape*.
 #pragma once
 
 #include <array>
@@ -33,26 +35,29 @@ using BlockEntry = std::uint32_t;
   return u == 0 ? 0 : u + 3;
 }
 
-// A shape is the entry and four bits. Bit j is set if the line crosses a border of v in the column
-// j places after that of the entry.
+// A shape consists of the entry and four bits. Bit j is set if the line crosses a border of v in
+// the column that is j columns after the entry's column.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;
 }
 
 // The code of a block on a line: twice its shape, plus 1 if the line leaves the block through a
-// border of v. Bits of columns that the line does not enter in this block are 0. So two lines have
-// the same code exactly if they cross the same cells of the block and leave it by the same border.
+// border of v. Bits of columns that the line does not enter in this block are 0. Two lines
+// therefore have the same code if and only if they cross the same cells of the block and leave it
+// through the same border.
 using BlockCode = std::uint8_t;
 
-// The blocks of one column of blocks that a line crosses: one or two, the lower one first.
+// The blocks that a line crosses in one column of blocks. There are one or two such blocks. The
+// lower block comes first.
 struct BlockColumn {
   std::array<BlockCode, 2> codes{};
   std::uint8_t count = 0;
   std::uint8_t next_v = 0;  // where the line enters the next column of blocks
 };
 
-// Orientation of u and v in the grid. u is x, or y if `is_steep`. Either may run towards minus.
+// Orientation of u and v in the grid. u corresponds to x, or to y if `is_steep`. Both u and v may
+// run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -61,7 +66,7 @@ struct Orientation {
   [[nodiscard]] constexpr std::size_t number() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  // Offsets of the next place along u and along v, for rows of `row` places.
+  // Offsets from one element to the next along u and along v, if a row has `row` elements.
   struct Strides {
     std::ptrdiff_t u;
     std::ptrdiff_t v;
@@ -71,8 +76,8 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // Place of a cell in its block, 4 y + x. The arguments count along each axis in the line's own
-  // direction.
+  // Position of a cell in its block, 4 y + x. The arguments are the coordinates along each axis in
+  // the line's direction.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
     const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);
@@ -83,19 +88,19 @@ struct Orientation {
   }
 };
 
-// Cell masks of a block for lines of one orientation. A byte is -1 for a selected cell, else 0.
+// Cell masks of a block for lines of one orientation. A byte is -1 if its cell is selected, else 0.
 struct BlockMasks {
-  // By shape: the cells that the line crosses.
+  // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // By a cell's place in the block: the cells that a line can still cross from there on. `from`
-  // includes the cell itself, `after` does not.
+  // The cells that a line can cross after it has reached a given cell, indexed by this cell's
+  // position in the block. `from` includes the cell itself, `after` does not.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// Indexed by 16 v plus four bits. v is where the line enters the column of blocks from the left.
-// Each bit stands for one column of cells, the first one uppermost, and is set if the line crosses
-// a border of v there.
+// Indexed by 16 v plus four bits. v is the row in which the line enters the column of blocks from
+// the left. Each bit represents one column of cells, with the first column in the highest bit. A
+// bit is set if the line crosses a border of v in its column.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
 // Indexed by Orientation::number().

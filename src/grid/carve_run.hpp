@@ -9,14 +9,14 @@
 
 namespace iog::grid {
 
-// Subtracts the amounts from these cells of a block.
+// Subtracts `amount` from the given cells of a block.
 inline void carve_block(LaneBytes& block, Lanes cells, Lanes amount) {
   Lanes::load(block).subtract(amount.bit_and(cells)).store(block);
 }
 
 // Carves the next `count` blocks of the path.
 inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
-  Way here = way;  // in registers, because a block might alias a member
+  Way here = way;  // a local copy in registers, because a block might alias a member
   for (; count > 0; --count) {
     here.step();
     carve_block(*here.block, Lanes::load(here.cells()), amount);

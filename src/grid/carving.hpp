@@ -9,14 +9,14 @@
 
 namespace iog::grid {
 
-// Carves block by block along the path, and extends the path as far as the steps reach. All steps
-// must lie in the grid. Touches the tiles of the path and empties the steps.
+// Carves block by block along the path. Extends the path as far as the steps reach. All steps must
+// lie in the grid. Marks the tiles of the path as touched and clears the steps.
 void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps);
-// The same for steps with gaps. Blocks within a gap are skipped.
+// Same as above, for steps with gaps. Blocks within a gap are skipped.
 void carve_blocks(BlockGrid& grid, BlockPath& path, LowSteps& steps);
 
-// Does the same cell by cell, for any line. It is the specification of carve_blocks(). first: the
-// line's first position in the grid.
+// Does the same cell by cell, for any line. This function is the specification of carve_blocks().
+// `first` is the line's first position in the grid.
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  FreeSteps& steps);
 

@@ -1,14 +1,14 @@
-// Carves the cone of an ultrasonic unit up to its echo. All cells of the cone take the same index,
-// below 0 (sensor_model/arc.hpp).
+// Carves the cone of an ultrasonic unit up to its echo. All cells of the cone get the same negative
+// index (sensor_model/arc.hpp).
 //
-// Sound fills the cone, so each cell takes the index once per echo. Beams, in contrast, would cross
-// the cells near the unit several times. A cell is carved if all of it lies between the outermost
-// directions of the unit's arc and nearer than the 1D cells around the echo. Cells cut by the
-// cone's border do not change. The order of indexes below 0 does not matter (docs/model.md, section
-// 3), so cones are carved as they arrive.
+// Sound fills the cone, so the index is added to each cell once per echo. Beams, in contrast, would
+// cross the cells near the unit several times. A cell is carved if the whole cell lies between the
+// outermost directions of the unit's arc and nearer than the 1D cells around the echo. Cells that
+// intersect the cone's border do not change. Negative indexes can be added in any order
+// (docs/model.md, section 3), so each cone is carved on arrival.
 //
-// If the unit is tilted, the cone on the grid is as long as the shortest of three directions: the
-// two outermost ones and the middle.
+// If the unit is tilted, the cone's two outermost directions and its middle direction have
+// different lengths on the grid. The carved cone is as long as the shortest of these three lengths.
 #pragma once
 
 #include "grid/block_grid.hpp"
@@ -17,11 +17,11 @@
 
 namespace iog::grid {
 
-// The sensor must have an arc of at most 50 degrees to either side, and a range of at most 10 m.
+// The sensor must have an arc of at most 50 degrees to each side, and a range of at most 10 m.
 void carve_cone(BlockGrid& grid, const vehicle::Sensor& sensor, const lidar::ScanPoint& echo);
 
-// Upper bound on the cells tested for an echo at this range. The area is at most twice as long as
-// wide.
+// Upper bound on the number of cells tested for an echo at this range. The tested area is at most
+// twice as long as it is wide.
 [[nodiscard]] constexpr std::uint32_t most_cells_of_cone(std::uint32_t range_mm) {
   const std::uint32_t side = range_mm / geometry::kCellMm + 2;
   return side * 2 * side;

@@ -1,11 +1,11 @@
 // The grids of a frame: the occupancy index of each cell and, if the vehicle's window needs them,
 // the heights at which beams freed or hit the cell (perception/opening.hpp).
 //
-// A beam is low where it runs at most `low_m` above the ground. A return is tall if it lies at
-// least `tall_m` above the ground (docs/ground.md). A cell of `heights` is below 0 if a low beam
-// freed it, and 1 if a tall return hit it. Low beams are carved into `heights` like all beams. Hits
-// are applied after all beams, and leave no value below 0. So the result does not depend on the
-// order.
+// A beam is low where it is at most `low_m` above the ground. A tall return lies at least `tall_m`
+// above the ground (docs/ground.md). A cell of `heights` is negative if a low beam freed the cell,
+// and 1 if a tall return hit it. Low beams are carved into `heights` in the same way as beams are
+// carved into the indexes. Hits are applied after all beams, and overwrite every negative value in
+// their cells. The result therefore does not depend on the order of the beams.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@ static_assert(geometry::kTileSide == 32);
 struct FrameGrids {
   explicit FrameGrids(bool keep) : keep_heights(keep) {}
 
-  // The cells of a tile that are free and were freed by a low beam, and those that are occupied and
+  // Returns the free cells of a tile that were freed by a low beam, and the occupied cells that
   // were hit by a tall return.
   [[nodiscard]] TileBits low_and_tall(std::size_t tile) const;
 
-  // Sets all cells of the tile to unknown, and the tile to untouched.
+  // Sets all cells of the tile to unknown, and marks the tile as untouched.
   void clear_tile(std::size_t tile) {
     indexes.clear_tile(tile);
     if (heights.is_touched(tile)) {

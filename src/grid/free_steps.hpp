@@ -1,9 +1,10 @@
 // The amount by which the pending beams of a line lower its cells: a step function along the line.
 //
-// All beams of a line carve the same cells, each up to its own end. Each adds a negative index to a
-// cell, and such additions commute under saturation (docs/model.md section 3): adding a and then b,
-// each with a floor at -127, equals adding a + b with that floor. So the sum of the beams is carved
-// in one pass. Example: two beams of a LUX, the nearer with its point at a, the other at b:
+// All beams of a line carve the same cells, each up to its own end. Each beam adds a negative index
+// to a cell. Such additions commute under saturation (docs/model.md section 3): adding a and then
+// b, each clamped at -127, equals adding a + b clamped at -127. The sum of the beams can therefore
+// be carved in one pass. The example shows two beams of a LUX, the nearer with its point at a, the
+// other with its point at b:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
@@ -12,9 +13,9 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// The function is stored as a difference array with one slot per number of borders crossed. A
-// bitmap shows the slots in use. So a change is added without a search, and reading the bitmap
-// yields the changes in order.
+// The function is stored as a difference array, whose slots are indexed by the number of borders
+// crossed. A bitmap marks the slots in use. A change can therefore be added without a search, and
+// scanning the bitmap yields the changes in order.
 #pragma once
 
 #include <algorithm>
@@ -33,18 +34,18 @@ class FreeSteps {
  public:
   static constexpr std::uint32_t kMaxBeams = 256;
 
-  // Sets where the line enters the grid. Only while no beams are pending.
+  // Sets the point where the line enters the grid. Call it only while no beams are pending.
   void begin_at(Between first) {
     first_ = first;
     last_ = first;
   }
 
-  // A beam changes the amount by less than 2^7, and a slot holds less than 2^15.
+  // A beam changes the amount by less than 2^7, and a slot can store values below 2^15.
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
-  // A beam is added in three steps: begin_beam() with its first amount, add() for each later
-  // change, and end_beam(). Only if has_room(). All points must be less than 2 kCellsPerSide
-  // borders behind the point where the line enters the grid.
+  // A beam is added in three steps: begin_beam() with the first amount, add() for each later
+  // change, and end_beam(). Add a beam only if has_room() returns true. All points must be fewer
+  // than 2 kCellsPerSide borders beyond the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
@@ -70,7 +71,7 @@ class FreeSteps {
   [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
 
   // The amount at the point where the line enters the grid, and the point of the last change.
-  // Nothing is carved behind the last change.
+  // Nothing is carved beyond the last change.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] Between last() const { return last_; }
 
@@ -98,7 +99,7 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // Between two cells of the grid a line crosses at most kSlots - 2 borders. One more border may
+  // A line crosses at most kSlots - 2 borders between two cells of the grid. One more border may
   // follow the last cell.
   static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
@@ -110,13 +111,15 @@ class FreeSteps {
   std::array<std::uint32_t, kSlots> slots_{};
 };
 
-// Where beams are low. These parts begin far from the sensor and have gaps.
+// The parts of a line in which beams are low. They begin far from the sensor, with gaps between
+// them.
 class LowSteps : public FreeSteps {};
 
-// The pending beams of a line: by how much they lower its cells and, if heights are kept
-// (grid/frame_grids.hpp), where some of them are low. A beam adds at most one entry to each.
+// The pending beams of a line: the amount by which they lower the line's cells and, if heights are
+// kept (grid/frame_grids.hpp), the parts in which any beam is low. A beam adds at most one entry to
+// each of these two sets of steps.
 struct LineSteps {
-  // The largest amount a cell can take, so overlapping low parts have the same effect as one.
+  // The largest possible amount, so that several overlapping low parts have the same effect as one.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

@@ -1,7 +1,8 @@
-// The height limits within which the beams of a level rotating lidar free and mark cells: the
-// vehicle's height band, or limits over the ground (docs/ground.md). A judge applies them to the
-// points of a packet, a gate to the beams of a line. Each is a template argument, chosen once per
-// packet and once per line, so callers need not know which kind it is.
+// The height limits within which a level rotating lidar's beams free cells and its returns mark
+// cells. The limits are either the vehicle's height band or relative to the ground
+// (docs/ground.md). A judge applies the limits to the points of a packet, and a gate applies them
+// to the beams of a line. The judge is selected once per packet and the gate once per line. Both
+// are template arguments, so callers need not know which kind of limits applies.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ namespace iog::grid {
 struct BandJudge {
   const TurnLayers* layers;
 
-  // Height of a return at this range along the line of an azimuth step. Also sets is_tall.
-  // reach_mm: as in vehicle::classify().
+  // Returns the height of a return at this range along the line of an azimuth step. Also sets
+  // is_tall. reach_mm has the same meaning as in vehicle::classify().
   [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
                                        std::uint32_t along_mm, std::uint32_t reach_mm,
                                        bool& is_tall) const {
@@ -41,7 +42,7 @@ struct BandJudge {
   }
 };
 
-// Here each layer has its own limits in each sector.
+// With an estimated ground, each layer has its own limits in each sector.
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
@@ -72,12 +73,14 @@ class BandGate {
   // Both must outlive the gate.
   BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
 
-  // The layer of a rank. The layer that stays within the limits farthest has rank 0.
+  // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
+  // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // Hits at this distance or beyond free everything that layers of TurnLayers::near_rank and above
-  // may free.
+  // A hit at this distance or beyond frees everything that layers with a rank of
+  // TurnLayers::near_rank or higher may free.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
-  // part(): the part that the layer may free. end(): its end, if it is not empty.
+  // part() returns the part of the line that the layer may free. end() returns the end of this part
+  // if the part is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
     return {line_->in_band(band), band.is_free_before_mm()};
@@ -85,8 +88,8 @@ class BandGate {
   [[nodiscard]] Between end(std::size_t layer) const {
     return line_->end_in_band(layers_->layers[layer].band);
   }
-  // low_part(): the part in which the layer is low. may_be_low(): whether that part may begin
-  // before a hit at this range.
+  // low_part() returns the part of the line in which the layer is low. may_be_low() returns whether
+  // this part may begin before a hit at the given range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }
@@ -99,10 +102,10 @@ class BandGate {
   const TurnLayers* layers_;
 };
 
-// Layers of a sector are within the limits from their start.
+// All layers of a sector are within the limits from the start of their beams.
 class GroundGate {
  public:
-  // All must outlive the gate. The line must lie in this sector.
+  // All arguments must outlive the gate. The line must lie in this sector.
   GroundGate(const KeptLine& line, const vehicle::Sensor& sensor, const TurnLayers& layers,
              const ground::Ground& ground, std::uint32_t sector)
       : line_(&line), sensor_(&sensor), layers_(&layers), ground_(&ground), sector_(sector) {}
@@ -123,7 +126,8 @@ class GroundGate {
     const ground::Ground::Stretch low = ground_->low_stretch(sector_, layer);
     return line_->part_between(*sensor_, low.from_mm, low.to_mm);
   }
-  // Most hits are nearer than the range at which their beams become low.
+  // This check saves time, because most hits are nearer than the range at which their beams become
+  // low.
   [[nodiscard]] bool may_be_low(std::size_t layer, std::uint32_t hit_mm) const {
     return ground_->low_from_mm(sector_, layer) < hit_mm;
   }

@@ -8,11 +8,12 @@
 
 namespace iog::grid {
 
-// A boundary between two consecutive cells of a line. It is given either as before a cell or as
-// after the previous one. It is stored as one number that grows along the line: the borders crossed
-// to reach the next cell (16 bits), a bit for the form `before`, and x of the position (15 bits).
-// The form `after` sorts before the form `before` of the same boundary. With `after`, the next cell
-// may lie outside the grid.
+// A boundary between two consecutive cells of a line. A boundary is given in one of two forms,
+// either as `before` the next cell or as `after` the previous cell. The boundary is stored as one
+// number that grows along the line. The number consists of the borders crossed to reach the next
+// cell (16 bits), a bit for the form `before`, and x of the position (15 bits). The form `after`
+// sorts before the form `before` of the same boundary. In the form `after`, the next cell may lie
+// outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell
@@ -22,12 +23,14 @@ class Between {
   static constexpr Between after(traversal::Position at) {
     return Between((at.crossed() + 1) << 16 | at.x);
   }
-  // A boundary from the number of borders crossed and the lower half of another boundary's bits().
+  // Creates a boundary from the number of borders crossed and the lower half of another boundary's
+  // bits().
   static constexpr Between of(std::uint32_t crossed, std::uint32_t lower_half) {
     return Between(crossed << 16 | lower_half);
   }
 
-  // A cell of the line lies before this boundary if fewer borders are crossed to reach the cell.
+  // A cell of the line lies before this boundary if the number of borders crossed to reach the cell
+  // is smaller than this number.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {

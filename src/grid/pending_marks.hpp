@@ -1,5 +1,5 @@
-// Marks of a frame: the cells that its points make more occupied, stored until all beams are
-// carved.
+// The marks of a frame, stored until all beams are carved. A mark increases the occupancy index of
+// a cell that contains a point.
 //
 // Marks commute with each other, but not with carving.
 #pragma once
@@ -22,17 +22,18 @@ namespace iog::grid {
 // A cell marked by a point.
 struct Mark {
   std::uint32_t cell : 24;    // cell number
-  std::uint32_t is_tall : 1;  // the point, if heights are kept
+  std::uint32_t is_tall : 1;  // whether the point is a tall return, if heights are kept
   std::uint32_t index : 7;    // 1 ... 127
 };
 static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
 
-// The most marks of one frame (1 MiB): enough for a turn of 128 layers at 2,048 azimuths, of two
-// sensors with 64 layers, or of a Pandar64 with two returns (230,400 points).
+// The maximum number of marks of one frame (1 MiB). It is enough for one turn of a sensor with 128
+// layers and 2,048 azimuths, of two sensors with 64 layers each, or of a Pandar64 with two returns
+// (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// Step along an arc, in ticks: at most a cell long at this range, but at least one tick. The
-// constant for 2 pi is slightly too large.
+// The step along an arc, in ticks. At this range the step is at most one cell long, but at least
+// one tick. The constant for 2 pi is slightly too large.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(std::uint32_t ticks_per_turn,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;
@@ -43,9 +44,10 @@ inline constexpr std::size_t kMaxMarks = 262'144;
   return static_cast<std::int32_t>(std::max<std::uint32_t>(ticks, 1));
 }
 
-// The most cells that one point of this sensor can mark. With an arc, these are the steps of the
-// longest arc. Otherwise they are the point's own cell and the cells behind it in the near 1D
-// cells. A line of length d enters at most sqrt(2) d / cell + 2 further cells.
+// The maximum number of cells that one point of this sensor can mark. If the sensor has an arc,
+// this is the number of steps of the longest arc. Otherwise the point can mark its own cell and the
+// cells behind it within the near 1D cells. A line of length d enters at most sqrt(2) d / cell + 2
+// further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), sensor.range.mm());
@@ -59,8 +61,8 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 
 class PendingMarks {
  public:
-  // Stores the marks of a point: its own cell and, for some sensors, the next cells behind it. hit:
-  // the point's position on its line.
+  // Stores the marks of a point: the point's cell and, for some sensors, the next cells behind it.
+  // `hit` is the point's position on its line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
             std::uint32_t range_mm, bool is_tall) {
     const geometry::Cell cell = line.line().cell(hit);
@@ -72,15 +74,15 @@ class PendingMarks {
     }
   }
 
-  // The same for a known cell.
+  // Stores the mark of a cell that is already known.
   void mark(geometry::Cell cell, OccupancyIndex index) {
     if (geometry::kGridArea.contains(cell)) {
       remember(cell, index, true);
     }
   }
 
-  // Applies all marks to the grids by the fusion rule, and clears them. Call it only when all beams
-  // of the frame are carved.
+  // Applies all marks to the grids according to the fusion rule, and clears the marks. Call it only
+  // after all beams of the frame are carved.
   void apply(FrameGrids& grids, vehicle::FusionRule rule);
 
   void clear() { count_ = 0; }

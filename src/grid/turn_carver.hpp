@@ -27,7 +27,7 @@ class TurnCarver {
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 
-  // The current sensor. Keeps the data that its points need close together.
+  // The current sensor. The data that the sensor's points need are stored close together in memory.
   template <typename Judge>
   class Turn {
    public:
@@ -39,8 +39,8 @@ class TurnCarver {
           azimuths_(sensor.azimuths),
           judge_(judge) {}
 
-    // Carves the beam of this point, now or later, and stores its mark. The point's layer and
-    // azimuth must be valid in the sensor's format.
+    // Stores the mark of this point, and carves the point's beam immediately or later. The point's
+    // layer and azimuth must be valid in the sensor's format.
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
    private:
@@ -52,21 +52,21 @@ class TurnCarver {
     Judge judge_;
   };
 
-  // The sensor must be one of the vehicle's whose layers share lines. The result is valid until
-  // another sensor's turn.
+  // The sensor must belong to the vehicle, and its layers must share lines. The result is valid
+  // until turn_to() is called for another sensor.
   Turn<BandJudge> turn_to(const vehicle::Sensor& sensor) {
     begin_turning(sensor, nullptr);
     return {*this, sensor, {layers_}};
   }
-  // The same for a packet of a sensor that follows the ground (docs/ground.md). The ground must not
-  // change while beams are pending.
+  // Same as above, for a packet of a sensor with an estimated ground (docs/ground.md). The ground
+  // must not change while beams are pending.
   Turn<GroundJudge> turn_to(const vehicle::Sensor& sensor, const ground::Ground& ground,
                             const ground::PacketJudge& judge) {
     begin_turning(sensor, &ground);
     return {*this, sensor, {&ground.beams(), &ground.exits(), layers_->zones_mm, judge}};
   }
 
-  // The car's tilt as seen by one packet. Packet needs for_each_sample().
+  // Estimates the car's tilt from one packet. Packet needs for_each_sample().
   template <typename Packet>
   [[nodiscard]] ground::Tilt tilt_of(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                      const Packet& packet);
@@ -84,13 +84,14 @@ class TurnCarver {
     }
   }
   void turn_from_another(const vehicle::Sensor& sensor, const ground::Ground* ground);
-  // Rare paths are not inlined, so that the common path keeps the registers.
+  // Rare paths are not inlined, so that the common path can keep its values in registers.
   [[gnu::noinline]] void begin_line(std::uint32_t azimuth_step);
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind);
-  // Gate: BandGate or GroundGate for the line. Functions that take steps are not inlined. This
-  // keeps the address of the steps in a register, instead of computing it for each change.
+  // Gate is the line's BandGate or GroundGate. Functions that take steps as a parameter are not
+  // inlined. As a result, the address of the steps stays in a register and is not recomputed for
+  // each change.
   template <typename Gate>
   void add_beams(const Gate& gate, const KeptLine& line, std::span<const WaitingPoint> points,
                  const RankSet& behind);
@@ -116,11 +117,11 @@ class TurnCarver {
   // The current sensor.
   const vehicle::Sensor* sensor_ = nullptr;
   const TurnLayers* layers_ = nullptr;
-  const ground::Ground* ground_ = nullptr;  // if the sensor follows the ground
+  const ground::Ground* ground_ = nullptr;  // if the sensor has an estimated ground
   LineSteps steps_;                         // of the line being carved
 };
 
-// All layers share the line of the azimuth, each at its own height.
+// All layers share the azimuth's line, but each layer has its own height.
 template <typename Judge>
 inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point) const {
   if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {

@@ -1,6 +1,6 @@
 // The lines of level rotating sensors: one line per azimuth step, shared by all layers
-// (docs/model.md section 5). They are cached like those of beam_lines.hpp, but each azimuth step
-// has a slot of its own.
+// (docs/model.md section 5). The lines are cached like the lines of beam_lines.hpp, but each
+// azimuth step has its own slot.
 #pragma once
 
 #include <array>
@@ -14,37 +14,40 @@
 
 namespace iog::grid {
 
-// Properties of a layer that do not depend on the azimuth: the share of a range along the line, the
-// ranges along the line within the height band, the range along the line that it carves without an
-// echo, and the part of the line in the band.
+// The properties of a layer that do not depend on the azimuth. They are the ratio of horizontal
+// range to range, the horizontal ranges within the height band, the horizontal range up to which
+// the layer carves if there is no echo, and the part of the line within the band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // Exit order among the sensor's layers: the layer that stays in the band farthest has rank 0.
+  // The layer's exit order among the sensor's layers. The layer that stays within the band up to
+  // the greatest distance has rank 0.
   std::uint32_t rank = 0;
-  // A point at this range or beyond lies far behind the band. It frees the whole line from the
-  // sensor to where the layer leaves the band. The maximum if the sensor is not in the band.
+  // A point at this range or beyond lies far beyond the band. It frees the whole line from the
+  // sensor to the point where the layer leaves the band. If the sensor is outside the band, this is
+  // the maximum value.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
 };
 
 // All layers of a sensor.
 struct TurnLayers {
-  // Whether the sensor is in the height band. If so, a beam that ends in the band is in it from the
-  // start. A layer's part in the band then lies within that of each layer of lower rank.
+  // Whether the sensor is within the height band. If the sensor is within the band, a beam that
+  // ends within the band is within it from its start. A layer's part within the band is then
+  // contained in the part of each layer with a lower rank.
   bool start_in_band = false;
   // The number of beams that saturates a cell.
   std::uint32_t enough_beams = 0;
-  // Hits at this distance or beyond free everything that layers of near_rank and above have in the
-  // band.
+  // A hit at this distance or beyond frees everything within the band that layers with a rank of
+  // near_rank or higher may free.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
-  // By vehicle::Sensor::moved: the ranges along the line at which a layer's return is tall, and the
-  // part of the line in which its beams are low.
+  // Computed from vehicle::Sensor::moved: the horizontal ranges at which a layer's return is a tall
+  // return, and the part of the line in which the layer's beams are low.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};
 };
@@ -53,8 +56,8 @@ class TurnLines {
  public:
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
-  // The ranges along a line that end on the car itself, computed on first use. The sensor must be
-  // one of the vehicle's whose layers share lines.
+  // The horizontal ranges that end on the car itself, computed on first use. The sensor must belong
+  // to the vehicle, and its layers must share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;
@@ -63,7 +66,7 @@ class TurnLines {
     }
     return on_car_[place].ranges;
   }
-  // That line. Call on_car() first.
+  // The line of this azimuth step. Call on_car() first.
   [[nodiscard]] KeptLine& line(const vehicle::Sensor& sensor, std::uint32_t azimuth_step) {
     return lines_[first_[number_of(sensor)] + azimuth_step].line;
   }
@@ -73,9 +76,9 @@ class TurnLines {
   }
 
  private:
-  // A turn visits all lines, so each is fetched from memory again. The ranges, with those of
-  // neighbouring lines, are needed at a line's first point. The line itself is needed only when it
-  // is carved. So they are stored apart.
+  // A turn visits all lines, so each line is fetched from memory again. The ranges on the car are
+  // needed at a line's first point, but the line itself is needed only when it is carved. The
+  // ranges are therefore stored separately, next to the ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

@@ -1,5 +1,6 @@
-// Pending lines of a rotating lidar: hundreds of lines with their points. A point takes one word,
-// so the points fit into the caches. Its effect on the line is computed when the line is carved.
+// Pending lines of a rotating lidar: hundreds of lines with their points. A point is stored in one
+// word, so that the points fit into the caches. The effect of a point on its line is computed when
+// the line is carved.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@
 
 namespace iog::grid {
 
-// A point that carves or marks, in one word: its range along the line, its layer and its evidence.
+// A point that carves or marks, stored in one word: its horizontal range, its layer and its
+// evidence.
 class WaitingPoint {
  public:
   WaitingPoint() = default;
@@ -48,7 +50,7 @@ class WaitingPoint {
   std::uint32_t word_ = 0;
 };
 
-// A set of a sensor's layers, by rank (turn_lines.hpp).
+// A set of a sensor's layers, represented by their ranks (turn_lines.hpp).
 class RankSet {
  public:
   // Returns false if the rank was already in the set.
@@ -60,7 +62,7 @@ class RankSet {
     return is_new;
   }
 
-  // Calls visit(rank) for each rank in rising order, while it returns true.
+  // Calls visit(rank) for each rank in ascending order, until visit() returns false.
   template <typename Visit>
   void visit_while(Visit&& visit) const {
     for (std::uint32_t first = 0; first < vehicle::kMaxLayers; first += 32) {
@@ -81,13 +83,14 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The pending lines of a rotating lidar. Each occupies the slot given by its azimuth step. There
-// are enough slots for the spread of the lasers: those of an HDL-64E are up to 17 degrees apart,
-// 390 of 8,192 steps.
+// The pending lines of a rotating lidar. Each line is stored in the slot given by its azimuth step.
+// There are enough slots for the spread of the lasers. The lasers of an HDL-64E are up to 17
+// degrees apart, which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that a point accesses, within one cache line; its points are stored
-  // apart. Of points behind the band (TurnLayer::behind_mm), only the layers are recorded.
+  // The part of a pending line that each point accesses. It fits into one cache line, and the
+  // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
+  // layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;
     std::uint32_t count = 0;
@@ -95,7 +98,7 @@ class WaitingLines {
     RankSet behind;
   };
 
-  // Whether this line is pending and has room for a point.
+  // Whether this line is pending and has room for another point.
   [[nodiscard]] bool has_room(std::uint32_t azimuth_step) const {
     const Line& line = lines_[azimuth_step % kPlaces];
     return line.azimuth_step == azimuth_step && line.count < kMostPoints;
@@ -109,7 +112,8 @@ class WaitingLines {
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }
-  // Adds a point of the layer with this rank. Returns false if there is one already.
+  // Adds a point of the layer with this rank. The point must lie beyond the band. Returns false if
+  // the layer already has such a point.
   [[nodiscard]] bool add_behind(std::uint32_t azimuth_step, std::uint32_t rank) {
     return lines_[azimuth_step % kPlaces].behind.insert(rank);
   }
@@ -119,8 +123,8 @@ class WaitingLines {
     ++lines_[place].count;
   }
 
-  // Calls carve(azimuth_step, points, behind) for the line in this step's slot, if there is one,
-  // and empties the slot.
+  // If the slot of this step contains a line, calls carve(azimuth_step, points, behind) for the
+  // line and empties the slot.
   template <typename Carve>
   void take(std::uint32_t azimuth_step, Carve&& carve) {
     const std::uint32_t place = azimuth_step % kPlaces;
@@ -141,8 +145,9 @@ class WaitingLines {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
-  // An odd number of cache lines, so that slots do not compete for the same cache sets. Beams
-  // behind the band are limited to enough_beams, and change a line by less than two others.
+  // An odd number of cache lines, so that slots do not compete for the same cache sets. The number
+  // of beams beyond the band is limited to enough_beams. Together, these beams change a line by
+  // less than two other beams could.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

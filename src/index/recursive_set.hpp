@@ -1,8 +1,8 @@
-// The recursive set S_epsilon, and the quantisation of a probability to it (docs/model.md section
-// 2, thesis section 3.3.3).
+// The recursive set S_epsilon, and the quantisation of a probability to an element of the set
+// (docs/model.md section 2, thesis section 3.3.3).
 //
-// p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of p_n are n times those of p_1, so
-// fusion is a sum of indexes.
+// p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of p_n equal n times the log-odds of
+// p_1, so fusion is a sum of indexes.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@ namespace iog::index {
 
 // How a probability between two elements of the set is rounded (thesis section 3.4.4.1).
 enum class Quantisation : std::uint8_t {
-  kBlurring,  // towards 1/2: never overstates a sensor
-  kNearest,   // to the element whose probability is nearest, a tie towards 1/2
+  kBlurring,  // towards 1/2: never overstates a sensor's certainty
+  kNearest,   // to the element whose probability is nearest; ties are rounded towards 1/2
 };
 
 class RecursiveSet {
  public:
-  // epsilon: 0 < epsilon < 1/2, half the width of the set around 1/2.
+  // 0 < epsilon < 1/2. epsilon is half the width of the interval around 1/2 between p_-1 and p_1.
   constexpr explicit RecursiveSet(double epsilon) : ratio_((0.5 - epsilon) / (0.5 + epsilon)) {}
 
-  // p_n, for |n| up to some millions.
+  // Returns p_n, for |n| up to a few million.
   [[nodiscard]] constexpr double probability(std::int32_t n) const {
     return 1 / (1 + power(ratio_, n));
   }
 
-  // The index that represents a probability, 0 < probability < 1.
+  // Returns the index that represents a probability, 0 < probability < 1.
   [[nodiscard]] constexpr std::int32_t quantise(double probability, Quantisation policy) const {
     const std::int32_t below = floor_index(probability);
     const std::int32_t above = below + 1;
@@ -44,7 +44,7 @@ class RecursiveSet {
   }
 
  private:
-  // The n with p_n <= probability < p_(n+1): an estimate from the log-odds, corrected by
+  // Returns the n with p_n <= probability < p_(n+1). An estimate from the log-odds is corrected by
   // comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
     const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
@@ -58,7 +58,7 @@ class RecursiveSet {
     return n;
   }
 
-  // base^n by squaring.
+  // Computes base^n by repeated squaring.
   static constexpr double power(double base, std::int32_t n) {
     double square = n < 0 ? 1 / base : base;
     double result = 1;

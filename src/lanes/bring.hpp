@@ -1,4 +1,5 @@
-// Prefetches cache lines that are needed soon. The compiler never removes an asm without outputs.
+// Prefetches cache lines that will be needed soon. The compiler never removes an asm statement
+// without outputs.
 #pragma once
 
 #include <cstddef>
@@ -8,11 +9,12 @@ namespace iog::lanes {
 
 inline constexpr std::size_t kLineBytes = 32;
 
-// Prefetches the line of a byte by reading it. Two such reads can be in progress at once, whereas
-// stores to missing lines wait for each other.
+// Prefetches the cache line of a byte by reading the byte. Two such reads can be in progress at the
+// same time, whereas stores that miss the cache wait for each other.
 inline void bring_line(const void* byte) { asm("" : : "r"(*static_cast<const std::byte*>(byte))); }
 
-// Prefetches consecutive lines. This is faster than reading the same lines interleaved with others.
+// Prefetches consecutive cache lines. This is faster than interleaving these reads with reads of
+// other lines.
 inline void bring(std::span<const std::byte> bytes) {
   for (std::size_t at = 0; at < bytes.size(); at += kLineBytes) {
     bring_line(&bytes[at]);

@@ -1,4 +1,4 @@
-// Eight adjacent indexes in one word, tested all at once.
+// Eight adjacent indexes in one word, which are tested all at once.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes none() { return EightBytes(0); }
 
-  // Eight equal bytes.
+  // Returns a word of eight equal bytes.
   [[nodiscard]] static constexpr EightBytes all(std::int8_t byte) {
     return EightBytes(static_cast<std::uint8_t>(byte) * std::uint64_t{0x0101010101010101U});
   }
@@ -41,10 +41,11 @@ class EightBytes {
   // Whether any byte is above 0.
   [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
 
-  // A mask with bit i set if byte i is above 0.
+  // Returns a mask in which bit i is set if byte i is above 0.
   //
-  // The product gathers bits 8 i. Shifted by 7 k, k = 1 ... 8, bit i reaches 56 + i only for k = 8
-  // - i. The 64 sums 8 i + 7 k are all different, so nothing carries.
+  // The multiplication gathers the bits at positions 8 i. The product is the sum of copies that are
+  // shifted by 7 k bits, k = 1 ... 8. Bit i arrives at position 56 + i only if k + i = 8. The 64
+  // sums 8 i + 7 k are all different, so no carry occurs.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
  private:
@@ -59,8 +60,9 @@ class EightBytes {
     return static_cast<std::uint8_t>((tops >> 7) * kGather >> 56);
   }
 
-  // Bit 7 of each byte that is above 0. Adding 127 to the low seven bits carries into bit 7 exactly
-  // if one of them is set, and never into the next byte.
+  // Returns a word in which bit 7 of each byte is set if the byte is above 0. Adding 127 to the low
+  // seven bits carries into bit 7 if and only if one of these bits is set. It never carries into
+  // the next byte.
   [[nodiscard]] std::uint64_t tops_of_positive() const {
     return ((word_ & kSevenBits) + kSevenBits) & ~word_ & kTopBits;
   }

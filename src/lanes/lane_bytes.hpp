@@ -1,4 +1,4 @@
-// Sixteen adjacent occupancy indexes, and saturated arithmetic on them.
+// Sixteen adjacent occupancy indexes, with saturating arithmetic.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct LaneBytes {
   friend constexpr bool operator==(const LaneBytes&, const LaneBytes&) = default;
 };
 
-// Reference for subtract() and add() of all Lanes classes, per lane: saturates at -128 and 127.
+// Reference for one lane of subtract() and add() in all Lanes classes. Saturates at -128 and 127.
 [[nodiscard]] constexpr std::int8_t saturated(int value) {
   return static_cast<std::int8_t>(value < -128 ? -128 : value > 127 ? 127 : value);
 }

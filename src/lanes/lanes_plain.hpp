@@ -1,5 +1,5 @@
-// Plain C++ version of sixteen indexes at once, and of two rows of bits. It is the specification of
-// the others, and serves machines without vector instructions.
+// Plain C++ version of the operations on sixteen indexes at once and on two rows of bits. It is the
+// specification of the other versions, and is used on machines without vector instructions.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class PlainLanes {
     return each(amount, subtract_saturated);
   }
   [[nodiscard]] PlainLanes add(const PlainLanes& other) const { return each(other, add_saturated); }
-  // All bits set in lanes above 0, none in the others.
+  // Sets all bits in lanes that are above 0, and no bits in other lanes.
   [[nodiscard]] PlainLanes above_zero() const {
     return each(*this, [](std::int8_t a, std::int8_t /*same*/) {
       return static_cast<std::int8_t>(a > 0 ? -1 : 0);
@@ -54,8 +54,8 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // For four rows, each in two halves: one bit per lane, set if the lane is below 0. Bit 0 is the
-  // leftmost lane.
+  // The arguments are four rows, each in two halves. The result has one bit per lane, which is set
+  // if the lane is negative. Bit 0 is the leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};
@@ -68,7 +68,7 @@ class PlainLanes {
     return rows;
   }
 
-  // Transposes four blocks into rows: result i holds quarter i of each block, for i = 0 ... 3.
+  // Transposes four blocks to rows: result i contains quarter i of each block, for i = 0 ... 3.
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
     std::array<LaneBytes, 4> rows;
     for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {

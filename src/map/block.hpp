@@ -1,8 +1,8 @@
-// A map block: buildings and roads as polygons, with an index of buckets. docs/spec.md, section 6,
-// describes each byte.
+// A map block. It contains buildings and roads as polygons, with an index of buckets. docs/spec.md,
+// section 6, describes each byte.
 //
-// A block is untrusted until check() has passed all of it. After that, a Block reads it without
-// further checks, as long as the bytes do not change.
+// A block is untrusted until check() has accepted the whole block. After that, a Block reads the
+// bytes without further checks, as long as the bytes do not change.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline constexpr std::uint32_t kMaxAccuracyMm = 65'535;
 
 enum class Source : std::uint8_t { kOpenStreetMap = 1, kSurveyed = 2 };
 
-// Why a block is refused. The values are those of docs/spec.md, section 6.4.
+// The reason why a block is rejected. The values are defined in docs/spec.md, section 6.4.
 enum class Refusal : std::uint8_t {
   kNone,             // the whole block is valid
   kTooShort,         // shorter than a header
@@ -61,27 +61,28 @@ struct Tables {
   Buckets buckets;              // of the whole extent
   std::uint32_t features = 0;   // number of features
   std::size_t starts_at = 0;    // of the entries of each bucket, plus one for the end
-  std::size_t entries_at = 0;   // of the numbers of features
-  std::size_t offsets_at = 0;   // of the offsets of features
+  std::size_t entries_at = 0;   // of the feature numbers
+  std::size_t offsets_at = 0;   // of the feature offsets
   std::size_t features_at = 0;  // of the first feature
 };
 
-// Runs check() in steps, for callers that cannot run it at once.
+// Runs check() in steps, for callers that cannot check a whole block at once.
 class Check {
  public:
-  // The bytes must outlive the check and must not change meanwhile.
+  // The bytes must outlive the check and must not change while it runs.
   explicit Check(std::span<const std::uint8_t> bytes);
 
-  // Continues for about the cost of `budget` bytes. Features and buckets are not divided, so one of
-  // them may exceed the budget. Returns whether the check has ended.
+  // Continues the check until it has processed about `budget` bytes. Features and buckets are not
+  // split, so a single feature or bucket may exceed the budget. Returns whether the check has
+  // ended.
   bool advance(std::size_t budget);
 
-  // Valid once the check has ended.
+  // The result is valid after the check has ended.
   [[nodiscard]] Refusal verdict() const { return verdict_; }
 
  private:
   enum class Stage : std::uint8_t { kCrc, kFeatures, kIndex, kMeetings, kEnded };
-  static constexpr std::size_t kEntryCost = 16;  // in bytes of features
+  static constexpr std::size_t kEntryCost = 16;  // equivalent number of feature bytes
 
   void end_stage(Refusal refusal, Stage next);
   std::size_t step(std::size_t budget);
@@ -100,12 +101,12 @@ class Check {
   Tables tables_;               // valid after the header was checked
 };
 
-// Layout of a block. Offsets are from its first byte.
+// The layout of a block. Offsets are relative to the block's first byte.
 inline constexpr std::size_t kHeaderBytes = 64;
 inline constexpr std::uint32_t kMagic = 0x494F474D;  // "IOGM"
 inline constexpr std::uint16_t kVersion = 1;
 
-// Reads a block that check() has passed.
+// Reads a block that check() has accepted.
 class Block {
  public:
   explicit Block(std::span<const std::uint8_t> checked);
@@ -116,27 +117,28 @@ class Block {
   [[nodiscard]] const BoxCm& extent() const { return tables_.extent; }
   [[nodiscard]] Source source() const { return static_cast<Source>(words_.u8(6)); }
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
-  // Seconds since 1970, UTC; 0 if unknown.
+  // Seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // 95 of 100 vertices are closer than this to their true place.
+  // 95 of 100 vertices are closer than this to their true position.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
   [[nodiscard]] std::uint32_t size_bytes() const { return words_.u32(8); }
   [[nodiscard]] std::uint32_t feature_count() const { return tables_.features; }
   [[nodiscard]] std::string_view attribution() const;  // UTF-8
 
-  // number: below feature_count().
+  // number must be below feature_count().
   [[nodiscard]] Feature feature(std::uint32_t number) const {
     return Feature(
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
-  // Calls visit(const Feature&) once for each feature whose box overlaps this one, in the order of
-  // buckets, row by row, and of numbers.
+  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. Features
+  // are visited in the order of buckets, row by row, and within a bucket in the order of feature
+  // numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
-  // Access to the index: the range of entries of a bucket, and the feature of an entry.
+  // Access to the index: the range of entries of a bucket, and the feature number of an entry.
   struct Entries {
     std::uint32_t next = 0;
     std::uint32_t end = 0;
@@ -158,8 +160,8 @@ class Block {
   Tables tables_;
 };
 
-// Iterates over the features of a block whose box overlaps a given one, entry by entry of the
-// index, so it can be suspended. The bytes of the block must outlive it.
+// Iterates over the features of a block whose box overlaps a given box. It visits one index entry
+// at a time, so the iteration can be suspended. The bytes of the block must outlive this object.
 class FeatureWalk {
  public:
   FeatureWalk(const Block& block, const BoxCm& box) : block_(block), box_(box) {
@@ -174,9 +176,9 @@ class FeatureWalk {
 
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  // Examines one entry, or moves on to the next bucket. A feature is listed in all buckets that its
-  // box overlaps; it is returned in the first of these that is visited. Must not be called when
-  // is_over().
+  // Examines one entry, or continues with the next bucket. A feature is listed in all buckets that
+  // its box overlaps, but it is returned only in the first visited bucket. Must not be called if
+  // is_over() is true.
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {
       leave_bucket();

@@ -1,4 +1,4 @@
-// Blurs a bit plane: the union over a disc.
+// Blurs a bit plane: dilation by a disc.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace iog::map {
 
-// The cells of the tile with a set bit within `radius` cells, from centre to centre. radius: 0 ...
-// kHalo. Only rows within the radius are read.
+// Returns the cells of the tile that have a set bit within `radius` cells, measured from centre to
+// centre. `radius` is 0 ... kHalo. Only rows within the radius are read.
 [[nodiscard]] window::Plane blurred(const FrameBits& bits, std::int32_t radius);
 
 }  // namespace iog::map

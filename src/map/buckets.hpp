@@ -1,4 +1,4 @@
-// The index grid of a map: square buckets that cover its extent.
+// The index grid of a map. It consists of square buckets that cover the map's extent.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@ namespace iog::map {
 
 inline constexpr std::int32_t kBucketCm = 2'560;  // side of a bucket
 
-// A rectangle of buckets. Columns and rows are counted from the low corner of the extent.
+// A rectangle of buckets. Columns and rows are counted from the lower corner of the extent.
 struct Buckets {
   std::uint32_t first_column = 0;
   std::uint32_t first_row = 0;
   std::uint32_t last_column = 0;  // inclusive
   std::uint32_t last_row = 0;
 
-  // The buckets that a box overlaps. The box must overlap the extent.
+  // Returns the buckets that a box overlaps. The box must overlap the extent.
   [[nodiscard]] static constexpr Buckets of(const BoxCm& box, const BoxCm& extent) {
     const auto bucket = [](std::int32_t at, std::int32_t low, std::int32_t high) {
       return static_cast<std::uint32_t>(std::clamp(at, low, high) - low) / kBucketCm;

@@ -1,6 +1,6 @@
 // A chunk of a map block in transmission: SOME/IP and E2E headers as in every message
-// (protection/protected_message.hpp), then 20 bytes of header and up to 1280 bytes of the block,
-// big endian. docs/spec.md, section 7.1, describes each byte.
+// (protection/protected_message.hpp), followed by a header of 20 bytes and up to 1280 bytes of the
+// block, in big-endian byte order. docs/spec.md, section 7.1, describes each byte.
 //
 // Sender and target share this file, so both use the same format.
 #pragma once
@@ -18,20 +18,21 @@ namespace iog::map {
 
 inline constexpr std::uint16_t kMapPort = 15011;  // UDP
 
-// Only the checks of a single message matter here, because chunks may come in any order.
+// Only the checks of a single message are used for this channel, because chunks may arrive in any
+// order.
 inline constexpr protection::Channel kMapChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8004, .interface_version = 1},
     .data_id = 0x494F4704,
     .max_delta_counter = 1};
 
-inline constexpr std::uint32_t kChunkBytes = 1280;  // of a chunk; the last one may be shorter
+inline constexpr std::uint32_t kChunkBytes = 1280;  // of a chunk; the last chunk may be shorter
 inline constexpr std::size_t kMaxChunks = (kMaxBlockBytes + kChunkBytes - 1) / kChunkBytes;
 
 inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Blocks that differ in either member are different.
+// Identifies the block of a chunk. Two blocks are different if they differ in either member.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
@@ -49,16 +50,16 @@ struct Chunk {
   [[nodiscard]] constexpr std::size_t number() const { return offset / kChunkBytes; }
 };
 
-// Returns the chunk with this number, which must be below chunk_count(). block: all of its bytes,
-// at least one and at most kMaxBlockBytes.
+// Returns the chunk with this number. The number must be below chunk_count(). `block` contains all
+// bytes of the block, at least one and at most kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 
 // Encodes and numbers the messages of a sender.
 class ChunkEncoder {
  public:
-  // Returns the whole message, valid until the next call. The chunk has at most kChunkBytes. Fields
-  // are written unchecked; the decoder checks them.
+  // Returns the whole message, valid until the next call. The chunk must have at most kChunkBytes
+  // bytes. The fields are not checked here, because the decoder checks them.
   [[nodiscard]] std::span<const std::byte> encode(const Chunk& chunk);
 
  private:

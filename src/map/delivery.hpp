@@ -1,15 +1,17 @@
-// Receives map blocks in chunks, into the unused one of two buffers.
+// Receives map blocks in chunks. There are two buffers, and chunks are stored in the buffer that is
+// not in use.
 //
-// Chunks may come in any order, more than once, and with gaps. When all chunks of a block have
-// arrived, the whole block is checked, a bounded part in each frame. A valid block is used from the
-// frame in which the check ends. Otherwise the previous block stays in use, and the new one is
-// dropped.
+// Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
+// arrived, the whole block is checked, with a limited number of bytes per frame. A valid block is
+// used from the frame in which the check ends. If the new block is invalid, it is dropped and the
+// previous block stays in use.
 //
-// Only one block is delivered at a time, so a late or forged chunk cannot interrupt it. Another
-// block may start when nothing new of the present one has come for kPatienceUs.
+// Only one block is delivered at a time, so a late or forged chunk cannot interrupt it. The
+// delivery of another block may start if no new chunk of the current block has arrived for
+// kPatienceUs.
 //
-// The CRC detects damage by a network; it is no authentication. Anyone who can send in the name of
-// the configured address can replace the map.
+// The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
+// send from the configured address can replace the map.
 #pragma once
 
 #include <array>
@@ -29,7 +31,7 @@ namespace iog::map {
 
 inline constexpr std::uint64_t kPatienceUs = 1'000'000;
 
-// The check reads a block about twice, so 4 MiB take at least 33 frames.
+// The check reads each block about twice, so checking 4 MiB takes at least 33 frames.
 inline constexpr std::size_t kCheckBytesPerFrame = 262'144;
 
 enum class DeliveryState : std::uint8_t {
@@ -42,16 +44,16 @@ struct DeliveryReport {
   DeliveryState state = DeliveryState::kIdle;
   BlockName incoming{};                           // unless kIdle
   std::uint32_t chunks_there = 0;                 // of the incoming block
-  std::array<std::uint32_t, kFateCount> fates{};  // datagrams by outcome, since start
+  std::array<std::uint32_t, kFateCount> fates{};  // datagrams by outcome, since start-up
   std::uint32_t blocks_refused = 0;               // since start
-  Refusal last_refusal = Refusal::kNone;          // reason for the last refusal
+  Refusal last_refusal = Refusal::kNone;          // reason for the last rejection
 };
 
-// Holds 8.4 MB, so it belongs in static memory.
+// Uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // description.is_valid() must hold. replayer_ipv4 may also send in the name of the source; 0:
-  // none.
+  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
+  // replayer_ipv4 is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
@@ -65,15 +67,16 @@ class Delivery {
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
-  // Call before the first frame with a block that exists at the start, such as one in the image.
-  // The block must outlive this object. It is checked at once; a refusal is counted like any other.
+  // Sets a block that is available from the start, such as a block in the firmware image. Call it
+  // before the first frame. The block must outlive this object. The block is checked immediately,
+  // and a rejection is counted like any other rejection.
   void begin_with(std::span<const std::uint8_t> block);
 
-  // Call once per frame. Continues the check over about kCheckBytesPerFrame bytes. Only this call
-  // can put another block into use.
+  // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the
+  // block in use. Call it once per frame.
   void work();
 
-  // The block in use, valid until the next work(); null if there is none.
+  // The block in use, valid until the next work(). Null if no block is in use.
   [[nodiscard]] const Block* in_use() const { return in_use_ ? &*in_use_ : nullptr; }
 
   [[nodiscard]] const DeliveryReport& report() const { return report_; }
@@ -92,7 +95,8 @@ class Delivery {
   void put(const Chunk& chunk);
   // The bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // The result of the check; kDamaged if the block's CRC differs from the one in its chunks.
+  // The result of the check. It is kDamaged if the block's CRC differs from the CRC in the block's
+  // chunks.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 
@@ -101,7 +105,7 @@ class Delivery {
   DeliveryReport report_;
   std::optional<Block> in_use_;
   std::optional<Check> check_;     // of the incoming block, during the check
-  std::uint64_t taken_us_ = 0;     // when a new chunk of the incoming block last arrived
+  std::uint64_t taken_us_ = 0;     // arrival time of the last new chunk of the incoming block
   std::bitset<kMaxChunks> there_;  // chunks of the incoming block, by number
   std::size_t idle_ = 0;           // the unused buffer
   alignas(32) std::array<Buffer, 2> buffers_{};

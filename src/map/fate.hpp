@@ -1,4 +1,4 @@
-// Outcomes of datagrams on the map port. The values are those of docs/spec.md, section 7.2.
+// Outcomes of datagrams on the map port. The values are defined in docs/spec.md, section 7.2.
 #pragma once
 
 #include <cstddef>
@@ -6,18 +6,18 @@
 
 namespace iog::map {
 
-// The outcome of a datagram. All but the first are drops, which change nothing.
+// The outcome of a datagram. All outcomes except the first are drops, which change nothing.
 enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored
   kInUse,         // of the block in use
   kOtherBlock,    // another block is being delivered
-  kStranger,      // not from the sender in the description
+  kStranger,      // it does not come from the configured sender
   kTooShort,      // shorter than a message without bytes of a block
   kNotOurs,       // another SOME/IP service, event or message type
   kWrongVersion,  // of the interface or of the content
   kDamaged,       // wrong CRC, data id, or length covered by the CRC
-  kWrongLength,   // the content, or its part of the block, does not have its stated length
+  kWrongLength,   // the content, or the block bytes in it, do not have the stated length
   kNotZero,       // a field that must be zero is not
   kOutOfRange,    // no block has this length, or no chunk starts there
 };

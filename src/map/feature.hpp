@@ -14,10 +14,11 @@ inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
 inline constexpr std::size_t kFeatureHeaderBytes = 24;
 inline constexpr std::size_t kRingHeaderBytes = 12;
 
-// Bits of the map's classes (decision/decision.hpp). Everything else is intermediate space.
+// Bits of the map's classes (decision/decision.hpp). All other space is intermediate space.
 enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
 
-// A building or a piece of a road: the inside of its rings by the even-odd rule.
+// A building or a part of a road. Its area is the inside of its rings according to the even-odd
+// rule.
 class Feature {
  public:
   explicit Feature(std::span<const std::byte> checked) : words_{checked} {}
@@ -43,7 +44,7 @@ struct Edge {
   PointCm to;
 };
 
-// Iterates over the edges of a feature, so it can be suspended.
+// Iterates over the edges of a feature one by one, so that the iteration can be suspended.
 class EdgeWalk {
  public:
   explicit EdgeWalk(const Feature& feature)
@@ -53,7 +54,7 @@ class EdgeWalk {
 
   [[nodiscard]] bool is_over() const { return rings_ == 0; }
 
-  // Must not be called when is_over().
+  // Must not be called if is_over() is true.
   [[nodiscard]] Edge next() {
     const PointCm from = from_;
     if (deltas_ == 0) {

@@ -1,17 +1,19 @@
-// The map layer of the window: decides which tiles are drawn, which wait, and which must be drawn
-// again.
+// The map layer of the window. It schedules the drawing of tiles: it determines which tiles are
+// drawn, which tiles wait, and which tiles must be drawn again.
 //
-// A tile starts to wait when it enters the window, when the map changes, when the transform has
-// moved one of its corners by more than a cell since it was drawn, or when the blur becomes wider
-// than the one it was drawn with. A narrower blur has no effect: the tile says less than it could,
-// but nothing wrong. While a tile waits, its cells may have any class. The tile that has waited
-// longest is drawn first; among equals, that with the lowest slot.
+// A tile starts to wait when it enters the window or when the map changes. It also starts to wait
+// when the transform has moved one of its corners by more than a cell since it was drawn, or when
+// the blur becomes wider than the blur with which it was drawn. If the blur becomes narrower, the
+// tile is not drawn again, because its mask is still correct, although less specific than possible.
+// While a tile waits, its cells may have any class. The tile that has waited longest is drawn
+// first. If several tiles have waited equally long, the tile with the lowest slot is drawn first.
 //
-// If the sensors contradict the map (map/agreement.hpp), it is still drawn, to detect when it
-// agrees again, but rules nothing out.
+// If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. It is still
+// drawn, so that renewed agreement can be detected.
 //
-// A frame has a budget of work in edges: kWorkPerFrame. Remaining work waits, even in the middle of
-// a tile. A tile takes effect only when it is complete.
+// Each frame has a budget of work, kWorkPerFrame, which is measured in edges. If the budget is used
+// up, the remaining work waits, even in the middle of a tile. A tile takes effect only when its
+// drawing is complete.
 #pragma once
 
 #include <algorithm>
@@ -31,18 +33,18 @@
 
 namespace iog::map {
 
-// Work is counted in examined edges. An edge that crosses the tile costs kWorkPerCrossing, an entry
-// of the block's index one, and other work on a tile as below.
+// Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing, and an
+// entry of the block's index costs 1. The costs of other work on a tile are defined below.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 
-// The radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two deviations
-// of the transform at 50 m, and the diagonal of a cell. At most 2^18.
+// Returns the radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two
+// standard deviations of the transform at 50 m, and the diagonal of a cell. It is at most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
                                                   const pose::Sigma& sigma) {
   constexpr std::uint32_t kCell = geometry::kCellMm;
-  // 2 * 50 m * 10 urad is 1 mm.
+  // 2 * 50 m * 10 urad equals 1 mm.
   const std::uint32_t mm =
       accuracy_mm + 2U * sigma.position_mm + sigma.heading_10urad + kCell * 14 / 10;
   return (mm + kCell - 1) / kCell;
@@ -54,13 +56,14 @@ class Layer {
   Layer(const Layer&) = delete;
   Layer& operator=(const Layer&) = delete;
 
-  // Call once per frame, after the window has followed the vehicle. block: the block in use, or
-  // null; its bytes must stay until the next call. transform: that of the newest pose, if any.
+  // Call it once per frame, after the window has followed the vehicle. `block` is the block in use,
+  // or null. Its bytes must stay valid until the next call. `transform` is the transform of the
+  // newest pose, if it has one.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call instead of work() when the window has no frame. Updates only the report, so a pause of all
-  // senders does not affect when tiles are drawn.
+  // Call it instead of work() if the window has no frame. It updates only the report, so a pause
+  // without data has no effect on the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
@@ -69,13 +72,13 @@ class Layer {
 
  private:
   enum class State : std::uint8_t {
-    kIdle,     // a cause prevents drawing, or there was never a map
+    kIdle,     // a cause prevents drawing, or there has never been a map
     kWaiting,  // to be drawn
     kDrawn,
     kOutside,
   };
 
-  // The inputs that a tile is drawn with.
+  // The inputs from which a tile is drawn.
   struct Basis {
     pose::Pose local_frame{};
     std::uint8_t radius = 0;
@@ -111,7 +114,7 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // Stored by slot in separate arrays, so scanning all states reads nothing else.
+  // Stored by slot in separate arrays, so that a scan over all states reads no other data.
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
   std::array<Basis, window::kSlotCount> bases_{};          // of drawn or outside tiles
@@ -125,7 +128,7 @@ class Layer {
   std::uint32_t frame_ = 0;
   std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
-  // Of the last frame without a cause:
+  // Basis of the last frame without a cause:
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;

@@ -1,4 +1,4 @@
-// Reports the effect of the map on the window, and why it has none.
+// Reports the effect of the map on the window, or the reason why the map has no effect.
 #pragma once
 
 #include <array>
@@ -10,26 +10,27 @@
 
 namespace iog::map {
 
-// Why no tile has a mask. The first cause that applies is reported.
+// The reason why no tile has a mask. The first cause that applies is reported.
 enum class Cause : std::uint8_t {
   kNone,
   kNoMap,         // no block
   kNoTransform,   // the newest pose has no transform from the local frame to a map
-  kOtherOrigin,   // that transform is to a map with another origin
+  kOtherOrigin,   // the transform refers to a map with another origin
   kImprecise,     // the standard deviation of the transform is above kMaxSigmaMm
   kBlurred,       // the radius of the blur exceeds kHalo
-  kNoPlace,       // the window has no place, so it is unknown
+  kNoPlace,       // the window has no position, so it is unknown
   kOutside,       // no tile of the window overlaps the extent of the map
-  kContradicted,  // contradicted by the sensors (map/agreement.hpp): drawn, without effect
+  kContradicted,  // contradicted by the sensors (map/agreement.hpp): drawn, but without effect
 };
 inline constexpr std::size_t kCauseCount = 9;
 
-// With a larger deviation of the transform, nothing is drawn.
+// If the standard deviation of the transform is larger, no tile is drawn.
 inline constexpr std::uint16_t kMaxSigmaMm = 300;
 
 struct LayerReport {
   Cause cause = Cause::kNoMap;
-  // How often each cause began since start. For kNone: how often the map came into use.
+  // The number of times that each cause began since start-up. The count for kNone is the number of
+  // times that the map started to have an effect.
   std::array<std::uint32_t, kCauseCount> begun{};
 
   std::uint32_t crc = 0;                          // identifies the map; 0 if there is none
@@ -42,7 +43,7 @@ struct LayerReport {
   std::uint16_t tiles_waiting = 0;
   // In this frame:
   std::uint16_t tiles_finished = 0;   // drawn, or found to be outside
-  std::uint16_t tiles_withdrawn = 0;  // lost their mask, and are as without a map
+  std::uint16_t tiles_withdrawn = 0;  // lost their mask, so that the map has no effect on them
   std::uint32_t work = 0;             // out of kWorkPerFrame (map/layer.hpp)
 };
 

@@ -1,5 +1,5 @@
-// Points in the plane of a map: the local tangent plane (east, north) of WGS 84 at its origin, in
-// centimetres from the origin.
+// Points in the plane of a map, in centimetres from the map's origin. The plane is the local
+// tangent plane (east, north) of WGS 84 at the origin.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,9 @@ struct BoxCm {
   friend constexpr bool operator==(const BoxCm&, const BoxCm&) = default;
 };
 
-// The largest coordinate of a map: 84 km from its origin, where the plane is metres off the earth.
-// Signed differences fit into 25 bits, products of two into 49.
+// The largest coordinate of a map, 84 km from the map's origin. At this distance, positions in the
+// plane deviate from positions on the earth by metres. Signed differences of coordinates fit into
+// 25 bits, and products of two differences fit into 49 bits.
 inline constexpr std::int32_t kMaxCoordinateCm = 1 << 23;
 
 }  // namespace iog::map

@@ -1,10 +1,11 @@
-// Rasterises polygons: finds the cells of a tile's frame whose centre is inside.
+// Rasterises polygons: finds the cells of a tile's frame whose centre is inside a polygon.
 //
-// A row is a word, the lowest y first; bit i is the cell of column i. By the even-odd rule, a
-// centre is inside if the edges cross its row an odd number of times at or to the left of it. An
-// edge crosses the rows from its lower end (included) to its upper end (excluded). So borders are
-// half open: polygons that share an edge share no cell and leave no gap. The only inexact step is
-// the rounding of vertices to fine units (map/tile_place.hpp).
+// Each row is stored in a word, starting with the lowest y. Bit i is the cell in column i.
+// According to the even-odd rule, a centre is inside if the edges cross its row an odd number of
+// times at the centre or to the left of it. An edge crosses the rows from its lower end (inclusive)
+// to its upper end (exclusive). Borders are therefore half open: polygons that share an edge have
+// no cell in common, and there is no gap between them. The only inexact step is the rounding of
+// vertices to fine units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The range of rows, and of columns, within a distance of the tile.
+// The range of rows and of columns within a distance of the tile.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive
@@ -32,34 +33,34 @@ struct RowRange {
   }
 };
 
-// Takes the edges of a polygon in any order, then returns its inside.
+// Collects the edges of a polygon in any order, then returns the cells inside the polygon.
 class Raster {
  public:
-  // Discards all edges. Results are valid only for these rows, and for the columns of the same
-  // range.
+  // Discards all edges. Results are valid only for these rows and for the same range of columns.
   void clear(RowRange rows);
 
-  // The rows that an edge between these heights crosses. If there are none, it need not be added.
+  // Returns the rows that an edge between these y coordinates crosses. If the edge crosses no row,
+  // it need not be added.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
   }
 
-  // Whether a polygon in this box can have a cell in the valid range.
+  // Whether a polygon in this box can contain a cell of the valid range.
   [[nodiscard]] bool reaches(const FineBox& box) const {
     return !crossed(box.low.y, box.high.y).is_empty() && first_from(box.low.x) < wanted_.end &&
            first_from(box.high.x) > wanted_.first;
   }
 
-  // Differences of coordinates must be below 2^30.2. rows: those that the edge crosses, at least
-  // one.
+  // Differences of coordinates must be below 2^30.2. `rows` contains the rows that the edge
+  // crosses, at least one.
   void add_edge(RowRange rows, FinePoint from, FinePoint to);
 
-  // Adds the inside to `bits`, and clears the raster for the next polygon.
+  // Adds the cells inside the polygon to `bits`, and clears the raster for the next polygon.
   void add_to(FrameBits& bits);
 
  private:
-  // The first row or column whose centre is not below `fine`.
+  // Returns the first row or column whose centre is not below `fine`.
   [[nodiscard]] static std::int32_t first_from(std::int32_t fine) {
     return (fine + kFine / 2 - 1) >> kFineBits;
   }

@@ -1,4 +1,4 @@
-// A set of window slots, one bit each.
+// A set of window slots, with one bit per slot.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ class SlotSet {
     word = is_in ? word | bit : word & ~bit;
   }
 
-  // The lowest slot of the set from `slot` on; kSlotCount if there is none.
+  // Returns the lowest slot of the set from `slot` on, or kSlotCount if there is none.
   [[nodiscard]] std::size_t first_from(std::size_t slot) const {
     if (slot >= window::kSlotCount) {
       return window::kSlotCount;

@@ -1,4 +1,4 @@
-// Describes the sender of maps, as a part of the vehicle description.
+// The description of the sender of maps, which is part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace iog::map {
 
 struct SourceDescription {
-  std::uint32_t source_ipv4 = 0;      // address of the sender; 0: any
+  std::uint32_t source_ipv4 = 0;      // address of the sender, or 0 if any sender is accepted
   std::uint16_t udp_port = kMapPort;  // port that receives its messages
 
   [[nodiscard]] constexpr bool is_valid() const { return udp_port != 0; }

@@ -1,11 +1,12 @@
-// Which classes the map allows in the cells of a tile.
+// The classes that the map allows in the cells of a tile.
 #pragma once
 
 #include "window/tile.hpp"
 
 namespace iog::map {
 
-// For each class of the map, the cells that may have it. Each cell may have at least one.
+// For each class of the map, the cells that may have the class. At least one class is possible in
+// each cell.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};
@@ -13,7 +14,7 @@ struct TileMask {
   friend bool operator==(const TileMask&, const TileMask&) = default;
 };
 
-// Converts a mask to the form that decision::decide() takes.
+// Converts a mask to the input format of decision::decide().
 void rule_out(const TileMask& mask, window::TileRuledOut& to);
 
 }  // namespace iog::map

@@ -1,9 +1,10 @@
 // Transforms between a tile of the window and the plane of a map.
 //
-// Vertices are rounded to fine units, kFine per cell (0.4 mm at 0.1 m), counted from the low corner
-// of the tile's frame: the tile with kHalo cells on each side. The rounding depends only on the
-// place in the local frame. So a vertex has the same place for all tiles and features, and
-// operations on rounded vertices are exact (map/raster.hpp).
+// Vertices are rounded to fine units. There are kFine units per cell, so a unit is 0.4 mm for cells
+// of 0.1 m. Fine units are counted from the lower corner of the tile's frame, which is the tile
+// with kHalo additional cells on each side. The rounding depends only on the position in the local
+// frame. A vertex therefore has the same position for all tiles and features, and operations on
+// rounded vertices are exact (map/raster.hpp).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace iog::map {
 
-// How many cells around a tile can affect it.
+// The width, in cells, of the surroundings that can affect a tile.
 inline constexpr std::int32_t kHalo = 16;
 inline constexpr std::int32_t kFrameSide = window::kTileSide + 2 * kHalo;
 static_assert(kFrameSide == 64, "a row of the frame is a word");
@@ -38,17 +39,19 @@ struct FineBox {
 
 class TilePlace {
  public:
-  // local_frame: pose of the local frame in the plane of the map, within pose::kMaxCoordinateMm.
+  // local_frame is the pose of the local frame in the plane of the map, within
+  // pose::kMaxCoordinateMm.
   TilePlace(const pose::Pose& local_frame, window::TileNumber tile);
 
-  // A vertex in fine units. It must be in the extent of a map that the tile's box overlaps.
+  // Converts a vertex to fine units. The vertex must lie in the extent of a map, and the tile's box
+  // must overlap this extent.
   [[nodiscard]] FinePoint fine(PointCm point) const;
 
-  // The smallest box in the tile's frame that holds the corners of a box, and so all of its
-  // contents.
+  // Returns the smallest box in the tile's frame that contains the corners of the given box, and
+  // therefore all of its contents.
   [[nodiscard]] FineBox fine_box(const BoxCm& box) const;
 
-  // A box of the plane that holds the tile with this many cells around it.
+  // Returns a box in the plane that contains the tile and this many cells around it.
   [[nodiscard]] BoxCm box(std::int32_t cells_around) const;
 
  private:
@@ -60,11 +63,12 @@ class TilePlace {
   std::int64_t y_;
   std::int64_t middle_x_mm_;  // centre of the tile, in the plane
   std::int64_t middle_y_mm_;
-  std::int64_t slack_mm_;   // error bound of the centre
+  std::int64_t slack_mm_;   // upper bound of the centre's error
   std::int64_t reach_q30_;  // half the width of a rotated square of side 2
 };
 
-// Whether a corner of the tile has moved by more than a cell in the plane, to 2^-10 mm.
+// Whether any corner of the tile has moved by more than a cell in the plane. The result is accurate
+// to 2^-10 mm.
 [[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to);
 
 }  // namespace iog::map

@@ -1,4 +1,5 @@
-// Reads big-endian numbers from the bytes of a block. The caller must have checked the offsets.
+// Reads big-endian numbers from the bytes of a block. The caller must ensure that the offsets are
+// valid.
 #pragma once
 
 #include <cstddef>

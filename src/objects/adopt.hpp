@@ -10,12 +10,13 @@
 
 namespace iog::objects {
 
-// Assigns each cluster beside a box to the nearest track that may grow by it: the cluster is a part
-// of the object that was hidden before. Only tracks that take hits are considered.
+// Assigns each cluster next to a box to the nearest track whose box may grow to include the
+// cluster. Such a cluster is a part of the object that was hidden before. Only tracks that may take
+// hits are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
-// Assigns to each track that is too young to take hits the cluster whose edges are nearest to its
-// own.
+// For each track that is too young to take hits, assigns the cluster whose edges are nearest to the
+// track's edges.
 void associate(std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
 // Assigns all hits of a cluster to a track.

@@ -1,4 +1,4 @@
-// Assigns hits to the tracks whose boxes they are in or near.
+// Assigns hits to the tracks whose boxes contain them or are near them.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace iog::objects {
 
 class Claim {
  public:
-  // Sets the owner of each hit: a track in whose gate the hit lies. If there are several, the track
-  // with the nearest box wins; in a tie, the lower slot. Standing hits go only to moving tracks, or
-  // to receding tracks whose visible face may be classified as standing. A track rejects and counts
-  // hits that contradict it. Returns the result of TileTracks::list().
+  // Sets the owner of each hit. The owner is a track whose gate contains the hit. If there are
+  // several such tracks, the owner is the track with the nearest box. In a tie, it is the track
+  // with the lower slot. Standing hits are assigned only to moving tracks, or to receding tracks
+  // whose visible face may be classified as standing. Hits that contradict a track are rejected and
+  // counted. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 
@@ -27,7 +28,8 @@ class Claim {
   TileTracks near_{};
 };
 
-// Assigns a hit to `track`, and moves it to the end of the frame with the velocity of the track.
+// Assigns a hit to `track`, and predicts the hit's position at the end of the frame with the
+// velocity of the track.
 void own(const Track& track, std::size_t slot, FrameHit& hit);
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// The gate of a track: how far outside its box it takes hits.
+// The gate of a track: the maximum distance outside the track's box at which the track takes hits.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace iog::objects {
 
 struct ClaimGate {
   std::int32_t mm = 0;               // for hits that are not standing
-  std::int32_t speed_deviation = 0;  // the larger one of both axes, mm/s
+  std::int32_t speed_deviation = 0;  // the larger deviation of the two axes, mm/s
 };
 using ClaimGates = std::array<ClaimGate, kMostTracks>;
 

@@ -1,9 +1,9 @@
-// Clusters the unclaimed hits of a frame: each hit is near another hit of its cluster.
+// Clusters the hits of a frame that have no owner. Each hit is near another hit of its cluster.
 //
-// Two hits are near if, on both axes, they are within the gap of one of them: 0.4 m plus a part
-// that grows with range, because beams fan out. Old hits are ignored. Cells are bits of a plane as
-// large as the window. A cluster grows by the bits around each of its cells, and each bit is found
-// once.
+// Two hits are near each other if their distance on both axes is at most the gap of either hit. The
+// gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are ignored.
+// Cells are represented as bits of a plane that has the size of the window. A cluster grows by the
+// bits around each of its cells, and each bit is found only once.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ namespace iog::objects {
 struct Cluster {
   Bounds bounds{};  // of the centres of its cells
   std::uint32_t hits = 0;
-  std::int16_t owner = kNobody;  // the track that it was assigned to
+  std::int16_t owner = kNobody;  // the track to which it was assigned
 };
 
-// The gap at a point, mm.
+// Returns the gap at a point, in mm.
 [[nodiscard]] std::int32_t gap_mm(Point car, Point at);
 
 class Clusters {
  public:
-  // Assigns a cluster to each fresh hit, in the order of hits. Returns how many hits have none
-  // because all kMostClusters were in use.
+  // Assigns a cluster to each hit that is not old, in the order of hits. Returns the number of hits
+  // that have no cluster because all kMostClusters clusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 
   [[nodiscard]] std::span<Cluster> all() { return std::span(clusters_).first(count_); }

@@ -1,6 +1,6 @@
-// Covariance of place and speed along one axis: a Kalman filter for a place that moves with a
-// randomly changing speed (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to tracking
-// and navigation", 2001, section 6.2).
+// Covariance of position and speed along one axis. The Kalman filter assumes a position that moves
+// with a randomly changing speed (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to
+// tracking and navigation", 2001, section 6.2).
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace iog::objects {
 
-// Every entry is within +-kMost. After predict() or measure() the variances are at least
+// Every entry is within +-kMost. After predict() or measure(), the variances are at least
 // kLeastVariance.
 class Covariance {
  public:
   static constexpr std::int32_t kMost = 2'000'000'000;
 
-  // Kalman gains in units of 2^-16; that of the speed is per second. 0 <= place <= 2^16.
+  // Kalman gains in units of 2^-16. The gain of the speed is per second. 0 <= place <= 2^16.
   struct Gain {
     std::int32_t place = 0;
     std::int32_t speed = 0;
@@ -33,7 +33,7 @@ class Covariance {
   // Predicts one step with a process noise of `wander`, in mm/s per root second.
   void predict(Step step, std::int32_t wander);
 
-  // Updates the covariance for a measurement of the place. 0 < variance < 2^31.
+  // Updates the covariance for a measurement of the position. 0 < variance < 2^31.
   Gain measure(std::int32_t variance);
 
  private:

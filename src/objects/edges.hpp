@@ -1,4 +1,4 @@
-// The ends of a track's hits, along and across its box.
+// The ends of a track's hits along and across the track's box.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace iog::objects {
 
-// Mean position of the hits within kSlabMm of the outermost one, and their number.
+// The mean position of the hits within kSlabMm of the outermost hit, and the number of these hits.
 struct Edge {
   std::int32_t mm = 0;  // from the reference point of the box
   std::int32_t hits = 1;
@@ -19,13 +19,14 @@ struct Ends {
   Edge low{};
   Edge high{};
 };
-using Edges = std::array<Ends, 2>;  // by Side
+using Edges = std::array<Ends, 2>;  // indexed by Side
 
-// The edges of the hits, ignoring standing ones. If none remain, the edges of the box.
+// Returns the edges of the hits that are not standing. If there are no such hits, returns the edges
+// of the box.
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// The sides of a box with these edges, at least kThinnestMm thick.
+// Returns the sides of a box with these edges. The box is at least kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

@@ -11,17 +11,17 @@
 
 namespace iog::objects {
 
-// The largest number of slices in a frame.
+// The maximum number of slices in a frame.
 inline constexpr std::size_t kMostSlices = 32;
 
 struct Frame {
-  std::uint64_t end_us = 0;  // the middle of its last slice, by the clock of the poses
+  std::uint64_t end_us = 0;  // the middle of the last slice, on the clock of the poses
   Point car{};               // position of the car at that time
   window::Area area{};       // position of the window
-  // For each slice the time from its middle to the end of the frame, 0 ... 255 ms. At most
-  // kMostSlices.
+  // For each slice, the time from its middle to the end of the frame, 0 ... 255 ms. There are at
+  // most kMostSlices slices.
   std::span<const std::uint8_t> ages_ms{};
-  // In any order. Duplicates count once.
+  // Hits in any order. Duplicate hits are counted once.
   std::span<const Hit> hits{};
 };
 

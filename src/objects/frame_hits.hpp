@@ -1,9 +1,10 @@
-// Sorts the hits of a frame, so the result does not depend on the order of arrival. The order is:
-// ring of tiles around the car, window slot, cell, slice.
+// Sorts the hits of a frame, so that the result does not depend on the order of arrival. Hits are
+// sorted by ring of tiles around the car, then by window slot, cell and slice.
 //
-// The nearest hits come first, so they are kept when room is short. If there are more than
-// kMostSeen, whole rings are dropped, the farthest first. Of the rest, hits beyond kMostHits are
-// dropped. Hits outside the window or without a slice are rejected. All of these are counted.
+// The nearest hits come first, so they are kept if there are too many hits. If there are more than
+// kMostSeen hits, whole rings are dropped, starting with the farthest ring. If more than kMostHits
+// hits remain, the excess hits are dropped. Hits outside the window or without a slice are
+// rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>
@@ -23,30 +24,34 @@ class FrameHits {
   static constexpr std::size_t kMostSeen = 2 * kMostHits;
 
   struct Left {
-    std::uint32_t beyond = 0;  // dropped for lack of room
+    std::uint32_t beyond = 0;  // dropped because there were too many hits
     std::uint32_t wrong = 0;   // outside the window, or without a slice
     friend bool operator==(const Left&, const Left&) = default;
   };
-  // Replaces the hits with those of a frame. Sets only the members that follow from the frame.
+  // Replaces the hits with the hits of a frame. Sets only the members that can be computed from the
+  // frame.
   Left gather(const Frame& frame);
 
   [[nodiscard]] std::span<FrameHit> all() { return std::span(hits_).first(count_); }
   [[nodiscard]] std::span<const FrameHit> all() const { return std::span(hits_).first(count_); }
 
-  // Whether one of the nine cells around a cell has a hit. Cells outside the window have none.
+  // Whether any of the 3 by 3 cells around and including a cell has a hit. Cells outside the window
+  // have no hits.
   [[nodiscard]] bool is_hit_around(geometry::Cell cell) const;
-  // Index of the first hit of a cell of the window; the number of hits if it has none.
+  // Returns the index of the first hit of a window cell, or the number of hits if the cell has no
+  // hit.
   [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
 
  private:
-  // From the highest bit: 5 bits of ring, 10 of slot, 10 of cell in the tile, 5 of slice.
+  // Starting from the highest bit: 5 bits for the ring, 10 bits for the slot, 10 bits for the cell
+  // in the tile, and 5 bits for the slice.
   using Key = std::uint32_t;
 
   static constexpr std::uint32_t kRings = 32;
 
   void begin(const Frame& frame);
   [[nodiscard]] geometry::Cell in_window(geometry::Cell cell) const;
-  // `at`: a cell of the window, relative to its lowest cell.
+  // `at` is a cell of the window, relative to the window's lowest cell.
   [[nodiscard]] std::uint32_t ring_of(geometry::Cell at) const;
   [[nodiscard]] static Key key_of(std::uint32_t ring, geometry::Cell cell, std::uint8_t slice);
   // Both cells must be in one row of one tile.
@@ -57,13 +62,15 @@ class FrameHits {
   void sort(std::size_t count);
 
   window::Area area_{};
-  // Distance in tiles of each tile column and row from the car, the lowest first.
+  // The distance in tiles of each tile column and row from the car, starting with the lowest column
+  // and row.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};
   std::size_t count_ = 0;
   std::array<Key, kMostSeen> keys_{};       // in order; the first count_ belong to hits_
-  std::array<Key, kMostSeen + 1> other_{};  // in order of arrival, plus one that is too far
+  std::array<Key, kMostSeen + 1> other_{};  // in order of arrival, plus one entry that is too far
+                                            // away
 };
 
 }  // namespace iog::objects

@@ -1,5 +1,5 @@
-// Interface to the perception grid: a non-owning, type-erased reference to any type that names
-// cells (as work::Crew is for workers).
+// Interface to the perception grid: a non-owning, type-erased reference to any type that provides
+// class labels of cells. work::Crew is a similar reference for workers.
 #pragma once
 
 #include <concepts>
@@ -14,8 +14,8 @@ struct CellName {
   bool is_open = false;        // the ground was known to be open at the start of the frame
 };
 
-// look_at() names one cell of the local frame. names_around() returns the names of a cell and its
-// eight neighbours.
+// look_at() returns the class label of one cell of the local frame. names_around() returns the
+// class labels of a cell and its eight neighbours.
 template <typename T>
 concept Namer = requires(const T& its, geometry::Cell cell) {
   { its.look_at(cell) } -> std::same_as<CellName>;

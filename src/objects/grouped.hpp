@@ -1,4 +1,4 @@
-// Groups hits by owner or cluster. Each group lists the numbers of its hits in order.
+// Groups hits by owner or cluster. Each group lists the numbers of its hits in ascending order.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace iog::objects {
 template <std::size_t kGroups>
 class Grouped {
  public:
-  // group_of(hit) must return a number below kGroups, or kNobody.
+  // group_of(hit) must return either a number below kGroups or kNobody.
   template <typename GroupOf>
   void group(std::span<const FrameHit> hits, GroupOf&& group_of) {
     begin_.fill(0);

@@ -12,21 +12,22 @@ namespace iog::objects {
 
 using placing::Hit;
 
-// Marks a hit without a track or cluster.
+// The value for a hit without a track or cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-// Fits into one line of the level 1 cache.
+// Fits into one line of the L1 cache.
 struct alignas(32) FrameHit {
   geometry::Cell cell{};
-  Point moved{};  // position at the end of the frame, moved with the velocity of its owner
+  Point moved{};  // position at the end of the frame, predicted with the velocity of its owner
   std::int32_t age_ms = 0;       // from the middle of its slice to the end of the frame, 0 ... 255
   std::int16_t owner = kNobody;  // slot of a track
   std::int16_t cluster = kNobody;  // number of a cluster in the frame
   Name name = Name::kUnknown;      // class of its cell
   bool is_open = false;            // the ground was known to be open
-  bool stands = false;             // its cell or a neighbour is classified as standing
+  bool stands = false;             // its cell or a neighbouring cell is classified as standing
   bool is_old = false;             // standing, or the place was hit long before
-  std::uint8_t oldest_epoch = 0;   // how many epochs ago the place was first hit; 0: not before
+  std::uint8_t oldest_epoch = 0;   // number of epochs since the place was first hit; 0 if it was
+                                   // not hit before
 
   // The cell's centre.
   [[nodiscard]] constexpr Point at() const { return centre_of(cell); }

@@ -1,4 +1,4 @@
-// Decides whether a track moves, stands, has stopped or ends.
+// Updates the state of a track: determines whether it is moving, stationary, stopped or ended.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,13 @@
 
 namespace iog::objects {
 
-// First step, before the grid is queried. A track ends if it was unseen for too long, is too long
-// for any object, or moves and is too wide. It has stopped if its box has held mostly standing hits
-// for a while. Returns false if there is nothing left to judge in this frame.
+// The first step, before the grid is queried. A track ends if it has not been seen for too long, if
+// it is too long for any object, or if it is moving and too wide. A track has stopped if most hits
+// in its box have been standing for a while. Returns false if the second step is not needed in this
+// frame.
 [[nodiscard]] bool is_judged(std::uint64_t now_us, Step step, Track& track);
 
-// Second step, after the grid was queried.
+// The second step, after the grid has been queried.
 void judge(std::uint64_t now_us, Track& track);
 
 }  // namespace iog::objects

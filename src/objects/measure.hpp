@@ -1,4 +1,4 @@
-// Updates the place, speed and box of a track from the hits of a frame.
+// Updates the position, speed and box of a track from the hits of a frame.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace iog::objects {
 
-// Counts the hits of the track. If at least one is not standing, measures the track. Otherwise its
-// hits become unclaimed, unless the track is small. step: time since the previous frame.
+// Counts the hits of the track. If at least one hit is not standing, measures the track. Otherwise,
+// the hits lose their owner unless the track is small. `step` is the time since the previous frame.
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
              std::span<FrameHit> hits, Track& track);
 

@@ -1,8 +1,8 @@
-// Whether the grid confirms the motion of a track: places that it has left are free now, and places
-// that it has reached were open.
+// Determines whether the grid confirms the motion of a track. The grid confirms it if places that
+// the track has left are now free, and places that the track has reached were open.
 //
-// A filter alone is not enough. Rails and walls seem to move, because their visible part travels
-// with the car. The grid knows what was there before.
+// A filter alone is not enough, because rails and walls seem to move: their visible part moves with
+// the car. The grid, however, stores the previous state of each place.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@ struct Hits {
   const RecentHits& recent;
 };
 
-// Counts good, bad and neutral places into track.seen. Compares the track and its hits with the
-// youngest snapshot that is old enough to show motion. For a receding track, also updates the
-// trail.
+// Counts good, bad and neutral places in track.seen. The track and its hits are compared with the
+// youngest snapshot that is old enough to show motion. For a receding track, the trail is also
+// updated.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
                   std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
                   Track& track);
 
-// Whether enough places support the motion.
+// Whether enough places confirm the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);
 
 // Takes a snapshot of the track if one is due.

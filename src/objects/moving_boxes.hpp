@@ -15,7 +15,7 @@ namespace iog::objects {
 
 class MovingBoxes {
  public:
-  // Replaces the boxes with those of the moving tracks.
+  // Replaces the boxes with the boxes of the moving tracks.
   void list(std::span<const Track> tracks) {
     count_ = 0;
     for (const Track& track : tracks) {
@@ -27,8 +27,9 @@ class MovingBoxes {
   }
   void clear() { count_ = 0; }
 
-  // Which of the cells `asked` in a row have their centre at most kTailMm outside a box. Bit i is
-  // the cell i to the right of `first`. `asked` must not be 0.
+  // Returns the subset of the cells `asked` whose centre is at most kTailMm outside a box. The
+  // cells are in one row, and bit i is the cell i cells to the right of `first`. `asked` must not
+  // be 0.
   [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
     const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
                      .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};
@@ -47,7 +48,8 @@ class MovingBoxes {
   }
 
  private:
-  // A point kTailMm outside both sides of a box is at most 3/2 kTailMm outside its bounds.
+  // A point that is kTailMm outside both sides of a box is at most 3/2 kTailMm outside the bounds
+  // of the box.
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 
   std::size_t count_ = 0;

@@ -1,4 +1,4 @@
-// The classes of grid cells, reduced to what tracking needs.
+// The classes of grid cells, reduced to the classes that tracking needs.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ enum class Name : std::uint8_t { kUnknown, kFree, kMoving, kStanding, kOccupied 
   return Name::kUnknown;
 }
 
-// The set of names of several cells. Bit i is set if one of them has class i.
+// The set of class labels of several cells. Bit i is set if any of the cells has class i.
 class Names {
  public:
   constexpr Names() = default;

@@ -1,5 +1,6 @@
-// The beams from the car to the hits of a track. The places that they pass are free now. These
-// include places that a receding object has just left, which no other beam reaches for a while.
+// The beams from the car to the hits of a track. The places that these beams pass are now free.
+// They include places that a receding object has just left and that no other beam reaches for a
+// while.
 #pragma once
 
 #include <array>
@@ -14,13 +15,13 @@
 
 namespace iog::objects {
 
-// Places are relative to the car, in units of 16 mm. They are below 2^14 in a window, so products
-// fit a word.
+// Places are relative to the car, in units of 16 mm. Within a window they are below 2^14, so
+// products fit into a word.
 class OwnBeams {
  public:
   static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th is used
 
-  // numbers: indices of the hits of the track.
+  // `numbers` contains the indices of the track's hits.
   OwnBeams(Point car, std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits)
       : car_(car) {
     const std::size_t every = (numbers.size() + kMost - 1) / kMost;
@@ -30,7 +31,7 @@ class OwnBeams {
     }
   }
 
-  // Whether beams pass close to a place on both sides and end behind it. Beams that graze a wall
+  // Whether beams pass close to a place on both sides and end beyond it. Beams that graze a wall
   // pass a place on one side only.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);

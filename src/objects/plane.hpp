@@ -12,7 +12,8 @@
 
 namespace iog::objects {
 
-// Coordinates are within +-1.1 * 10^9 mm. The difference of two points of one window fits a word.
+// Coordinates are within +-1.1 * 10^9 mm. The difference of two points of one window fits into a
+// word.
 struct Point {
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
@@ -24,20 +25,21 @@ struct Point {
           cell.y * geometry::kCellMm + geometry::kCellMm / 2};
 }
 
-// mm/s, each within kMostSpeed.
+// In mm/s. The absolute value of each component is at most kMostSpeed.
 struct Velocity {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-// The point moved with its velocity for `ms`, which may be negative. |ms| <= 1024 keeps products
-// below 2^27.
+// Returns the point after moving with a velocity for `ms`, which may be negative. |ms| must be at
+// most 1024, so that products stay below 2^27.
 [[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// Approximate distance, within 1/16: max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|).
+// Returns the approximate distance, max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). It is accurate to
+// within 1/16.
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
@@ -53,7 +55,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// The two axes of a box. kAcross is kAlong turned by 90 degrees to the left.
+// The two axes of a box. kAcross is kAlong rotated by 90 degrees to the left.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -83,15 +85,16 @@ struct Box {
   Direction along{};
   Sides sides{};  // mm from the reference point
 
-  // Coordinate of a point along one axis of the box, from the reference point, rounded down.
-  // Products have 64 bits.
+  // Returns the coordinate of a point along one axis of the box, relative to the reference point
+  // and rounded down. Products are computed with 64 bits.
   [[nodiscard]] constexpr std::int32_t place(Point point, Side side) const {
     const std::int64_t dx = point.x_mm - at.x_mm;
     const std::int64_t dy = point.y_mm - at.y_mm;
     const Direction axis = side_of(along, side);
     return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
   }
-  // Distance of a point outside the box, on the axis on which it is farther out; 0 inside.
+  // Returns the distance of a point outside the box, on the axis on which this distance is larger.
+  // Returns 0 inside the box.
   [[nodiscard]] constexpr std::int32_t outside(Point point) const {
     std::int32_t most = 0;
     for (const Side side : kSides) {
@@ -100,10 +103,10 @@ struct Box {
     }
     return most;
   }
-  // Whether the line between two points crosses the box. Both points must be within 2^17 mm of it,
-  // which keeps products of two words below 2^40.
+  // Whether the line between two points crosses the box. Both points must be within 2^17 mm of the
+  // box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The last entry and the first exit, as fractions of the line.
+    // The positions of the last entry and the first exit, as fractions of the line's length.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;
@@ -129,7 +132,8 @@ struct Box {
     }
     return enters * leaves_of <= leaves * enters_of;
   }
-  // number: 0 ... 3. Bit 0 selects the high end along the box, bit 1 the high end across it.
+  // `number` is 0 ... 3. Bit 0 selects the high end along the box, and bit 1 selects the high end
+  // across it.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
     const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;
@@ -138,7 +142,7 @@ struct Box {
   }
 };
 
-// A rectangle parallel to the axes. Tests combine four signs into one branch, because four separate
+// An axis-aligned rectangle. Tests combine four signs into one branch, because four separate
 // branches would be hard to predict.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};
@@ -162,7 +166,7 @@ struct Bounds {
     return {.low = {low.x_mm - mm, low.y_mm - mm}, .high = {high.x_mm + mm, high.y_mm + mm}};
   }
   [[nodiscard]] constexpr bool meets(const Bounds& other) const { return is_near(other, 0); }
-  // Whether the rectangles are at most `mm` apart on both axes.
+  // Whether two rectangles are at most `mm` apart on both axes.
   [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
     return ((high.x_mm - other.low.x_mm + mm) | (other.high.x_mm - low.x_mm + mm) |
             (high.y_mm - other.low.y_mm + mm) | (other.high.y_mm - low.y_mm + mm)) >= 0;

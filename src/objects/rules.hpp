@@ -9,17 +9,17 @@
 
 namespace iog::objects {
 
-// Capacities, which bound the cost of a frame. Excess is dropped and counted.
+// Capacities, which limit the cost of a frame. Excess elements are dropped and counted.
 inline constexpr std::size_t kMostHits = 4096;
 inline constexpr std::size_t kMostTracks = 256;
 inline constexpr std::size_t kMostClusters = 256;
 inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile
-inline constexpr std::size_t kMostAsked = 16;          // tracks that a cluster is compared with
+inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
-// All tracks end if the time between two frames is longer than this, or not positive.
+// All tracks end if the time between two frames is longer than this or not positive.
 inline constexpr std::int32_t kLongestStepMs = 200;
 
-// Recent hits are kept in epochs of 80 ms.
+// Recent hits are recorded in epochs of 80 ms.
 inline constexpr std::uint64_t kEpochUs = 80'000;
 inline constexpr std::int32_t kEpochMs = 80;
 inline constexpr int kOldEpochs = 4;  // a place that was first hit this many epochs ago is old
@@ -27,20 +27,20 @@ inline constexpr int kOldEpochs = 4;  // a place that was first hit this many ep
 // Process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-// From kWheelsSpeed on, because bends turn the velocity.
+// Used at speeds of kWheelsSpeed and above, because the velocity turns in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
 inline constexpr std::int32_t kSmallMm = 1200;     // upper limits of a walker's size
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and speed
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// Tyres and legs limit acceleration. From this many updates on, the speed of a moving track along a
-// side changes by at most kGrip mm/s per second. Braking and bends reach 10 m/s^2.
+// Tyres and legs limit the acceleration. After this many updates, the speed of a moving track along
+// a side changes by at most kGrip mm/s per second. Braking and cornering reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track: it takes hits up to this far outside its box, plus two deviations of its
-// place up to the limits below.
+// The gate of a track. The track takes hits up to this distance outside its box. This distance is
+// increased by twice the deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -49,39 +49,39 @@ inline constexpr std::int32_t kGateStandingMm = 250;
 inline constexpr std::int32_t kMostGateDeviationMm = 600;
 inline constexpr std::int32_t kMostGateDeviationSettledMm = 300;
 
-// A hit contradicts a track if that place was hit before the track can have been there.
+// A hit contradicts a track if its place was already hit before the track could have been there.
 inline constexpr std::uint32_t kContradictedFrom = 6;  // updates
 inline constexpr int kContradictingEpochs = 3;
 inline constexpr std::int32_t kStandingAgeMs = 800;
 inline constexpr std::int32_t kEpochSlackMs = 20;
 inline constexpr std::int32_t kContradictionMm = 150;
 
-// Hits within this gap belong to one object.
+// Hits within this gap belong to the same object.
 inline constexpr std::int32_t kGapMm = 400;
 inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
-// A cluster beside a track is attached to it.
+// A cluster next to a track is attached to the track.
 inline constexpr std::int32_t kAttachMm = 300;  // in addition to the gap
-inline constexpr std::int32_t kHeadwayMs = 50;  // nothing follows a moving object more closely
+inline constexpr std::int32_t kHeadwayMs = 50;  // no road user follows a moving object more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
 inline constexpr std::int32_t kWidestMm = 3400;
 inline constexpr std::int32_t kGrowthAlongMm = 4000;
 inline constexpr std::int32_t kGrowthAcrossMm = 2000;
 inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // of a receding track without a heading
-inline constexpr std::uint32_t kSmallCluster = 8;        // hits; one more for each update
+inline constexpr std::uint32_t kSmallCluster = 8;        // hits, plus one for each update
 
 // A young track is associated with a cluster whose edges are within this distance.
 inline constexpr std::int32_t kAssociateMm = 600;
 inline constexpr std::int32_t kAssociateDeviations = 3;
 
-// A new track has at least this many hits and starts at rest.
+// A new track has at least this many hits and starts with a speed of 0.
 inline constexpr std::uint32_t kBirthHits = 2;
-inline constexpr std::int32_t kBirthPlaceMm = 100;  // deviations of place and speed
+inline constexpr std::int32_t kBirthPlaceMm = 100;  // deviations of position and speed
 inline constexpr std::int32_t kBirthSpeed = 10'000;
 
 // Measurement.
-inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost one form an edge
-// A face is seen if the car is this far before or behind it.
+inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost hit form an edge
+// A face of the box is visible if the car is more than this far outside the box on that side.
 inline constexpr std::int32_t kFacingMm = 300;
 inline constexpr std::int32_t kFaceMm = 50;        // deviation of a face
 inline constexpr std::int32_t kHitMm = 90;         // deviation of one hit of a face
@@ -90,54 +90,58 @@ inline constexpr std::int32_t kBeamsOfAMetre = 9;  // spacing of beams per metre
 inline constexpr std::int32_t kHiddenEndMm = 300;
 inline constexpr std::uint32_t kHiddenFrom = 6;  // updates
 inline constexpr std::int32_t kEndGateMm = 200;
-inline constexpr std::int32_t kFarGateMm = 500;  // of the far end if seen at an angle
+inline constexpr std::int32_t kFarGateMm = 500;  // gate of the far end if seen at an angle
 inline constexpr std::uint32_t kCutFrom = 3;     // updates from which innovations are limited
 inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// The box follows a measured edge by 1/16, any other edge outwards by 1/2 and inwards by 1/32.
+// In each update, the box follows a measured edge by 1/16 of the difference. It follows any other
+// edge by 1/2 outwards and by 1/32 inwards.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
 
-// The box turns towards its velocity.
+// The box of a track turns towards the track's velocity.
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// For a moving track: a scanner of 10 Hz leaves a deviation of 0.7 m/s.
+// Applies to a moving track, because the deviation is 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// For a sure car, whose speed must also exceed one deviation.
+// Applies to a track that is certainly a car. Its speed must also exceed one deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
-// 1/8 of the speed across fades per frame, because wheels do not slide.
+// The speed across the box is reduced by 1/8 per frame, because wheels do not slide sideways.
 inline constexpr std::int32_t kWheelsShare = 8;
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
-// Two tracks of one object are merged.
+// Two tracks of the same object are merged.
 inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
-inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // both move, and neither is a walker
+inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // if both are moving and neither is a
+                                                         // walker
 inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
-// Whether the grid confirms the motion of a track.
+// Parameters for confirming the motion of a track with the grid.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-// Less than an epoch, because frames do not end at regular times.
+// Shorter than an epoch, because frames do not end at regular intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
 inline constexpr std::int32_t kShownMostMs = 700;
 inline constexpr std::int32_t kShownLeastMs = 160;
-inline constexpr std::int32_t kLeftMm = 250;  // a place this far outside the box has been left
+inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that is this far outside
+                                              // its box
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// The trail of a receding track. In a frame that supports it, the track's own beams pass at least
-// kTrailPlaces of the places that it has left, and kGoodOverBad times as many as are hit again. A
-// passing beam misses the place by at most kBesideMm. A unit that scans its layers in turn hits a
-// place that is still occupied again within kLayersMs.
+// The trail of a receding track. A frame supports the trail if the track's own beams pass at least
+// kTrailPlaces of the places that the track has left, and if they pass at least kGoodOverBad times
+// as many places as are hit again. A beam passes a place if it misses the place by at most
+// kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
+// scans its layers one after the other.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -153,11 +157,12 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// This many good places at this speed add more confidence, because the car will soon have passed
-// the object.
+// This many good places at this speed increase the confidence by more, because the car will soon
+// have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// A track with the box of a car for this many updates needs only this many good places.
+// A track whose box has had the size of a car for this many updates needs only this many good
+// places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
@@ -165,25 +170,27 @@ inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
 inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
-// A streak is a line that a beam draws on the ground. It has fewer hits than kStreakHits, is longer
-// than a walker and narrower than kStreakMm;
+// A streak is a line of hits where a beam grazes the ground. It has fewer than kStreakHits hits, is
+// longer than a walker and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
-// or it is shorter, as a row of a few cells;
+// Alternatively, a streak is shorter and consists of a row of a few cells.
 inline constexpr std::int32_t kRowHits = 4;
 inline constexpr std::int32_t kRowMm = 100;
 inline constexpr std::int32_t kShortestRowMm = 500;
-// or it is wider, with less than one hit per kSparseMm of length.
+// Alternatively, a streak is wider and has less than one hit per kSparseMm of length.
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
-inline constexpr std::int32_t kStreakSpeed = 15'000;  // no streak seems to move faster
-inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower,
+inline constexpr std::int32_t kStreakSpeed = 15'000;  // streaks never seem to move faster
+inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower than this,
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// Standing hits in a car's box are its own from this confidence on, if kSureUnopposed frames have
-// supported its motion. A frame opposes it by more than one bad place to kGoodOverBad others, and
-// takes kOpposed of these frames back. Any other with kSteadyHits good places supports it.
+// At this confidence and above, standing hits in the box of a car belong to the car if at least
+// kSureUnopposed frames have supported the motion of the car. A frame opposes the motion if there
+// is more than one bad place for every kGoodOverBad other places. Each such frame cancels kOpposed
+// supporting frames. A frame that does not oppose the motion supports it if it has at least
+// kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;
@@ -199,14 +206,15 @@ inline constexpr std::int32_t kParkedSpeed = 3000;
 inline constexpr std::uint64_t kUnseenUs = 480'000;       // moving or stopped tracks
 inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // all other tracks
 inline constexpr std::int32_t kNoThingMm = 20'000;
-inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // no road user is wider
+inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // no road user is wider than this
 
-// The reported deviation of a velocity (objects/stated.hpp).
+// Parameters of the reported deviation of a velocity (objects/stated.hpp).
 inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;
 
-// A moving cell farther than this outside every moving box loses that class.
+// A moving cell that is farther than this outside all boxes of moving tracks loses the class
+// `moving`.
 inline constexpr std::int32_t kTailMm = 300;
 
 }  // namespace iog::objects

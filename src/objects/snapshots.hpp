@@ -1,4 +1,4 @@
-// Recent boxes of a track, with some of the cells that were hit then.
+// Recent boxes of a track, each with some of the cells that were hit at that time.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ struct Snapshot {
   }
 };
 
-// The last kSnapshots, one every 80 ms.
+// The last kSnapshots snapshots, taken every 80 ms.
 class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }
 
-  // Starts the next snapshot in place of the oldest. The caller fills in its cells.
+  // Begins the next snapshot, which replaces the oldest snapshot. The caller fills in its cells.
   [[nodiscard]] Snapshot& begin(std::uint64_t now_us, const Box& box) {
     last_us_ = now_us;
     Snapshot& next = all_[next_];
@@ -39,7 +39,7 @@ class Snapshots {
     return next;
   }
 
-  // The youngest non-empty snapshot taken at or before `time_us`; null if there is none.
+  // Returns the youngest non-empty snapshot taken at or before `time_us`, or null if there is none.
   [[nodiscard]] const Snapshot* youngest_before(std::uint64_t time_us) const {
     const Snapshot* youngest = nullptr;
     for (const Snapshot& its : all_) {

@@ -7,14 +7,15 @@
 
 namespace iog::objects {
 
-// In the range 1 ... kLongestStepMs.
+// The time is 1 ... kLongestStepMs.
 class Step {
  public:
   explicit constexpr Step(std::int32_t ms) : ms_(ms), seconds_((ms << 16) / 1000) {}
 
   [[nodiscard]] constexpr std::int32_t ms() const { return ms_; }
 
-  // The change during the step at a given change per second, rounded down. |per_second| < 2^48.
+  // Returns the change during the step for a given change per second, rounded down. |per_second|
+  // must be below 2^48.
   [[nodiscard]] constexpr std::int64_t of(std::int64_t per_second) const {
     return (per_second * seconds_) >> 16;
   }

@@ -1,4 +1,4 @@
-// Coarse overlap tests of rectangles, before exact distances are computed.
+// Coarse overlap tests for rectangles, used before exact distances are computed.
 #pragma once
 
 #include <algorithm>
@@ -14,19 +14,20 @@
 
 namespace iog::objects {
 
-// The columns and rows of about 1 m that a rectangle overlaps, one bit each. Strips that are 32
-// apart share a bit. Rectangles that share no column or no row do not overlap.
+// The columns and rows of about 1 m that a rectangle overlaps, with one bit per column or row.
+// Strips whose numbers differ by 32 share a bit. Rectangles that have no column or no row in common
+// do not overlap.
 struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
 
-  // `more_mm` extends the rectangle on each side.
+  // The rectangle is extended by `more_mm` on each side.
   [[nodiscard]] static constexpr Strips of(const Bounds& bounds, std::int32_t more_mm) {
     return {.columns = bits(bounds.low.x_mm - more_mm, bounds.high.x_mm + more_mm),
             .rows = bits(bounds.low.y_mm - more_mm, bounds.high.y_mm + more_mm)};
   }
   [[nodiscard]] constexpr bool may_meet(const Strips& other) const {
-    // One branch instead of two that are hard to predict.
+    // A single branch, because two branches would be hard to predict.
     return std::min(columns & other.columns, rows & other.rows) != 0;
   }
 
@@ -40,12 +41,12 @@ struct Strips {
   }
 };
 
-// The tracks that satisfy a condition, numbered from 0 in the order of slots, with the rectangles
-// around them.
+// The tracks that satisfy a condition, numbered from 0 in the order of slots, with their bounding
+// rectangles.
 class PlacedTracks {
  public:
-  // Takes the tracks for which is_asked(track) is true. Their strips are `more_mm` wider on each
-  // side.
+  // Selects the tracks for which is_asked(track) is true. Their rectangles are extended by
+  // `more_mm` on each side.
   template <typename IsAsked>
   PlacedTracks(std::span<const Track> tracks, std::int32_t more_mm, IsAsked&& is_asked)
       : more_mm_(more_mm) {
@@ -56,8 +57,8 @@ class PlacedTracks {
       }
     }
   }
-  // Updates the rectangle of a track that has moved or grown, or that reaches `reach_mm` outside
-  // its box.
+  // Updates the rectangle of a track that has moved or grown, or that extends `reach_mm` beyond its
+  // box.
   void place(std::size_t number, const Track& track, std::int32_t reach_mm = 0) {
     bounds_[number] = bounds_of(track.box()).grown(reach_mm);
     strips_[number] = Strips::of(bounds_[number], more_mm_);
@@ -68,7 +69,8 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // The first number from `from` on whose strips may meet these; count() if there is none.
+  // Returns the first number from `from` on whose strips may overlap the given strips, or count()
+  // if there is none.
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

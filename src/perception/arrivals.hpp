@@ -1,15 +1,16 @@
-// Detects motion onset: which hits of a frame are on a moving object, and which on the flickering
-// edges of a stationary one.
+// Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
+// stationary objects.
 //
-// Where only low beams open ground (perception/opening.hpp), a hit counts only if a low beam has
-// freed its cell, and if a hit at most Rules::tall_within cells away is tall. Objects so low that
-// beams pass over them are never moving.
+// Where only low beams open ground (perception/opening.hpp), a hit is considered only if a low beam
+// has freed its cell and there is a tall return at most Rules::tall_within cells away. Objects that
+// are so low that beams pass over them are never classified as moving.
 //
-// All conditions refer to the state before the frame. A hit is *beside* if one of the 3 by 3 cells
-// around it is standing. It is *new* if its cell is open and freed, and it is not beside. It has
-// moved if it is not beside, and its cell is either dense, or open with enough new hits in the 7 by
-// 7 cells around it. Two new hits are enough where the ground was found open three times, seven
-// elsewhere.
+// All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
+// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell is open and freed, and
+// the hit is not beside a standing object. A hit has moved if it is not beside a standing object
+// and its cell is either dense, or open with enough new hits in the 7 by 7 cells around it. Two new
+// hits are enough if the ground in the cell was found open three times. Elsewhere, seven new hits
+// are needed.
 #pragma once
 
 #include <array>
@@ -27,12 +28,12 @@ class Arrivals {
   explicit Arrivals(const Rules& rules = {})
       : is_from_below_(rules.is_opened_from_below), tall_within_(rules.tall_within) {}
 
-  // Examines all hits of a frame. Call before any tile changes.
+  // Examines all hits of a frame. Call it before any tile changes.
   void find(const window::Window& window, const placing::FrameEvidence& evidence);
 
-  // The steps of find(): begin(), then find_new() or find_none() for every touched slot, then
-  // find_moved() for each slot before its tile changes. `hits` are the hits in the evidence of the
-  // tile. The steps per slot may be repeated, and may run for several slots at once.
+  // The steps of find(): first begin(), then find_new() or find_none() for every touched slot, then
+  // find_moved() for each slot before its tile changes. `hits` contains the hits in the tile's
+  // evidence. The steps for a slot may be repeated, and may run for several slots concurrently.
   void begin() {
     has_new_.fill(false);
     has_open_.fill(false);
@@ -54,12 +55,14 @@ class Arrivals {
 
   bool is_from_below_;
   int tall_within_;
-  // Valid only where has_new_ or has_open_ is set; elsewhere the planes are from older frames.
+  // The planes are valid only where has_new_ or has_open_ is set. Elsewhere they are from older
+  // frames.
   std::array<bool, window::kSlotCount> has_new_{};
   std::array<bool, window::kSlotCount> has_open_{};
   std::array<window::Plane, window::kSlotCount> new_{};
   std::array<window::Plane, window::kSlotCount>
-      open_{};  // open, not dense and not beside: decided by the number of new hits
+      open_{};  // open, not dense and not beside a standing object: classified by the number of new
+                // hits
   std::array<window::Plane, window::kSlotCount> moved_{};
 };
 

@@ -1,10 +1,11 @@
-// Updates what is remembered of the ground after a frame.
+// Updates the ground memory after a frame.
 //
-// Nothing is remembered in the 3 by 3 cells around a standing cell. Elsewhere a cell becomes dense
-// if all 5 by 5 cells around it are seen, and open if all 7 by 7 are shut. Shut cells are the freed
-// cells after gaps of up to four cells between beams are closed (dilation by 5 by 5, then erosion
-// by 5 by 5), except occupied cells. A cell that is open again in a later period of 480 ms gets one
-// more tick, at most 3. No cell outside the window is shut; only the dilation extends there.
+// The memory of the 3 by 3 cells around a standing cell is cleared. Elsewhere, a cell becomes dense
+// if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are shut. The shut
+// cells are computed from the freed cells in two steps. First, gaps of up to four cells between
+// beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are removed.
+// If a cell is open again in a later period of 480 ms, its ticks increase by one, up to 3. Cells
+// outside the window are never shut, although the dilation extends there.
 #pragma once
 
 #include <array>
@@ -20,22 +21,22 @@
 
 namespace iog::perception {
 
-// Updates the ground of a known tile. `is_new_period`: a period has begun since the previous turn
-// of the slot.
+// Updates the ground of a known tile. `is_new_period` is true if a new period has begun since the
+// slot was last updated.
 void remember(window::Window& window, std::size_t slot, bool is_new_period);
 
-// Length of a period. Each period in which a cell is open again adds a tick.
+// The length of a period. Each period in which a cell is open again adds one tick.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
-// Updates half of the tiles at the end of a frame: those whose slot plus the number of fused frames
-// is even.
+// Updates half of the tiles at the end of a frame: the tiles for which the slot plus the number of
+// fused frames is even.
 class GroundMemory {
  public:
-  // Forgets all previous turns.
+  // Resets the periods of the last updates.
   void forget() { last_turns_ = {}; }
 
-  // Ends a frame with a registered slice and clears its evidence. `number` counts such frames,
-  // including this one.
+  // Ends a frame that has a registered slice, and clears its evidence. `number` is the number of
+  // such frames, including this one.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;
@@ -44,14 +45,15 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // Fewest and most tiles that one core takes at once, if several cores share the work.
+  // The minimum and maximum number of tiles that one core claims at once if several cores work in
+  // parallel.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;
 
   void keep_before(window::Window& window, work::Run run, std::size_t item, std::size_t core);
 
   work::BeforeImages<Before> before_;
-  // Period of the previous turn, for even and odd slots.
+  // The period of the previous update, for even and odd slots.
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
 };
 

@@ -1,8 +1,8 @@
-// Relabels cells by tracks (docs/objects.md): hits of moving tracks become moving, and moving cells
-// lose that class if they were neither hit nor in the box of a moving track.
+// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving.
+// Moving cells lose this class if they were not hit and are not in the box of a moving track.
 //
-// Only class bytes change, never masses or remembered ground. All changes are undone when the next
-// frame begins, so the grid's knowledge is the same with and without tracks.
+// Only class bytes change. Masses and the ground memory never change. All changes are undone when
+// the next frame begins, so the masses in the grid are the same with and without tracks.
 #pragma once
 
 #include <array>
@@ -24,16 +24,17 @@ class MovingNames {
   void take_back(window::Window& window);
 
   // Relabels a cell of the window as moving, with at least this confidence, 0 ... 7. Has no effect
-  // if nothing is known of its group.
+  // if the cell's group is unknown.
   void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
-  // Call when the masses of a tile, or the labels from them, have changed. Several cores may call
-  // this for different tiles.
+  // Call it when the masses of a tile, or the labels computed from the masses, have changed.
+  // Several cores may call this function for different tiles.
   void note_tile(std::size_t slot, const window::Tile& tile);
 
   // Moving cells that were not hit in this frame become unknown, unless a moving object may cover
-  // them. held(first, asked) returns which of the asked cells of a group are covered: bit i is the
-  // cell i to the right of `first`. Call note_tile() for all changed tiles before.
+  // them. held(first, asked) returns the subset of the requested cells of a group that is covered.
+  // Bit i is the cell i cells to the right of `first`. Call note_tile() for all changed tiles
+  // first.
   template <typename Held>
   void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
@@ -49,7 +50,7 @@ class MovingNames {
   static_assert(kRowsPerWord == 8);
   using Groups = std::array<std::uint32_t, window::kGroupsPerTile / kGroupsPerWord>;
 
-  // The moving cells of a group: bit i is cell i.
+  // Returns the moving cells of a group. Bit i is cell i.
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
   template <typename Held>
@@ -63,7 +64,8 @@ class MovingNames {
     may_move_[slot] = true;
   }
 
-  // By slot: groups with cells that may be moving by their masses, and relabelled groups.
+  // For each slot, the groups with cells that may be moving according to their masses, and the
+  // relabelled groups.
   std::array<Groups, window::kSlotCount> moving_{};
   std::array<Groups, window::kSlotCount> changed_{};
   std::array<bool, window::kSlotCount> is_changed_{};

@@ -1,4 +1,4 @@
-// Parameters of the perception grid, which are part of the description of a vehicle.
+// Parameters of the perception grid. They are part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,38 @@
 
 namespace iog::perception {
 
-// Which hits on free ground count as moved.
+// Which hits on free ground are classified as moved.
 enum class Moved : std::uint8_t {
   kOpenGround,  // see perception/arrivals.hpp
   kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
 };
 
-// Cycles of a Cortex-A9 at 1 GHz to age, fuse and decide a group with evidence, by the nominal cost
-// model, rounded up (docs/results/perception_time.md).
+// The number of cycles that a Cortex-A9 at 1 GHz needs to age, fuse and classify a group with
+// evidence, according to the nominal cost model and rounded up (docs/results/perception_time.md).
 inline constexpr std::uint32_t kGroupCycles = 500;
 
-// The most groups that are fused in a frame: what one core can process in the 40 ms of a frame.
-// Groups with hits come first (perception/window_fusion.hpp).
+// The maximum number of groups that are fused in a frame. One core can process this number in a
+// frame period of 40 ms. Groups with hits are fused first (perception/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
-// A hit counts as moved only near a tall hit: at most this many cells away along either axis. The
-// larger distance is for sensors whose hits must also be tall above the highest ground nearby
-// (ground/ground.hpp), because fewer of their hits are tall.
+// A hit is classified as moved only if there is a tall return at most this many cells away along
+// each axis. The larger distance is for sensors whose returns must also be tall relative to the
+// highest ground nearby (ground/ground.hpp), because fewer of their returns are tall.
 inline constexpr int kTallWithin = 3;
 inline constexpr int kTallOverGroundWithin = 8;
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // Masses by index, in static storage. Without it all hits have the same mass.
+  // The masses for each index, in static storage. If it is null, all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
-  // Whether only low beams open ground (perception/opening.hpp): true if a sensor specifies low_mm
-  // and tall_mm.
+  // Whether only low beams open ground (perception/opening.hpp). The value is true if low_mm and
+  // tall_mm are specified for any sensor.
   bool is_opened_from_below = false;
-  // Whether, in that case, only low beams free occupied cells: true if a sensor is high enough to
-  // look over objects.
+  // Whether only low beams free occupied cells. This applies only if is_opened_from_below is true.
+  // The value is true if a sensor is high enough to look over objects.
   bool looks_over_things = true;
   // kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;

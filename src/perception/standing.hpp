@@ -1,6 +1,6 @@
-// Whether a frame confirms or contradicts standing cells.
+// Determines whether a frame confirms or contradicts standing cells.
 //
-// Uses the state before the frame, tile by tile, so the order does not matter.
+// Each tile is evaluated in its state before the frame, so the order of tiles does not matter.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace iog::perception {
 
-// Counts of standing cells with evidence.
+// The numbers of standing cells that have evidence.
 struct StandingCounts {
   std::uint32_t met = 0;      // confirmed: a hit within two cells
   std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within two cells
@@ -22,25 +22,26 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
-// Whether a known tile has a standing cell outside its two outermost columns on each side. If not,
-// standing_counts() are 0.
+// Whether a known tile has a standing cell outside its two outermost columns on each side. If it
+// returns false, all counts of standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
-// Counts a known tile. The outermost two rows and columns are left out, because cells near them may
-// belong to another tile. hit, crossed: cells with hits, and cells that beams crossed. Where only
-// low beams open ground (perception/opening.hpp), `crossed` counts only low beams, because others
-// pass over standing objects.
+// Counts the cells of a known tile. The outermost two rows and columns are ignored, because cells
+// near them may belong to another tile. `hit` contains the cells with hits, and `crossed` the cells
+// that beams crossed. Where only low beams open ground (perception/opening.hpp), `crossed` contains
+// only cells that low beams crossed, because other beams pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed);
 
-// Detects wrong poses: beams go through standing objects all around. Counts are averaged over about
-// eight frames; a frame counts half after five more. A car that drives off is crossed too, but
-// walls, poles and other cars are confirmed at the same time.
+// Detects wrong poses. If the poses are wrong, beams pass through standing objects all around.
+// Counts are averaged over about eight frames, and the weight of a frame falls to one half after
+// five more frames. When a parked car drives off, beams also cross its cells, but walls, poles and
+// other cars are confirmed at the same time.
 //
-// If the poses are wrong from the start, few cells become standing, and a much larger share of them
-// is crossed. So while the poses have never moved the car, fewer cells are enough if more than an
-// eighth is crossed in frame after frame. The excess is summed, and decays over about a hundred
-// frames.
+// If the poses are wrong from the start, few cells become standing, and a much larger fraction of
+// these cells is crossed. As long as the poses have never moved the car, fewer cells are therefore
+// enough if more than an eighth of them is crossed in many successive frames. The excess is
+// accumulated, and decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
@@ -52,7 +53,7 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved: the pose has changed its place or heading since the first one.
+  // has_moved is true if the position or heading has changed since the first pose.
   [[nodiscard]] bool is_met(bool has_moved) const {
     const std::uint32_t all = met_ + crossed_;
     return (all >= kUnit * kFewest && crossed_ > all / kShare) ||
@@ -62,8 +63,8 @@ class Contradiction {
  private:
   static constexpr std::uint32_t kUnit = 16;
   static constexpr std::uint32_t kFrames = 8;
-  static constexpr std::uint32_t kFewest = 500;  // fewest cells for a decision
-  static constexpr std::uint32_t kShare = 16;    // tolerated share of crossed cells: 1/16
+  static constexpr std::uint32_t kFewest = 500;  // minimum number of cells for a decision
+  static constexpr std::uint32_t kShare = 16;    // tolerated fraction of crossed cells: 1/16
 
   static constexpr std::uint32_t kShareBeyond = 8;
   static constexpr std::uint32_t kFramesBeyond = 128;

@@ -1,5 +1,6 @@
-// The undo log of a tile, for a core that repeats the work of another one. It keeps, group by
-// group, the members on which the result depends. All other writes to a tile follow from these.
+// The undo log of a tile, for a core that repeats the work of another core. For each group, it
+// stores the members on which the result depends. All other data written to a tile is derived from
+// these members.
 #pragma once
 
 #include <array>
@@ -14,14 +15,15 @@ namespace iog::perception {
 
 class TileBefore {
  public:
-  // Call before the first group.
+  // Call it before the first group changes.
   void begin(bool is_known) {
     is_known_ = is_known;
     count_ = 0;
   }
 
-  // Call once for each group before it changes. Skips masses without meaning: those of a group that
-  // was never aged, and the occupied ones of a group that is only free.
+  // Call it once for each group before the group changes. Undefined masses are not stored. The
+  // undefined masses are all masses of a group that was never aged, and the occupied masses of a
+  // group that has only free mass.
   void keep(const window::Tile& tile, std::size_t group) {
     Group& kept = groups_[count_];
     kept.number = static_cast<std::uint8_t>(group);
@@ -39,7 +41,7 @@ class TileBefore {
     work::keep_order();
   }
 
-  // Whether the tile was known. If not, nothing has to be restored.
+  // Whether the tile was known. If it was unknown, nothing has to be restored.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
   void put_back(window::Tile& tile) const {

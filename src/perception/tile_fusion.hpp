@@ -1,4 +1,4 @@
-// Fuses, ages and decides the groups of a tile in a frame.
+// Fuses, ages and classifies the groups of a tile in a frame.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@
 
 namespace iog::perception {
 
-// Numbers of groups with a hit, and of groups with evidence but no hit.
+// The number of groups with a hit, and the number of groups with evidence but without a hit.
 struct GroupBudget {
   std::uint32_t with_hits = 0;
   std::uint32_t without_hits = 0;
 
-  // Takes one group from the budget; false if there is no room.
+  // Takes one group from the budget. Returns false if the budget is used up.
   bool take(bool has_hit) {
     std::uint32_t& left = has_hit ? with_hits : without_hits;
     if (left == 0) {
@@ -31,7 +31,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // Takes as many of these groups as there is room for, and returns them.
+  // Takes as many of these groups as the budget allows, and returns their numbers.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};
@@ -46,7 +46,7 @@ inline lanes::EightBytes eight_at(const placing::FrameEvidence::TileIndexes& til
   return lanes::EightBytes::load(&tile[group * evidence::kGroupCells]);
 }
 
-// Counts the groups in the evidence of a tile.
+// Counts the groups that have evidence in a tile.
 inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   GroupBudget groups;
   for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
@@ -58,14 +58,15 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   return groups;
 }
 
-// What may still be fused. Empty: no limit.
+// The remaining budget. Empty if there is no limit.
 using Budget = std::optional<GroupBudget>;
 
-// How many groups ahead memory is prefetched.
+// The number of groups by which prefetching runs ahead.
 inline constexpr std::size_t kGroupsAhead = 2;
 
-// The groups of a tile to be fused, in rising order, and the number of groups with evidence that
-// are over budget. Entries after the last one repeat it, so prefetching may read ahead.
+// The groups of a tile that will be fused, in ascending order, and the number of groups with
+// evidence that are over budget. The last entry is repeated, so that prefetching may read beyond
+// the end.
 class GroupList {
  public:
   GroupList(const placing::FrameEvidence::TileIndexes& indexes, Budget& budget) {
@@ -87,7 +88,7 @@ class GroupList {
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] std::size_t left() const { return left_; }
-  // i < count() + kGroupsAhead.
+  // i must be below count() + kGroupsAhead.
   [[nodiscard]] std::size_t operator[](std::size_t i) const { return numbers_[i]; }
 
  private:
@@ -96,7 +97,7 @@ class GroupList {
   std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers_;
 };
 
-// Prefetches the cache lines of a group that is needed soon.
+// Prefetches the cache lines of a group that will be needed soon.
 inline void prefetch(const window::Tile& tile, std::size_t group) {
   __builtin_prefetch(&tile.free[group]);
   if (!tile.is_free_alone[group]) {
@@ -105,8 +106,8 @@ inline void prefetch(const window::Tile& tile, std::size_t group) {
   }
 }
 
-// Prefetches the small members of some rows of a tile. The lines of the masses then follow each
-// other without interruption.
+// Prefetches the small members of some rows of a tile. The cache lines of the masses can then be
+// prefetched consecutively, without interruption.
 inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t last) {
   const std::size_t count = (last - first + 1) * window::kGroupsPerRow;
   lanes::bring(
@@ -121,14 +122,15 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Returns a reference, because a copy would not be in the cache yet when it is needed.
+// Returns a reference, because a copy would not yet be in the cache when it is needed.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
 
-// Fuses at least one group of a tile. moved: the cells whose hits count as moved; null means all.
-// With a TileBefore, a core that repeats the work can restore the tile.
+// Fuses at least one group of a tile. `moved` contains the cells whose hits are classified as
+// moved. If it is null, all hits are classified as moved. If a TileBefore is passed, a core that
+// repeats the work can restore the tile.
 template <typename... Before>
 void fuse_groups(const TileUpdate& update, window::Tile& tile,
                  const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,
@@ -162,7 +164,7 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   }
 }
 
-// Ages and decides the groups that were not fused. Returns their number.
+// Ages and classifies the groups that were not fused. Returns the number of these groups.
 template <typename... Before>
 std::size_t refresh_groups(const TileUpdate& update, window::Tile& tile, Before&... before) {
   std::size_t refreshed = 0;

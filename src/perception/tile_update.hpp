@@ -1,4 +1,4 @@
-// Updates eight cells in a frame: ages them, fuses evidence, and decides their classes.
+// Updates eight cells in a frame: ages them, fuses evidence into them, and classifies them.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@
 
 namespace iog::perception {
 
-// Evidence counts as long ago from this many frames on. Frames are at least 4 ms apart, so it is
-// more than 100 ms old, which has the same effect. Groups are refreshed often enough that this is
-// detected before the clock reuses the slot.
+// Evidence that is at least this many frames old is recorded as too old (kNever). Frames are at
+// least 4 ms apart, so such evidence is more than 100 ms old, and the age has no further effect.
+// Groups are refreshed often enough that this is detected before the clock reuses the slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
-// The bits of a group's cells in a plane.
+// Returns the bits of a group's cells in a plane.
 [[nodiscard]] inline std::uint8_t eight_of(const window::Plane& plane, std::size_t group) {
   return static_cast<std::uint8_t>(std::as_bytes(std::span(plane))[group]);
 }
@@ -31,8 +31,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // Updates tiles for the frame that has just ended by the clock. Without an assignment all hits
-  // have the same mass. Both arguments must outlive this object.
+  // Updates tiles for the frame that has just ended according to the clock. If there is no
+  // assignment, all hits have the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {
@@ -40,8 +40,8 @@ class TileUpdate {
     }
   }
 
-  // Fuses a group with evidence. Bit i of `moved` is for cell i. Stored masses of a group that was
-  // never aged have no effect.
+  // Fuses evidence into a group. Bit i of `moved` refers to cell i. If the group was never aged,
+  // its stored masses have no effect.
   void fuse(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes,
             std::uint8_t moved) const {
     evidence::Free& free = tile.free[group];
@@ -63,7 +63,7 @@ class TileUpdate {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
-  // Does the same as fuse() under that condition.
+  // Does the same as fuse() if needs_no_taken() is true and no cell of the group is hit.
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
@@ -72,7 +72,7 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // The same for two groups at once.
+  // Same as above, for two groups at once.
   void cross(window::Tile& tile, std::array<std::size_t, 2> groups,
              std::array<const evidence::Indexes*, 2> indexes) const {
     const auto crossed = [&](std::size_t i) -> decision::Crossed {
@@ -98,7 +98,7 @@ class TileUpdate {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
 
-  // Ages and decides an old group without evidence.
+  // Ages and classifies an old group without evidence.
   void refresh(window::Tile& tile, std::size_t group) const {
     const evidence::Fading& fading = clock_->since(tile.aged_at[group]);
     tile.aged_at[group] = now_;
@@ -126,7 +126,7 @@ class TileUpdate {
     set_eight(tile.found.taken, group, bits.taken);
   }
 
-  // The standing and occupied bits are already 0.
+  // The bits for standing and occupied are already 0.
   static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);

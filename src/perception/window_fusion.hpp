@@ -1,21 +1,23 @@
-// Fuses the slices of frames over time into masses and classes of the window.
+// Fuses the slices of successive frames into masses and classes of the window.
 //
-// In each frame the window follows the vehicle, slices are added, and the frame is finished:
+// In each frame, the window first follows the vehicle, then slices are added, and finally the frame
+// is finished in these steps:
 //   1. Lookups of neighbours use the state before the frame. Where only low beams open ground
-//      (perception/opening.hpp), evidence that does not count is removed.
-//   2. Groups with evidence are aged, fused and decided.
+//      (perception/opening.hpp), evidence without effect is removed.
+//   2. Groups with evidence are aged, fused and classified.
 //   3. Tiles whose slot plus frame number is a multiple of 8 are refreshed: their other groups
-//      are aged and decided without evidence. Frames count once the window has a place.
+//      are aged and classified without evidence. Frames are counted after the window has a
+//      position.
 //   4. Tracking relabels moving cells (perception/moving_names.hpp).
-//   5. If a slice was registered, the frame counts as fused. Tiles whose slot plus number of fused
-//      frames, including this one, is even update their ground.
-// The order of slices or tiles does not matter.
+//   5. If a slice was registered, the frame counts as fused. The ground of a tile is
+//      updated if its slot plus the number of fused frames, including this frame, is even.
+// The result does not depend on the order of slices or tiles.
 //
-// Each step is a parallel loop over runs of tiles. Ageing, fusion and refresh of a tile are one
-// step. No item of a step writes data that the step reads of neighbours.
+// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile are one
+// step. No item of a step writes data that another item of the step reads from a neighbouring tile.
 //
-// A frame has a budget of groups. Groups with hits come first, then the others, each in the order
-// of slots and numbers. Groups over budget only age.
+// Each frame has a budget of groups. Groups with hits are fused first, then the other groups, both
+// ordered by slot and group number. Groups that are over budget are only aged.
 #pragma once
 
 #include <array>
@@ -50,7 +52,7 @@
 
 namespace iog::perception {
 
-// Every tile is refreshed once in this many frames.
+// The period, in frames, in which every tile is refreshed once.
 inline constexpr std::uint32_t kRefreshFrames = 8;
 
 struct FrameCounts {
@@ -65,29 +67,30 @@ struct FrameCounts {
 
 class WindowFusion {
  public:
-  // Not constexpr, so static objects are initialised at start-up and take no space in the image.
-  // is_followed: objects are tracked. Then the hits of a frame are listed and cells can be
-  // relabelled.
+  // Not constexpr, so that static objects are initialised at start-up and take up no space in the
+  // image. is_followed is true if objects are tracked. The hits of a frame are then listed, and
+  // cells can be relabelled.
   explicit WindowFusion(const Rules& rules = {}, bool is_followed = false);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
-  // Moves the window with the vehicle. Call once per frame, before its first slice. Before the
-  // first call, and after forget(), all slices are outside.
+  // Moves the window with the vehicle. Call it once per frame, before the frame's first slice.
+  // Before the first call, and after forget(), all slices are outside the window.
   void follow(const pose::Pose& pose);
 
   // Adds at most FrameEvidence::kMostAtOnce slices.
   void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
-  // Ends a frame, with or without registered slices. A stamp older than the newest one counts as
-  // the newest. Has no effect if there are no slices and no time has passed.
+  // Ends a frame, with or without registered slices. If the timestamp is older than the newest
+  // timestamp, the newest timestamp is used. The call has no effect if there are no slices and no
+  // time has passed.
   FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
     decide(stamp_us, crew);
     return end_frame(crew);
   }
-  // The two parts of finish(): decide() does steps 1 to 3, end_frame() does step 5. Tracking and
-  // relabelling run between them. Core 0 runs do_beside() once at the same time. It may read hits()
-  // during decide(), and labels during end_frame().
+  // The two parts of finish(): decide() performs steps 1 to 3, and end_frame() performs step 5.
+  // Tracking and relabelling run between these parts. In each part, core 0 runs do_beside() once at
+  // the same time. do_beside() may read hits() during decide(), and labels during end_frame().
   void decide(std::uint64_t stamp_us, const work::Crew& crew) {
     decide(stamp_us, crew, [] {});
   }
@@ -114,13 +117,14 @@ class WindowFusion {
     hits_.clear();
     return std::exchange(counts_, {});
   }
-  // Counts of the current frame so far.
+  // The counts of the current frame so far.
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
-  // The hits of the frame if objects are tracked, and the number of hits dropped for lack of room.
+  // hits() returns the hits of the frame if objects are tracked. hits_left() returns the number of
+  // hits that were dropped because the list was full.
   [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
-  // See MovingNames. Only if objects are tracked.
+  // See MovingNames. Call it only if objects are tracked.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
     names_.give(cell, sureness, window_);
   }
@@ -129,22 +133,22 @@ class WindowFusion {
     names_.withdraw(evidence_, window_, held);
   }
 
-  // Sets the classes that the map rules out in the tile at a slot; see Window. Only labels change,
-  // and at once.
+  // Sets the classes that the map rules out in the tile at a slot (see Window). Only labels change,
+  // and they change immediately.
   void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
     note_names(slot);
   }
 
-  // Whether finish() would end a frame: there is a slice, or time has passed.
+  // Whether finish() would end a frame. This is the case if there is a slice or time has passed.
   [[nodiscard]] bool is_frame(std::uint64_t stamp_us) const {
     return counts_.slices > 0 || stamp_us > newest_us_;
   }
 
-  // Forgets all cells and the current frame. Time goes on.
+  // Forgets all cells and the current frame. The clock is not reset.
   void forget();
 
-  // Valid after finish(), until slices are added again.
+  // The view is valid after finish(), until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
   template <typename Visit>
@@ -159,17 +163,17 @@ class WindowFusion {
   }
 
  private:
-  // Fewest and most tiles that one core takes at once, if several cores share the work. The largest
-  // number also sets the size of the undo log.
+  // The minimum and maximum number of tiles that one core claims at once if several cores work in
+  // parallel. The maximum also determines the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
-  // Undo log of a run of tiles. It covers the tiles that the run has reached.
+  // The undo log of a run of tiles. It covers the tiles that the run has already reached.
   struct TilesBefore {
     std::size_t begun = 0;
     std::array<TileBefore, kUpdated.longest> tiles{};
 
-    // Call before the next tile changes.
+    // Call it before the next tile changes.
     TileBefore& begin(bool is_known) {
       TileBefore& next = tiles[begun];
       next.begin(is_known);
@@ -180,10 +184,10 @@ class WindowFusion {
     }
   };
 
-  // Counts of groups of the tile at a slot in this frame.
+  // The group counts of the tile at a slot in the current frame.
   struct SlotCounts {
-    // Counted only if the evidence might exceed the budget. Slots without hits are counted only if
-    // several cores fuse.
+    // The groups are counted only if the evidence might exceed the budget. The groups of slots
+    // without hits are counted only if several cores work in parallel.
     GroupBudget groups;
     Budget allowed;  // groups that may be fused in that case
     std::uint8_t fused = 0;
@@ -217,7 +221,7 @@ class WindowFusion {
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);
-  // With a TileBefore, a core that repeats the work can restore the tile.
+  // If a TileBefore is passed, a core that repeats the work can restore the tile.
   template <typename... Before>
   void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
   template <typename... Before>

@@ -1,19 +1,23 @@
-// The evidence of a frame: the slices of the frame, joined in the cells of the window.
+// The evidence of a frame, which consists of all slices of the frame, joined in the cells of the
+// window.
 //
-// Free space is gathered: a cell of the window takes the negative index of the slice cell that
-// holds its centre. Hits are scattered: each slice cell with a positive index adds it to the window
-// cell that holds the centre of the slice cell. Gathering would lose hits, because some slice cells
-// hold no centre (17 % at 45 degrees), and a pole must not vanish. Hits outside the window are
-// dropped.
+// Free space is gathered: the negative index of a slice cell is added to each window cell whose
+// centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
+// the window cell that contains the centre of the slice cell. Gathering would lose hits, because
+// some slice cells contain no centre of a window cell (17 % at 45 degrees), and a pole must not be
+// lost. Hits outside the window are dropped.
 //
-// The evidence of a cell is the saturated sum of its positive indexes if there are any, otherwise
-// of its negative ones. One byte holds both (placing/slice_byte.hpp): a positive byte sums hits
-// only, and the first hit erases the free index. Slices may come in any order: saturated sums of
-// one sign do not depend on it, and the extra bit of a free cell is set if any slice sets it.
-// Whether a hit was tall is stored in another bit per cell. All of this takes 1.1 MB.
+// The evidence of a cell is the saturating sum of its positive indexes. If the cell has no positive
+// index, the evidence is the saturating sum of its negative indexes. One byte is enough for both
+// (placing/slice_byte.hpp), because a positive byte contains only the sum of hits, and the first
+// hit overwrites the free index. Slices may be added in any order, because a saturating sum of
+// numbers with the same sign does not depend on their order. The extra bit of a free cell is set if
+// any slice sets it. Whether a hit is a tall return is stored in another bit per cell. The evidence
+// takes up 1.1 MB in total.
 //
-// Several cores add slices by regions of the window. The core with a region gathers into its tiles
-// and searches the slices for hits in it. A single core handles the whole window as one region.
+// Several cores add slices in parallel, split by regions of the window. The core that processes a
+// region gathers free space into the region's tiles and searches the slices for hits in the region.
+// A single core processes the whole window as one region.
 #pragma once
 
 #include <array>
@@ -31,7 +35,7 @@
 
 namespace iog::placing {
 
-// A slice with the pose of the vehicle at that time.
+// A slice with the vehicle's pose at the time of the slice.
 struct PlacedCells {
   const SliceCells* cells = nullptr;
   Placement at{};
@@ -42,11 +46,12 @@ class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // The largest number of slices per call: those of a frame of 40 ms, each of 8 ms or a part of it.
+  // The maximum number of slices per call. A frame of 40 ms has at most this many slices, each of 8
+  // ms or less.
   static constexpr std::size_t kMostAtOnce = 6;
 
   // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must stay
-  // the same for a frame. Core 0 runs `beside` at the same time, which may read the slices.
+  // the same for a frame. Core 0 runs `beside` at the same time. `beside` may read the slices.
   void add(std::span<const PlacedCells> slices, const window::Area& area,
            const work::Crew& crew = work::Crew(), work::Beside beside = {});
   void add(const SliceCells& slice, const window::Area& area, const Placement& at) {
@@ -54,27 +59,27 @@ class FrameEvidence {
     add(std::span(&only, 1), area);
   }
 
-  // Clears all evidence, or that of the tile at a slot.
+  // Clears all evidence, or only the evidence of the tile at a slot.
   void clear();
   void clear(std::size_t slot);
 
   // Whether a cell of the tile at this slot has evidence.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
 
-  // Whether a cell of that tile was hit.
+  // Whether a cell of the tile at this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // The joined bytes of the tile at a slot, row by row from the lowest y.
+  // The joined bytes of the tile at a slot, stored row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
-  // The cells of the tile with a tall hit. Valid only if the tile is touched.
+  // The cells of the tile with a tall return. Valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Removes the evidence of these cells of the tile at a slot.
+  // Removes the evidence of the given cells of the tile at a slot.
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:
-  // A square of tiles of the window, counted from its lowest corner.
+  // A square of tiles of the window. Tiles are counted from the window's lowest corner.
   struct Region {
     window::TileNumber low{};
     std::int32_t tiles_across = window::kTilesAcross;
@@ -88,7 +93,7 @@ class FrameEvidence {
       const auto number = static_cast<std::int32_t>(i);
       return {low.a + number % tiles_across, low.b + number / tiles_across};
     }
-    // Whether a cell in low_cell ... high_cell may be in the region.
+    // Whether any cell of the rectangle low_cell ... high_cell may lie in the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
              (low_cell.x >> geometry::kTileSideLog2) < low.a + tiles_across &&
@@ -96,15 +101,16 @@ class FrameEvidence {
              (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
     }
   };
-  // Size of a region for several cores: large enough that few hits are examined for two regions,
-  // and small enough that no core waits long for the last one.
+  // The side length of a region, in tiles, if several cores are used. It is large enough that few
+  // hits are examined for two regions, and small enough that no core waits long for the last
+  // region.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::int32_t kRegionsAcross = window::kTilesAcross / kRegionAcross;
   static constexpr std::size_t kRegionCount = std::size_t{kRegionsAcross} * kRegionsAcross;
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // The undo log of a region. If a tile was not touched, its cells were 0 and are not stored.
+  // The undo log of a region. If a tile was not touched, all its cells were 0 and are not stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};

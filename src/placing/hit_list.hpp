@@ -1,8 +1,8 @@
 // Lists the hits of a frame's slices for tracking.
 //
-// The order is by slice, then by tile of its grid, row and column, so it does not depend on the
-// number of cores. A cell appears several times if several slices, or several cells of one slice,
-// hit it. Hits beyond the capacity are counted.
+// The hits are ordered by slice, then by tile of the slice grid, row and column, so their order
+// does not depend on the number of cores. A cell is listed several times if several slices, or
+// several cells of one slice, hit it. Hits that exceed the capacity are counted.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace iog::placing {
 
-// A cell that was hit in one slice of the frame.
+// A window cell that was hit in one slice of the frame.
 struct Hit {
   geometry::Cell cell{};   // in the local frame
   std::uint8_t slice = 0;  // number of the slice in the frame
@@ -25,7 +25,7 @@ struct Hit {
 
 class HitList {
  public:
-  // More than the cells that one turn of 128 layers can hit (docs/objects.md).
+  // More than the number of cells that one turn of 128 layers can hit (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
   // The vehicle must be inside the area, and the area must stay the same for a frame.
@@ -33,7 +33,7 @@ class HitList {
   void clear();
 
   [[nodiscard]] std::span<const Hit> all() const { return std::span(hits_).first(count_); }
-  // Number of hits that were dropped for lack of room.
+  // The number of hits that were dropped because the list was full.
   [[nodiscard]] std::uint32_t left() const { return left_; }
 
  private:

@@ -1,5 +1,5 @@
-// Visits the 8 by 8 blocks of a window tile near which the slice grid may be known. Eight steps
-// equal eight additions of one step exactly.
+// Visits the 8 by 8 blocks of a window tile that may be near known cells of the slice grid. Moving
+// by eight steps at once gives exactly the same result as adding one step eight times.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,15 @@ namespace iog::placing {
 inline constexpr std::size_t kBandRows = SliceCells::kBlockSide;
 inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 
-// A block of 8 by 8 cells is at most 7 sqrt(2) cells wide in any direction, so it fits into a
-// square of 11.
+// The centres of a block of 8 by 8 cells extend over at most 7 sqrt(2) cells in any direction, so
+// the block's image fits into a square of 11 by 11 cells.
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
-// Calls visit(first, low, high, evidence) for each such block. `first` is the image of the centre
-// of its first cell in the grid. `low` and `high` bound the images of all its cells. `evidence` is
-// that of the first cell. Returns false if there is no such block.
+// Calls visit(first, low, high, evidence) for each block that may be near known cells. `first` is
+// the image of the centre of the block's first cell in the grid. `low` and `high` are the bounds of
+// the images of all cells of the block. `evidence` points to the evidence of the first cell.
+// Returns false if there is no such block.
 //
 // The evidence of a band is prefetched first. Otherwise its cache lines would be loaded one by one
 // between the lookups.

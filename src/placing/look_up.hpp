@@ -1,5 +1,5 @@
-// Gathers free space from the slice grid into window cells. look_up.cpp is the reference; CMake
-// selects it or look_up_neon.cpp.
+// Gathers free space from the slice grid into window cells. look_up.cpp is the reference
+// implementation. CMake selects it or look_up_neon.cpp.
 #pragma once
 
 #include <algorithm>
@@ -16,31 +16,34 @@ namespace iog::placing {
 // The images of a run of eight window cells in the slice grid, computed once for all runs of a
 // slice.
 //
-// A run follows the axis of the window that is closer to the grid's x axis. Seven steps of at most
-// 2^16 plus a fraction are less than eight cells, so a run covers at most eight columns of the
-// grid. Across the run, a step is at most 2^16 / sqrt(2) plus a half. Seven of these are less than
-// five cells, so a run covers at most six rows.
+// A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
+// 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
+// less than eight cells, so a run covers at most eight columns of the grid. Across the run, a step
+// is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells, so a run
+// covers at most six rows.
 //
-// The offset of a cell from the lowest column and row of its run is the whole part of its steps,
-// plus one if the fractions of both add up to a whole. This is exact.
+// The offset of a cell from the lowest column or row of its run is the integer part of the cell's
+// steps. One is added if the fraction of the steps and the fraction of the lowest column or row add
+// up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
   static constexpr std::int32_t kMostRows = 6;
   using Eight = std::array<std::uint16_t, kCount>;
 
-  // step: image of the step from a window cell to the next along x.
+  // `step` is the image of the step from a window cell to the next window cell along x.
   explicit EightSteps(FinePoint step);
 
   FinePoint step;
   bool is_along_y;    // whether a run follows the window's y axis
   FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
-  std::int32_t rows;  // most rows of the grid that a run covers
-  // By cell: kColumns times the whole rows of its steps, plus the whole columns.
+  std::int32_t rows;  // maximum number of grid rows that a run covers
+  // For each cell, kColumns times the integer part of its steps in rows, plus the integer part in
+  // columns.
   alignas(16) Eight wholes;
-  // By cell: the largest fraction of the lowest x (or y) for which the fractions add up to less
-  // than a whole.
+  // For each cell, the largest fraction of the lowest x (or y) for which the fractions add up to
+  // less than 1.
   alignas(16) Eight most_x;
   alignas(16) Eight most_y;
 };
@@ -65,9 +68,9 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
   }
 }
 
-// Joins free space from the slice grid into the evidence of a tile (placing/slice_byte.hpp). The
-// centre of its first cell is at `first` in the grid; the others follow by `steps`. Returns false
-// if nothing near the tile is known.
+// Joins free space from the slice grid into the evidence of a tile (placing/slice_byte.hpp).
+// `first` is the image of the centre of the tile's first cell in the grid. The images of the other
+// cells follow from `steps`. Returns false if no cell near the tile is known.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -1,9 +1,9 @@
 // Affine transforms of cell centres between the slice grid and the window, in 2^-16 cells.
 //
-// The image of the first cell of a tile is exact and rounded down. The other cells of the tile
-// follow by adding steps that are rounded to the nearest 2^-16 cells. So the image of a cell is
-// less than 32 * 2^-16 cells below and at most 31 * 2^-16 above the exact one: 0.05 mm for cells of
-// 0.1 m.
+// The image of the first cell of a tile is computed exactly and rounded down. The images of the
+// tile's other cells are computed by adding steps that are rounded to the nearest 2^-16 cells. The
+// image of a cell is therefore less than 32 * 2^-16 cells below and at most 31 * 2^-16 cells above
+// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm.
 #pragma once
 
 #include <algorithm>
@@ -51,20 +51,21 @@ struct ExactPoint {
 
 class CellMap {
  public:
-  // From window cells, counted from the corner of the window, to the slice grid. The vehicle must
-  // be inside the area.
+  // Returns the transform from window cells, counted from the corner of the window, to the slice
+  // grid. The vehicle must be inside the area.
   [[nodiscard]] static CellMap to_grid(const window::Area& area, const Placement& at);
 
-  // From cells of the slice grid to window cells. The vehicle must be inside the area.
+  // Returns the transform from cells of the slice grid to window cells. The vehicle must be inside
+  // the area.
   [[nodiscard]] static CellMap to_window(const window::Area& area, const Placement& at);
 
-  // The image of the centre of a cell, which must be the first of a tile.
+  // Returns the image of the centre of a cell. The cell must be the first cell of a tile.
   [[nodiscard]] FinePoint exact(geometry::Cell cell) const { return exactly(cell).fine(); }
   [[nodiscard]] ExactPoint exactly(geometry::Cell cell) const {
     return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
   }
 
-  // The image one tile further along x or y, without rounding.
+  // Returns the image of a point one tile farther along x or y, without rounding.
   [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
     return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
   }
@@ -72,7 +73,8 @@ class CellMap {
     return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
   }
 
-  // Image of a step of one cell along x. Along y it is (-y, x).
+  // The image of a step of one cell along x. If this image is (x, y), the image of a step along y
+  // is (-y, x).
   [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
 
  private:
@@ -92,7 +94,7 @@ class CellMap {
   std::int64_t sin_;
 };
 
-// Moves a point in the target grid by one step of the source along x or y.
+// Moves a point in the target grid by one step along x or y of the source grid.
 [[nodiscard]] constexpr FinePoint along_x(FinePoint point, FinePoint step) {
   return {point.x + step.x, point.y + step.y};
 }
@@ -100,8 +102,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// Bounds of the images of a rectangle of cells: offsets from the image of its first cell to the
-// lowest and the highest cell, both included.
+// Bounds of the images of a rectangle of cells. They are offsets from the image of the rectangle's
+// first cell to the lowest and the highest cell, both inclusive.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

@@ -7,8 +7,9 @@
 //     -n            free, with index -n
 //     -(n + 32)     the same, and a beam that freed it was at most as high as the sensor's low_mm
 //
-// Indexes above 31 count as 31, because masses do not grow beyond it (evidence/assignment.hpp). So
-// sums may saturate at 31 instead of 127, which leaves room for the extra bit.
+// Indexes above 31 are clamped to 31, because masses do not increase beyond this index
+// (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, which leaves room
+// for the extra bit.
 #pragma once
 
 #include <algorithm>
@@ -24,20 +25,20 @@ inline constexpr std::int32_t kMostIndex = evidence::kGradedIndexes - 1;
 inline constexpr std::int32_t kBeside = 32;
 static_assert(kMostIndex == kBeside - 1);
 
-// The index of a byte, without the extra bit.
+// Returns the index of a byte, without the extra bit.
 [[nodiscard]] constexpr std::int32_t index_of(std::int8_t byte) {
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }
 
-// has_bit: the extra bit of a free or hit cell.
+// has_bit is the extra bit of a free or hit cell.
 [[nodiscard]] constexpr std::int8_t byte_of(std::int32_t index, bool has_bit) {
   const std::int32_t most = std::clamp(index, -kMostIndex, kMostIndex);
   const std::int32_t beside = index != 0 && has_bit ? kBeside : 0;
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 
-// Joins the free index of one more slice into a cell's evidence: indexes are added, and a set bit
-// stays set. Evidence above 0 counts hits and stays as it is. Hits in `found` are ignored.
+// Joins the free index of another slice into a cell's evidence. Indexes are added, and a set bit
+// stays set. Positive evidence consists of hits and is left unchanged. Hits in `found` are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
   if (evidence > 0 || found >= 0) {
     return evidence;

@@ -1,5 +1,6 @@
-// Converts a tile of indexes to bytes (placing/slice_byte.hpp), and notes which parts of it are
-// known. slice_bytes.cpp is the reference; CMake selects it or slice_bytes_neon.cpp.
+// Converts a tile of indexes to bytes (placing/slice_byte.hpp), and records which parts of the tile
+// are known. slice_bytes.cpp is the reference implementation. CMake selects it or
+// slice_bytes_neon.cpp.
 #pragma once
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace iog::placing {
 
-// Known cells are noted by squares of 4 by 4 cells: one bit per square, eight squares per row.
+// Known cells are recorded in squares of 4 by 4 cells, with one bit per square and eight squares
+// per row.
 inline constexpr std::uint32_t kSquareSide = 4;
 inline constexpr std::size_t kSquaresOfTile = geometry::kTileSide / kSquareSide;
 static_assert(kSquaresOfTile == 8, "a byte a row of squares of a tile");
@@ -22,11 +24,11 @@ struct TileNotes {
   friend bool operator==(const TileNotes&, const TileNotes&) = default;
 };
 
-// Writes the bytes of a tile, row by row, without extra bits. No index may be -128.
+// Writes the bytes of a tile, row by row, without extra bits. The indexes must not be -128.
 [[nodiscard]] TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes);
 
-// Sets the extra bit of these cells of a tile. They must be known and must not have the extra bit
-// yet.
+// Sets the extra bit of the given cells of a tile. The cells must be known and must not have the
+// extra bit yet.
 void set_beside(const window::Plane& cells, std::int8_t* bytes);
 
 }  // namespace iog::placing

@@ -1,9 +1,9 @@
-// The slice grid: the index grid of a slice by tiles, one byte per cell (placing/slice_byte.hpp),
-// with notes of which parts are known.
+// The slice grid: the index grid of a slice, stored by tiles with one byte per cell
+// (placing/slice_byte.hpp). It also records which parts are known.
 //
-// It is a copy, because its cells are looked up four times as often as they are copied. Known tiles
-// are stored one after the other, so successive slices use the same part of the level 2 cache.
-// Unknown tiles have no cells and need no clearing.
+// The cells are a copy. The copy pays off because cells are looked up four times as often as they
+// are copied. Known tiles are stored consecutively, so successive slices use the same part of the
+// L2 cache. For unknown tiles, no cells are stored, so these tiles need no clearing.
 #pragma once
 
 #include <array>
@@ -22,11 +22,12 @@ class SliceCells {
   using TileIndexes = std::span<const std::int8_t, geometry::kTileCells>;
   using TileBytes = std::span<const std::int8_t, geometry::kTileCells>;
 
-  // Number of rows in a band, and side of a block.
+  // The number of rows in a band, and the side length of a block.
   static constexpr std::int32_t kBlockSide = 8;
 
-  // Sets a tile of the grid, row by row from its lowest y. Its cells must be unknown before.
-  // low_and_tall: the free cells that a low beam freed, and the hit cells with a tall return.
+  // Sets a tile of the grid. The indexes are stored row by row from the lowest y. The tile's cells
+  // must be unknown before the call. low_and_tall contains the free cells that a low beam freed,
+  // and the hit cells with a tall return.
   void set(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {}) {
     places_[tile] = used_++;
     copy(tile, indexes, low_and_tall);
@@ -36,48 +37,49 @@ class SliceCells {
   // Makes all cells unknown.
   void clear();
 
-  // Replaces all tiles, on several cores: begin(), then copy() or leave() for each tile on any
-  // core, then note_all() on any core. If a core is lost, its tiles may be set again.
+  // Replaces all tiles, on several cores: first begin(), then copy() or leave() for each tile on
+  // any core, and finally note_all() on any core. If a core is lost, its tiles may be set again.
   void begin();
   void copy(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {});
   void leave(std::size_t tile) { is_known_[tile] = false; }
   void note_all();
 
-  // Whether a tile of the grid has a known cell, by number, or by column and row.
+  // Whether a tile of the grid has a known cell. The tile is given by its number, or by its column
+  // and row.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] bool is_known(geometry::Cell tile) const { return is_known_[number_of(tile)]; }
 
-  // Whether a cell of a tile may be hit in the band with this number, which has kBlockSide rows.
+  // Whether any cell in a band of a tile may be hit. A band has kBlockSide rows.
   [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
     return (notes_[tile].hit_bands >> band & 1U) != 0;
   }
 
-  // The tiles that may have a hit cell.
+  // The tiles that may contain a hit cell.
   [[nodiscard]] std::span<const std::uint16_t> hit_tiles() const {
     return std::span(hit_tiles_).first(hit_tile_count_);
   }
 
-  // The bounds of all known tiles, by column and row.
+  // The bounds of all known tiles, in columns and rows.
   struct Extent {
     geometry::Cell low{geometry::kTilesPerSide, geometry::kTilesPerSide};
     geometry::Cell high{-1, -1};
   };
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
-  // Whether a cell of a rectangle may be known. The rectangle may lie anywhere, and has at most
-  // kMostNear columns and rows.
+  // Whether any cell of a rectangle may be known. The rectangle may lie anywhere, but must have at
+  // most kMostNear columns and rows.
   static constexpr std::int32_t kMostNear = 13;
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 
-  // The cells of a tile by its column and row, row by row from its lowest y. They are all unknown
-  // if the tile is unknown or outside the grid. The same number of bytes after them may be read;
-  // their values are meaningless.
+  // The cells of the tile in a column and row of the grid, stored row by row from the lowest y. All
+  // cells are unknown if the tile is unknown or outside the grid. The same number of bytes after
+  // these cells may be read, but their values are meaningless.
   [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
     const std::size_t number = number_of(tile);
     return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
                                                 : TileBytes(kUnknown.front());
   }
-  // Any cell, in or outside the grid.
+  // Returns any cell, inside or outside the grid.
   [[nodiscard]] std::int8_t at(geometry::Cell cell) const {
     constexpr std::uint32_t kSide = geometry::kTileSide;
     const TileBytes tile =
@@ -87,16 +89,17 @@ class SliceCells {
   }
 
  private:
-  // The second element allows reads beyond the first.
+  // The second element allows reads beyond the end of the first element.
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // Unknown squares surround the grid, as far as a rectangle that overlaps the grid can reach.
+  // The grid is surrounded by unknown squares. They extend as far as a rectangle that overlaps the
+  // grid can reach.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // One byte before those of the grid, and two after them.
+  // Each row has one extra byte before the bytes of the grid and two extra bytes after them.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {
@@ -119,12 +122,13 @@ class SliceCells {
   std::array<TileNotes, geometry::kTileCount> notes_{};
   std::size_t hit_tile_count_ = 0;
   std::array<std::uint16_t, geometry::kTileCount> hit_tiles_{};
-  // The known squares of the grid, with unknown squares around it; one byte per tile and row.
+  // The known squares of the grid, surrounded by unknown squares. There is one byte per tile and
+  // row of squares.
   std::array<std::uint8_t, kSquareRows * kSquareStride> squares_{};
 };
 
-// Reads at most four rows of squares, and four squares in each. The squares at the corners may lie
-// up to kAround cells outside the grid, where squares_ has a margin.
+// Reads at most four rows of squares, and four squares in each row. The squares at the corners may
+// lie up to kAround cells outside the grid, where squares_ has a margin.
 inline bool SliceCells::is_known_near(geometry::Cell low, geometry::Cell high) const {
   constexpr std::int32_t kSide = geometry::kCellsPerSide;
   constexpr std::int32_t kTile = geometry::kTileSide;

@@ -1,5 +1,6 @@
-// Visits the hits of a slice with the window cells that hold the centres of their cells. Tiles,
-// bands of eight rows, and groups of eight cells without hits are skipped.
+// Visits the hits of a slice. For each hit cell of the slice grid, the visited window cell is the
+// cell that contains the hit cell's centre. Tiles, bands of eight rows, and groups of eight cells
+// without hits are skipped.
 #pragma once
 
 #include <bit>
@@ -16,8 +17,8 @@
 
 namespace iog::placing {
 
-// Calls visit(cell, byte) for each hit of a band of eight rows. `first` is the image of its first
-// cell.
+// Calls visit(cell, byte) for each hit of a band of eight rows. `first` is the image of the band's
+// first cell.
 template <typename Visit>
 inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FinePoint step,
                                  Visit& visit) {
@@ -35,9 +36,9 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
   }
 }
 
-// Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest and may lie
-// outside it. Tiles and bands are skipped if meets(low, high) returns false for the bounds of their
-// cells.
+// Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest cell and may lie
+// outside the window. Tiles and bands are skipped if meets(low, high) returns false for the bounds
+// of their cells.
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {

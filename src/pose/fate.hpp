@@ -1,4 +1,4 @@
-// Outcomes of datagrams on the pose port, and of slices that need a pose. The values are those of
+// Outcomes of datagrams on the pose port, and of slices that need a pose. The values are defined in
 // docs/spec.md, sections 5.2 and 5.5.
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace iog::pose {
 
-// The outcome of a datagram. All but the first two are drops, which change nothing.
+// The outcome of a datagram. All outcomes except the first two are drops, which change nothing.
 enum class Fate : std::uint8_t {
   kUsed,          // it is the newest pose
-  kUnconfirmed,   // waits for confirmation, because its run is not accepted yet
-  kStranger,      // not from the sender in the description
+  kUnconfirmed,   // it waits for confirmation, because its run has not been accepted yet
+  kStranger,      // it does not come from the configured sender
   kTooShort,      // shorter than a message
   kNotOurs,       // another SOME/IP service, event or message type
   kWrongVersion,  // of the interface or of the content
@@ -21,14 +21,14 @@ enum class Fate : std::uint8_t {
   kNotZero,       // a field that must be zero is not
   kOutOfRange,    // impossible position, speed or yaw rate
   kNoSigma,       // a standard deviation is zero, which no source can reach
-  kTooOld,        // older than kMaxAgeUs when it was sent
-  kNotNewer,      // not newer than the newest of its run
-  kFlood,         // less than kMinSpacingUs newer than that
-  kPastRun,       // of a run that another one has replaced
+  kTooOld,        // it was older than kMaxAgeUs when it was sent
+  kNotNewer,      // not newer than the newest message of its run
+  kFlood,         // less than kMinSpacingUs newer than the newest message of its run
+  kPastRun,       // its run has been replaced by another run
 };
 inline constexpr std::size_t kFateCount = 16;
 
-// Why a slice has no pose, or why all earlier data has lost its place.
+// The reason why a slice has no pose, or why all earlier data has lost its position.
 enum class Cause : std::uint8_t {
   kNone,
   kLate,          // no message within kLateUs of the slice: the slice is not registered
@@ -36,7 +36,7 @@ enum class Cause : std::uint8_t {
   kLost,          // no message for kLostUs: the window is unknown
   kJump,          // too far from the prediction: the window is unknown
   kRestart,       // a new run of the sender: the window is unknown
-  kContradicted,  // beams go through standing objects all around: the window is unknown
+  kContradicted,  // beams pass through standing objects all around: the window is unknown
   kDrifting,      // growing delay, with packets timed by arrival: the window is unknown
 };
 inline constexpr std::size_t kCauseCount = 8;

@@ -1,15 +1,15 @@
-// The poses of the last second, interpolated at any time in it.
+// The poses of the last second, which can be interpolated at any time in this second.
 //
-// Times are in us of the clock of the pose source, unless they are called the target's. Messages
-// must come in the order of that clock; a message that is not newer than the newest is dropped. A
-// sequence of poses ends with a break: a silence of kLostUs, a jump, a new run of the source, a
-// contradiction by the sensors, or a growing delay. Data registered before a break has lost its
-// place, so its window is unknown.
+// Times are in us on the clock of the pose source, unless they are stated to be on the target's
+// clock. Messages must arrive in the order of the source's clock. A message that is not newer than
+// the newest message is dropped. A sequence of poses ends with a break: a gap of kLostUs without
+// messages, a jump, a new run of the source, a contradiction by the sensors, or a growing delay.
+// Data registered before a break has lost its position, so the window becomes unknown.
 //
-// A forged message must not blind the target for good. A message of another run or another time,
-// which does not continue the present sequence, is accepted only after kConfirmations of them in a
-// row. If it goes back in time, or to an earlier run, the present sequence must also have been
-// silent for kLostUs.
+// A forged message must not blind the target permanently. A message of another run or another time,
+// which does not continue the current sequence, is accepted only after kConfirmations such messages
+// in a row. If such a message goes back in time or belongs to an earlier run, there must also have
+// been no message of the current sequence for kLostUs.
 #pragma once
 
 #include <array>
@@ -26,17 +26,17 @@
 
 namespace iog::pose {
 
-// The pose at a time, or the reason why there is none.
+// The pose at a time, or the reason why there is no pose.
 struct Placed {
   Cause cause = Cause::kLost;
   // Valid if the cause is kNone. Otherwise the pose is zero, and its deviations are unknown.
   Pose pose{};
-  Sigma sigma{};  // the larger ones of the messages that it is interpolated from
+  Sigma sigma{};  // the larger values of the two messages between which the pose is interpolated
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
   friend constexpr bool operator==(const Placed&, const Placed&) = default;
 };
 
-// How often a cause began, and when it began last.
+// How often a cause began, and when it last began.
 struct Tally {
   std::uint32_t times = 0;
   std::uint64_t since_us = 0;
@@ -44,52 +44,55 @@ struct Tally {
 
 class History {
  public:
-  // depends_on_arrival: packets are timed by the offset of the clocks, so the offset must not grow
-  // faster than clocks drift.
+  // depends_on_arrival is true if packets get their times from the offset of the clocks. The offset
+  // must then not grow faster than clocks drift.
   explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
 
-  // Adds a valid message with its arrival by the target's clock. Returns kUsed; or kUnconfirmed,
-  // kNotNewer, kFlood or kPastRun, which change no pose.
+  // Adds a valid message with its arrival time on the target's clock. Returns kUsed, or returns
+  // kUnconfirmed, kNotNewer, kFlood or kPastRun without changing any pose.
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
-  // Reports the present time by the clock of the source: the end of the newest slice, or
-  // source_time() of now. Detects a lost source, which otherwise only its next message would show.
+  // Reports the current time on the clock of the source, which is the end of the newest slice or
+  // source_time() of the current time. This call detects a lost source. Without it, the loss would
+  // be detected only when the source's next message arrives.
   void pass(std::uint64_t now_us);
 
-  // Reports the present time by the target's clock, for when nothing else tells how much time has
-  // passed since the newest message.
+  // Reports the current time on the target's clock. Use it if the time since the newest message is
+  // not known from other data.
   void pass_silence(std::uint64_t target_us);
 
-  // Reports that registered data contradicts itself, so the poses were wrong. The source may be
-  // stuck. So poses are rejected until they give another place than now, or until kMaxStuckUs
-  // later.
+  // Reports that the registered data contradict each other, so the poses were wrong. The source may
+  // be stuck. Poses are therefore rejected until the position differs from the current position,
+  // but for at most kMaxStuckUs.
   void contradict();
 
-  // The pose at a time. Between two messages it is interpolated linearly. Up to kLateUs after the
-  // newest message it is predicted by the speed and the yaw rate. The cause is kLost, kJump,
-  // kRestart, kContradicted or kDrifting if the time is before the first message after that break,
-  // and kLost if there was no break. The other causes are kLate and kImprecise.
+  // Returns the pose at a time. Between two messages, the pose is interpolated linearly. Up to
+  // kLateUs after the newest message, the pose is predicted from the speed and the yaw rate. If the
+  // time is before the first message after a break, the cause is the kind of this break: kLost,
+  // kJump, kRestart, kContradicted or kDrifting. If there was no break, the cause is kLost. The
+  // other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
-  // Converts a time of the target's clock to the clock of the source, by the least delayed message
-  // of the last second. The result is never ahead by more than the shortest delay of a message.
-  // Empty if there is no message of the last second.
+  // Converts a time on the target's clock to the clock of the source, using the message with the
+  // shortest delay in the last second. The result is never ahead by more than the shortest delay of
+  // a message. Empty if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Increases with each break. Data registered in an earlier epoch is unknown now.
+  // Incremented at each break. Data registered in an earlier epoch is now unknown.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Whether a message of this run differs from the first one by a jump in place or heading.
+  // Whether a message of this run differs from the run's first message by a jump in position or
+  // heading.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
-  // How often each break occurred, and when it last did. kLost and kContradicted begin with the
-  // last message before the break; kJump, kRestart and kDrifting with the first message after it.
-  // The other causes concern slices.
+  // How often each break occurred, and when it last occurred. kLost and kContradicted begin with
+  // the last message before the break. kJump, kRestart and kDrifting begin with the first message
+  // after the break. The other causes apply to slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // The newest message, even if it is too old to register anything. Empty before the first one.
+  // The newest message, even if it is too old to register any data. Empty before the first message.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
   }
@@ -102,8 +105,8 @@ class History {
  private:
   struct Entry {
     Message message{};
-    std::uint64_t offset_us = 0;  // target's clock minus the source's, modulo 2^64
-    Residual residual{};          // to the prediction from the previous message
+    std::uint64_t offset_us = 0;  // target's clock minus the source's clock, modulo 2^64
+    Residual residual{};          // difference to the prediction from the previous message
   };
 
   [[nodiscard]] Fate take_candidate(const Entry& candidate, std::uint64_t arrival_us);
@@ -118,21 +121,22 @@ class History {
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
-  // The entry of this age; 0 is the newest. age < count_.
+  // Returns the entry of this age, where 0 is the newest entry. age must be below count_.
   [[nodiscard]] const Entry& entry(std::size_t age) const {
     return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];
   }
 
   bool depends_on_arrival_;
-  std::array<Entry, kHistoryMessages> entries_{};  // a ring; the oldest entry is overwritten
+  std::array<Entry, kHistoryMessages> entries_{};  // a ring buffer; the oldest entry is overwritten
   std::size_t next_ = 0;
-  std::size_t count_ = 0;                           // entries of the present sequence
-  std::size_t unbroken_ = 0;                        // the newest of them without a break
-  Cause began_by_ = Cause::kLost;                   // the break before the unbroken ones
-  bool is_whole_ = true;                            // none of the unbroken ones was overwritten
-  std::array<Entry, kConfirmations> candidates_{};  // of a sequence that is not accepted yet
+  std::size_t count_ = 0;                           // entries of the current sequence
+  std::size_t unbroken_ = 0;                        // the newest entries without a break between
+                                                    // them
+  Cause began_by_ = Cause::kLost;                   // the break before the unbroken entries
+  bool is_whole_ = true;                            // none of the unbroken entries was overwritten
+  std::array<Entry, kConfirmations> candidates_{};  // of a sequence that has not been accepted yet
   std::size_t candidate_count_ = 0;
-  std::uint64_t arrival_us_ = 0;    // of the newest message, by the target's clock
+  std::uint64_t arrival_us_ = 0;    // of the newest message, on the target's clock
   std::optional<Message> stuck_{};  // message of the contradiction, while poses are rejected
   std::optional<Entry> floor_{};    // the message that set the floor
   std::optional<std::uint64_t>

@@ -1,5 +1,6 @@
 // The pose message: SOME/IP and E2E headers as in every message (protection/protected_message.hpp),
-// then 72 bytes of content, big endian. docs/spec.md, section 5.1, describes each byte.
+// followed by 72 bytes of content in big-endian byte order. docs/spec.md, section 5.1, describes
+// each byte.
 //
 // Sender and target share this file, so both use the same format.
 #pragma once
@@ -20,20 +21,21 @@ inline constexpr std::uint16_t kPosePort = 15010;  // UDP
 inline constexpr std::size_t kContentBytes = 72;
 inline constexpr std::size_t kMessageBytes = protection::kProtectionBytes + kContentBytes;
 
-// Only the checks of a single message matter here. The order of messages follows from their clock.
+// Only the checks of a single message are used for this channel. The order of messages is
+// determined by their clock.
 inline constexpr protection::Channel kPoseChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8003, .interface_version = 1},
     .data_id = 0x494F4703,
     .max_delta_counter = 1};
 
-// Standard deviations, 1 ... 65535. The largest value also stands for everything above it.
+// Standard deviations, 1 ... 65535. The maximum value also represents all larger values.
 struct Sigma {
   std::uint16_t position_mm = 0xFFFF;
   std::uint16_t heading_10urad = 0xFFFF;
   friend constexpr bool operator==(const Sigma&, const Sigma&) = default;
 };
 
-// The transform of the local frame into the plane of the map.
+// The transform from the local frame to the plane of the map.
 struct MapTransform {
   std::uint64_t origin = 0;  // identifies the origin of the map's plane
   Pose local_frame{};
@@ -42,7 +44,8 @@ struct MapTransform {
 };
 
 struct Message {
-  std::uint32_t run = 0;       // number of the sender's run; differs from its earlier ones
+  std::uint32_t run = 0;       // number of the sender's run; differs from the numbers of earlier
+                               // runs
   std::uint32_t age_us = 0;    // from measurement to sending
   std::uint64_t clock_us = 0;  // the sender's clock at the measurement
   Pose pose{};
@@ -56,7 +59,7 @@ struct Message {
 // Encodes and numbers the messages of a sender.
 class Encoder {
  public:
-  // Returns the whole message. Fields are written unchecked; the decoder checks them.
+  // Returns the whole message. The fields are not checked here, because the decoder checks them.
   [[nodiscard]] std::array<std::byte, kMessageBytes> encode(const Message& message);
 
  private:

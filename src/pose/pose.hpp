@@ -1,4 +1,5 @@
-// The pose of the vehicle frame in the local frame, a plane that the pose source keeps smooth.
+// The pose of the vehicle frame in the local frame. The local frame is a plane in which the pose
+// source avoids jumps.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The accepted runs of the pose source: the present one and earlier ones.
+// The accepted runs of the pose source: the current run and earlier runs.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,14 @@ class RunMemory {
     return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
   }
 
-  // Whether it is an earlier run. The last fifteen are remembered.
+  // Whether a run is one of the last fifteen earlier runs. Older runs are not remembered.
   [[nodiscard]] bool is_past(std::uint32_t run) const {
     const auto known = std::span(runs_).first(count_);
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // Makes a run the present one, which it must not be already. It may be an earlier one.
+  // Makes a run the current run. It must not already be the current run, but it may be an earlier
+  // run.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;
@@ -30,7 +31,7 @@ class RunMemory {
 
  private:
   static constexpr std::size_t kRuns = 16;
-  std::array<std::uint32_t, kRuns> runs_{};  // a ring; the oldest run is overwritten
+  std::array<std::uint32_t, kRuns> runs_{};  // a ring buffer; the oldest run is overwritten
   std::size_t next_ = 0;
   std::size_t count_ = 0;
 };

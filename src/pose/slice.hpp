@@ -1,5 +1,5 @@
 // Divides the time of the pose source into slices. All data measured in a slice is registered with
-// the pose at its middle, so the order and the grouping of packets do not matter.
+// the pose at the middle of the slice, so the order and the grouping of packets do not matter.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ struct Slice {
 
 class Slicing {
  public:
-  // log2_ms: 0 ... 6. A slice is 2^log2_ms milliseconds long.
+  // log2_ms is 0 ... 6. A slice is 2^log2_ms milliseconds long.
   explicit constexpr Slicing(std::uint8_t log2_ms = 3) : log2_ms_{log2_ms} {}
 
   [[nodiscard]] constexpr std::uint64_t slice_us() const { return std::uint64_t{1000} << log2_ms_; }
 
-  // The slice that contains a time; the start belongs to it. A middle or an end beyond 2^64 us
-  // wraps.
+  // Returns the slice that contains a time. The start of a slice belongs to the slice. A middle or
+  // an end beyond 2^64 us wraps around.
   [[nodiscard]] constexpr Slice slice_of(std::uint64_t time_us) const {
     const std::uint64_t number = time_us / slice_us();
     const std::uint64_t first_us = number * slice_us();

@@ -1,8 +1,8 @@
-// The pose source as the target knows it: its senders, the outcome of each datagram, and the
-// outcome of each slice that needs a pose. All rejections are counted by cause.
+// The target's view of the pose source: its senders, the outcome of each datagram, and the outcome
+// of each slice that needs a pose. All rejections are counted by cause.
 //
-// The CRC detects damage by a network; it is no authentication. Anyone who can send in the name of
-// the configured address can move the vehicle.
+// The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
+// send from the configured address can change the vehicle's pose.
 #pragma once
 
 #include <array>
@@ -20,19 +20,20 @@
 
 namespace iog::pose {
 
-// Counts, since start, of slices without a pose and of breaks, by cause.
+// The number of slices without a pose and of breaks since start-up, for each cause.
 struct CauseCounts {
   std::array<std::uint32_t, kCauseCount> slices{};  // see Source::slices()
   std::array<Tally, kCauseCount> began{};           // see Source::tally()
 
-  // The causes that occurred since `before`, one bit each. kNone is no cause.
+  // Returns the causes that occurred since `before`, with one bit for each cause. kNone is not a
+  // cause.
   [[nodiscard]] std::uint8_t since(const CauseCounts& before) const;
 };
 
 class Source {
  public:
-  // description.is_valid() must hold. replayer_ipv4 may also send in the name of the source; 0:
-  // none. depends_on_arrival: see History.
+  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
+  // replayer_ipv4 is 0 if there is no replayer. For depends_on_arrival, see History.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
                   bool depends_on_arrival = false);
 
@@ -56,22 +57,24 @@ class Source {
   [[nodiscard]] bool has_moved() const { return history_.has_moved(); }
   [[nodiscard]] std::optional<Message> newest() const { return history_.newest(); }
 
-  // The slice that contains a time of the source's clock.
+  // Returns the slice that contains a time on the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
   // See History. Does not count.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // Returns the pose of a slice, or counts and returns the reason why it has none. Call once per
-  // slice.
+  // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call it
+  // once per slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
-  // Datagrams by outcome, since start.
+  // The number of datagrams with each outcome since start-up.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Slices since start, by the reason why they have no pose; kNone: with a pose.
+  // The number of slices since start-up, for each reason why a slice has no pose. kNone is the
+  // entry for slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // How often each cause began, and when it began last. For kLate and kImprecise that is the middle
-  // of the first slice in a series without a pose; for the others see History.
+  // How often each cause began, and when it last began. For kLate and kImprecise, this time is the
+  // middle of the first slice in a series of slices without a pose. For the other causes, see
+  // History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -1,4 +1,4 @@
-// Describes the pose source, as a part of the vehicle description.
+// The description of the pose source, which is part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace iog::pose {
 
 struct SourceDescription {
-  std::uint32_t source_ipv4 = 0;       // address of the sender; 0: any
+  std::uint32_t source_ipv4 = 0;       // address of the sender, or 0 if any sender is accepted
   std::uint16_t udp_port = kPosePort;  // port that receives its messages
   std::uint8_t log2_slice_ms = 3;      // a slice is 2^this milliseconds long, 0 ... 6
 

@@ -1,4 +1,5 @@
-// Encodes poses and their deviations for all messages, big endian, as in docs/spec.md 5.1.
+// Encodes poses and their standard deviations for all messages, in big-endian byte order as in
+// docs/spec.md 5.1.
 #pragma once
 
 #include <optional>
@@ -9,7 +10,7 @@
 
 namespace iog::pose {
 
-// Stands for an unknown map transform: all zeros, including the standard deviations.
+// Represents an unknown map transform. All values are zero, including the standard deviations.
 inline constexpr MapTransform kNoMap{.sigma = {.position_mm = 0, .heading_10urad = 0}};
 
 void write(const Pose& pose, wire::ByteWriter& out);                        // 12 bytes

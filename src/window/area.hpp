@@ -1,9 +1,10 @@
 // Position of the window: a square of 32 by 32 tiles of the local frame.
 //
 // Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of kCellMm. Tile (a, b)
-// contains the cells for which i / 32 and j / 32, rounded down, are a and b. Its slot is (b mod 32)
-// * 32 + a mod 32, for every position of the window, so no data move with the window. Coordinates
-// of the local frame are int32 millimetres, so tiles are within +-671,089.
+// contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile (a,
+// b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
+// data is moved when the window moves. Coordinates of the local frame are int32 millimetres, so
+// tile numbers are within +-671,089.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ struct TileNumber {
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
-// The tile of the local frame that contains a cell.
+// Returns the tile of the local frame that contains a cell.
 [[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
   return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
 }
@@ -40,7 +41,7 @@ struct TileNumber {
          (static_cast<std::uint32_t>(tile.a) & kMask);
 }
 
-// The cell of the local frame that contains a pose's origin.
+// Returns the cell of the local frame that contains a pose's origin.
 [[nodiscard]] constexpr geometry::Cell cell_of(const pose::Pose& pose) {
   return {numeric::div_floor(pose.x_mm, geometry::kCellMm),
           numeric::div_floor(pose.y_mm, geometry::kCellMm)};
@@ -51,14 +52,14 @@ class Area {
   constexpr Area() = default;
   explicit constexpr Area(TileNumber corner) : corner_(corner) {}
 
-  // The area centred on the corner of tiles nearest to a cell.
+  // Returns the area that is centred on the tile corner nearest to a cell.
   [[nodiscard]] static constexpr Area around(geometry::Cell cell) {
     return Area({first_around(cell.x), first_around(cell.y)});
   }
 
-  // This area, moved on each axis on which the cell is more than half a tile outside the one-tile
-  // square in the middle. So with cells of 0.1 m at least 48 m remain on each side, and noise at a
-  // tile border does not move the area.
+  // Returns this area after following a cell. On each axis, the area moves if the cell is more than
+  // half a tile outside the one-tile square in its middle. With cells of 0.1 m, at least 48 m
+  // therefore remain on each side, and noise at a tile border does not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell).corner_;
     return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
@@ -75,7 +76,8 @@ class Area {
     return contains(window_tile(cell));
   }
 
-  // The tile of this area at a slot. It wraps where the area would exceed 32 bits.
+  // Returns the tile of this area at a slot. The tile number wraps around if the area would exceed
+  // 32 bits.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;
     const auto column = static_cast<std::uint32_t>(slot);

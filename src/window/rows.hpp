@@ -1,9 +1,10 @@
 // Bit rows of a tile with a margin from its eight neighbours, and neighbourhood operations on 32
 // cells at once.
 //
-// A word is a row: bit 16 is the tile's cell 0, and 16 cells of the neighbours lie on either side.
-// Eight rows lie below and eight above. A square of radius r invalidates r cells and rows at the
-// border. So the tile's own bits are correct as long as the radii sum up to at most 8.
+// Each word represents a row. Bit 16 is the tile's cell 0, and 16 cells of the neighbours lie on
+// each side. There are eight additional rows below the tile and eight above it. A square of radius
+// r invalidates r cells and r rows at the border. The tile's own bits are therefore correct as long
+// as the sum of the radii is at most 8.
 #pragma once
 
 #include <array>
@@ -21,15 +22,16 @@ inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;
 inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 
-// The planes of a tile and its neighbours, row by row from below. The tile's own is the fifth.
-// Never null.
+// The planes of a tile and its neighbours, row by row from below. The tile's own plane is the
+// fifth. The pointers are never null.
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {
   std::array<std::uint64_t, kRowCount> words;  // written completely by each producer
 };
 
-// The rows of a tile and kMargin rows around it, kMargin <= kRowMargin. Rows further out are zero.
+// Returns the rows of a tile and kMargin rows below and above it, kMargin <= kRowMargin. Rows
+// farther out are zero.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
   constexpr std::size_t kSide = geometry::kTileSide;
@@ -50,7 +52,7 @@ inline Rows gather(const NinePlanes& nine) {
   return rows;
 }
 
-// The tile's own rows.
+// Returns only the rows of the tile itself.
 inline Plane middle_of(const Rows& rows) {
   static_assert(kColumnMargin == 16, "what RowPair takes for the middle");
   Plane plane;
@@ -79,8 +81,8 @@ inline Rows joined(const Rows& a, const Rows& b) {
   return out;
 }
 
-// Combines each cell with kRadius cells on either side in its row. Runs of two and of four cells
-// are combined first, so seven cells need three steps.
+// Combines each cell with kRadius cells on each side in its row. Runs of two cells and then of four
+// cells are combined first, so seven cells need three steps.
 template <typename Join, int kRadius>
 inline RowPair over_runs(RowPair one) {
   constexpr int kSide = 2 * kRadius + 1;
@@ -90,8 +92,8 @@ inline RowPair over_runs(RowPair one) {
   return Join::of(most, most.template down<kSide - kMost>()).template up<kRadius>();
 }
 
-// Combines each cell with the square of side 2 kRadius + 1 around it, kRadius 1 ... 3. The
-// outermost kRadius rows become zeros.
+// Combines each cell with all cells of the surrounding square with side length 2 kRadius + 1.
+// kRadius is 1 ... 3. The outermost kRadius rows are set to zero.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
   static_assert(kRadius >= 1 && kRadius <= 3);
@@ -115,7 +117,8 @@ inline Rows over_squares(const Rows& in) {
   return out;
 }
 
-// dilated(): set if any cell of the square is set. eroded(): set if all are.
+// dilated() sets a cell if any cell of the square is set. eroded() sets a cell if all cells of the
+// square are set.
 template <int kRadius>
 inline Rows dilated(const Rows& in) {
   return over_squares<Or, kRadius>(in);

@@ -1,7 +1,8 @@
 // One tile of the window in memory: 32 by 32 cells aligned to the local frame.
 //
-// An unknown tile is all zeros, with two exceptions. Groups that were never aged have undefined
-// masses, so clearing a tile does not write all of it. The map's content stays.
+// An unknown tile contains only zeros, with two exceptions. First, groups that were never aged have
+// undefined masses, so clearing a tile does not write all of its memory. Second, the map content is
+// kept.
 #pragma once
 
 #include <array>
@@ -20,11 +21,11 @@ namespace iog::window {
 inline constexpr std::size_t kGroupsPerRow = geometry::kTileSide / evidence::kGroupCells;
 inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::kGroupCells;
 
-// One bit per cell: bit x of word y, y from the lowest.
+// One bit per cell: bit x of word y. Word 0 has the lowest y.
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
-// Whether the plane is empty. Reading all words is faster than testing each.
+// Whether no bit of the plane is set. Reading all words is faster than testing each word.
 [[nodiscard]] inline bool is_empty(const Plane& plane) {
   std::uint32_t bits = 0;
   for (const std::uint32_t row : plane) {
@@ -37,19 +38,20 @@ static_assert(geometry::kTileSide == 32);
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
-// Properties that later neighbourhood tests need, as found when the cell's group was last decided.
+// Cell properties for later neighbourhood tests. They were computed when the cell's group was last
+// classified.
 struct Found {
-  Plane freed{};   // more free than not
-  Plane seen{};    // free by evidence of that same frame
+  Plane freed{};   // free mass above one half
+  Plane seen{};    // free according to evidence of the same frame
   Plane stands{};  // occupied for a long time
-  Plane taken{};   // occupied at all
+  Plane taken{};   // occupied mass above one quarter
 };
 
-// Memory of the ground, independent of what is on it now.
+// Memory of the ground, independent of objects that are currently on it.
 struct Ground {
-  Plane open{};       // it was free, with a margin
-  Plane dense{};      // all cells around were seen free in one frame
-  Plane ticks_low{};  // 0 ... 3: how often it was found open again
+  Plane open{};       // the ground was free, with a margin
+  Plane dense{};      // all surrounding cells were seen as free in one frame
+  Plane ticks_low{};  // 0 ... 3: number of times that it was found open again
   Plane ticks_high{};
 };
 
@@ -57,12 +59,13 @@ struct Tile {
   // Sets all cells to unknown.
   void clear();
 
-  // Whether the group was ever known.
+  // Whether the group has ever been known.
   [[nodiscard]] bool is_known(std::size_t group) const {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // The map classes ruled out in a group. Without a map this avoids reading a kilobyte of zeros.
+  // The map classes ruled out in a group. If there is no map, this function avoids reading a
+  // kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
       return kNothingRuledOut;
@@ -70,25 +73,26 @@ struct Tile {
     return ruled_out[group];
   }
 
-  // Row by row from the lowest y, like all arrays by group.
+  // Stored row by row from the lowest y, like all arrays that are indexed by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // Separate from the masses, because sending the classes reads nothing else.
+  // Stored separately from the masses, because only these bytes are read to send the classes.
   std::array<decision::Decided, kGroupsPerTile> decided{};
-  // The map classes ruled out, even for unknown cells. 0 where the map says nothing.
+  // The map classes ruled out, even for unknown cells. 0 where the map has no information.
   TileRuledOut ruled_out{};
-  // For each group, the clock's slots of its last ageing and of its last evidence
-  // (ageing/clock.hpp). Both are kNever if the group is unknown. The second is also kNever if the
-  // last evidence is long ago.
+  // For each group, the clock slots of the group's last ageing and of its last evidence
+  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. The slot of the last
+  // evidence is also kNever if this evidence is too old.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
-  // Whether the group is known and its `taken` is all zeros.
+  // Whether the group is known and all values of its `taken` are 0.
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
-  // Whether `ruled_out` has a value other than 0.
+  // Whether `ruled_out` has any non-zero value.
   bool has_ruled_out = false;
-  // A low beam has freed the cell since the tile became known, and nothing has stood there since.
+  // Set if a low beam has freed the cell since the tile became known and no stationary object has
+  // been there since.
   Plane from_below{};
 };
 
@@ -102,7 +106,7 @@ inline void Tile::clear() {
   from_below = {};
 }
 
-// Location of a cell of the local frame in the window's memory.
+// The location of a cell of the local frame in the window's memory.
 struct CellPlace {
   std::size_t slot = 0;
   std::uint32_t x = 0;  // within the tile
@@ -122,7 +126,7 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// Cell i of a group of the tile at a slot.
+// Returns cell i of a group in the tile at a slot.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

@@ -1,8 +1,8 @@
 // The world-aligned window: 32 by 32 tiles of the local frame around the vehicle.
 //
-// A tile that enters the window is unknown. It is cleared when something becomes known in it, and
-// each of its groups when something becomes known in the group. So moving the window costs one flag
-// per tile.
+// A tile that enters the window is unknown. The tile is cleared when something in it becomes known,
+// and each group is cleared when something in the group becomes known. Moving the window therefore
+// only costs one flag per tile.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace iog::window {
 
 class Window {
  public:
-  // Moves the window if the vehicle is too far from its middle (Area::following). A window without
-  // content is centred on the vehicle.
+  // Moves the window if the vehicle is too far from the window's middle (Area::following). A window
+  // without content is centred on the vehicle.
   void follow(geometry::Cell vehicle);
 
   // Sets all tiles to unknown.
@@ -28,7 +28,7 @@ class Window {
   [[nodiscard]] bool is_centred() const { return is_centred_; }
   [[nodiscard]] const Area& area() const { return area_; }
 
-  // Whether the tile at this slot was ever known.
+  // Whether the tile at this slot has ever been known.
   [[nodiscard]] bool is_known(std::size_t slot) const { return is_known_[slot]; }
 
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return tiles_[slot]; }
@@ -36,25 +36,26 @@ class Window {
   // Write access to the tile at a slot. An unknown tile is cleared first.
   Tile& open(std::size_t slot);
 
-  // Write access to the ground memory of the tile at a slot, which must be known.
+  // Write access to the ground memory of the tile at a slot. The tile must be known.
   Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
 
-  // Number of changes to the tile at a slot, not counting its ground. While it does not change,
-  // neither do the classes of its cells. It is never reset.
+  // The number of changes to the tile at a slot, not counting changes to its ground. While this
+  // number stays the same, the classes of the tile's cells stay the same. It is never reset.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
 
   // Sets the tile at a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the map classes ruled out in the tile at a slot, known or not, until the next call.
-  // Relabels its cells by the masses of their last decision. Changes nothing else.
+  // Sets the map classes ruled out in the tile at a slot. They apply until the next call. The tile
+  // need not be known. Reclassifies the tile's cells with the masses of their last classification.
+  // Changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // Restores the classes of a group from its masses, as of its last decision.
+  // Restores the classes that a group had after its last classification, using the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // The planes that `plane_of` returns for the tile at a slot and its neighbours. Tiles outside the
-  // window, and tiles for which is_there(slot) is false, have no bit set.
+  // Returns the planes that `plane_of` returns for the tile at a slot and its neighbours. For tiles
+  // outside the window, and tiles for which is_there(slot) is false, no bit is set.
   template <typename IsThere, typename PlaneOf>
   [[nodiscard]] NinePlanes around(std::size_t slot, IsThere&& is_there, PlaneOf&& plane_of) const {
     const TileNumber middle = area_.tile_at(slot);
@@ -69,7 +70,7 @@ class Window {
     return nine;
   }
 
-  // The same for a plane of Found.
+  // Same as above, for a plane of Found.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
         slot, [this](std::size_t at) { return is_known_[at]; },

@@ -1,5 +1,5 @@
-// Read-only view of the window for sinks, tools and measurements. Valid until the next slice or
-// frame.
+// A read-only view of the window for sinks, tools and measurements. It is valid until the next
+// slice or frame.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace iog::window {
 
-// By slot: the clock's slot of the last frame in which all groups of the tile were decided.
+// For each slot, the clock slot of the last frame in which all groups of the tile were classified.
 using Refreshed = std::array<std::uint8_t, kSlotCount>;
 
 class WindowView {
@@ -21,16 +21,16 @@ class WindowView {
   WindowView(const Window& window, const Refreshed& refreshed, const ageing::Clock& clock)
       : window_(&window), refreshed_(&refreshed), clock_(&clock) {}
 
-  // Whether the window has a position. Without one everything is unknown.
+  // Whether the window has a position. If it has no position, all cells are unknown.
   [[nodiscard]] bool is_centred() const { return window_->is_centred(); }
 
-  // Which tiles of the local frame the window covers, and their slots.
+  // The tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Whether the tile at a slot was ever known. If not, all of its cells are unknown.
+  // Whether the tile at a slot has ever been known. If not, all of its cells are unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
-  // The tile at a slot. If it is unknown, only its map content is valid.
+  // The tile at a slot. If the tile is unknown, only its map content is valid.
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return window_->tile(slot); }
 
   using ClassBytes = std::span<const std::byte, geometry::kTileCells>;
@@ -38,32 +38,33 @@ class WindowView {
   // The class bytes of the tile at a slot, row by row from its lowest y. Empty if no cell has a
   // class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
-  // The class bytes of any tile that was ever known, even if no cell has a class.
+  // The class bytes of any tile that has ever been known, even if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
-  // Copies them. Returns false if no cell has a class; all bytes are then 0.
+  // Copies the class bytes. Returns false if no cell has a class. All bytes are then 0.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
-  // The class byte of a cell of the local frame. 0 outside the window.
+  // The class byte of a cell of the local frame, or 0 outside the window.
   [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot)
                ? tile(at.slot).decided[at.group()][at.in_group()]
                : std::int8_t{0};
   }
-  // Whether the ground there was open.
+  // Whether the ground in this cell was open.
   [[nodiscard]] bool is_open(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
   }
 
-  // The classes of the nine cells around a cell, itself included: bit i stands for class i.
+  // The classes of the 3 by 3 cells around and including a cell. Bit i is set if class i occurs.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
-  // Does not change while the classes of the tile at a slot stay the same (window/window.hpp).
+  // The version of the tile at a slot. While it stays the same, the tile's classes stay the same
+  // (window/window.hpp).
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return window_->version(slot); }
 
-  // The age of the tile's oldest decision in frames. The tile must be known.
+  // The age of the tile's oldest classification, in frames. The tile must be known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {
     return clock_->frames_since((*refreshed_)[slot]);
   }

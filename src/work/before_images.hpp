@@ -1,14 +1,14 @@
-// Undo log for tasks that change data in place. A task that was left half done can be undone and
+// Undo log for tasks that change data in place. A partially completed task can be undone and
 // repeated.
 //
-// Each helper has one image. It copies there what its item is about to change, records the number
-// of the item, and only then changes the data. Before an item of a lost core is repeated, the image
-// is restored if it belongs to this item. If no image belongs to it, nothing was changed yet. Core
-// 0 needs no image, because its items are never repeated.
+// Each helper has one image. The helper copies the data that its item is about to change into the
+// image, records the number of the item, and only then changes the data. Before an item of a lost
+// core is repeated, the image is restored if it belongs to this item. If no image belongs to the
+// item, no data was changed yet. Core 0 needs no image, because its items are never repeated.
 //
-// Core 0 reads a helper's image only after the helper has ended. The end acts like a signal: if a
-// later store of the helper is visible, so are its earlier stores. So it is enough that the
-// compiler keeps the order.
+// Core 0 reads a helper's image only after the helper has ended. The end of the helper has the
+// effect of a signal: if a later store of the helper is visible, its earlier stores are also
+// visible. Therefore, a compiler barrier between the stores is enough.
 #pragma once
 
 #include <array>
@@ -21,27 +21,28 @@
 
 namespace iog::work {
 
-// Compiler barrier between stores of this core. Once the core has ended, core 0 sees all stores
-// before the barrier if it sees any after it.
+// A compiler barrier between stores of this core. If core 0 sees any store after the barrier when
+// the core has ended, core 0 also sees all stores before the barrier.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // Must be in static memory if the image is large.
 template <typename Image>
 class BeforeImages {
  public:
-  // Core 0 calls it before a round that changes data in place. Clears all images.
+  // Clears all images. Core 0 must call it before a round that changes data in place.
   void begin() {
     for (Place& place : places_) {
       place.item.store(kNone, std::memory_order_relaxed);
     }
   }
 
-  // The image that a core fills after it has taken an item. Null if it needs none.
+  // Returns the image that a core fills in after it has claimed an item. Null if the core needs no
+  // image.
   [[nodiscard]] Image* of(std::size_t core) {
     return core == 0 ? nullptr : &places_[core - 1].image;
   }
 
-  // Called by a helper (not core 0) when its image is complete. After that the item may change
+  // A helper (not core 0) calls it when its image is complete. After the call, the item may change
   // data.
   void keep(std::size_t core, std::size_t item) {
     require(core > 0);
@@ -50,8 +51,8 @@ class BeforeImages {
     keep_order();
   }
 
-  // Core 0 calls it before it repeats an item. Returns the image of the core that was lost in it,
-  // or null if nothing was changed.
+  // Returns the image of the core that was lost while it ran this item, or null if no data was
+  // changed. Core 0 calls it before it repeats an item.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {

@@ -1,6 +1,6 @@
-// The cores that run the tasks of a round: a team, a platform with a team, or core 0 alone.
+// The executor of a round's tasks: a team, a platform with a team, or core 0 alone.
 //
-// It is a reference, so a room that divides its work need not know who does it.
+// A crew is only a reference, so code that splits its work need not know which executor is used.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace iog::work {
 
-// As work::Team.
+// The same interface as work::Team.
 template <typename T>
 concept Sharer = requires(T& sharer, std::size_t items, Work work, Beside beside) {
   { sharer.cores() } -> std::same_as<std::size_t>;
@@ -31,16 +31,17 @@ class Crew {
           static_cast<S*>(its)->share(items, work, beside);
         }) {}
 
-  // The number of cores that may work now, core 0 included.
+  // The number of cores that may currently work, core 0 included.
   [[nodiscard]] std::size_t cores() const { return sharer_ == nullptr ? 1 : cores_(sharer_); }
   [[nodiscard]] bool is_one() const { return cores() == 1; }
 
-  // Calls do_item(item, core) for every item, at most Round::kMaxItems. Returns when all are done.
+  // Calls do_item(item, core) for every item. `items` is at most Round::kMaxItems. Returns when all
+  // items are done.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});
   }
-  // The same, and core 0 also runs `beside` once.
+  // Same as above, but core 0 also runs `beside` once.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item, Beside beside) const {
     share_work(items, work_of(do_item), beside);
@@ -60,8 +61,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// The number of items for this many things, if each item holds `in_each` of them, except perhaps
-// the last.
+// The number of items that are needed for `things` elements if each item contains `in_each`
+// elements. The last item may contain fewer elements.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

@@ -1,14 +1,15 @@
-// A round: work split into items that any core may take. Every item gets done.
+// A round: work split into items that any core may claim. Every item is completed.
 //
-// One word, the ticket, contains the number of the round and how many items are left. A core takes
-// an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and sets its
-// flag. Core 0 opens a round only when every item of the previous round has its flag. So the data
-// of a round do not change between taking an item and setting its flag. docs/cores.md describes the
-// memory order.
+// One word, the ticket, contains the number of the round and the number of remaining items. A core
+// claims an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and
+// sets the item's flag. Core 0 opens a round only after the flags of all items of the previous
+// round have been set. The data of a round therefore does not change between claiming an item and
+// setting its flag. docs/cores.md describes the memory order.
 //
-// Items may run in any order and at the same time, so no item may write what another reads or
-// writes. A core may also be stopped within an item, which core 0 then repeats from its start. So
-// no item may read its own output, unless it has written it before.
+// Items may run in any order and concurrently, so an item must not write data that another item
+// reads or writes. A core may also be stopped while it runs an item. Core 0 then repeats the item
+// from its start. An item must therefore read its own output only after it has written this output
+// in the same run.
 #pragma once
 
 #include <array>
@@ -19,14 +20,15 @@
 
 namespace iog::work {
 
-// The function that runs each item, with the number of the core that runs it.
+// The function that runs an item. Its arguments include the number of the core that runs the item.
 struct Work {
   void (*run)(void* context, std::size_t item, std::size_t core) = nullptr;
   void* context = nullptr;
 };
 
-// A task that core 0 runs once, before it takes items. It must not write what an item reads, nor
-// read what an item writes. Core 0 is never lost, so the task is never repeated.
+// A task that core 0 runs once, before it claims items. The task must not write data that an item
+// reads, or read data that an item writes. The task is never repeated, because core 0 is never
+// lost.
 struct Beside {
   void (*run)(void* context) = nullptr;
   void* context = nullptr;
@@ -46,7 +48,7 @@ inline void do_alone(std::size_t items, Work work, Beside beside = {}) {
   }
 }
 
-// A callable as Work. It must outlive the round.
+// Wraps a callable as Work. The callable must outlive the round.
 template <typename Callable>
 [[nodiscard]] Work work_of(Callable& callable) {
   return {.run = [](void* context, std::size_t item,
@@ -54,15 +56,15 @@ template <typename Callable>
           .context = &callable};
 }
 
-// The same for Beside.
+// Wraps a callable as Beside.
 template <typename Callable>
 [[nodiscard]] Beside beside_of(Callable& callable) {
   return {.run = [](void* context) { (*static_cast<Callable*>(context))(); }, .context = &callable};
 }
 
-// Adds to a counter that only one core writes and others may read. A load and a store are enough,
-// because no other core writes in between. They also avoid an exclusive access, which could follow
-// a store to a device.
+// Adds to a counter that only one core writes and other cores may read. A load and a store are
+// enough, because no other core writes in between. This also avoids an exclusive access, which
+// could follow a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -71,7 +73,7 @@ class Round {
  public:
   static constexpr std::size_t kMaxItems = 1024;
 
-  // The number of the round, modulo 2^16, and the number of items left.
+  // The number of the round, modulo 2^16, and the number of remaining items.
   struct Ticket {
     std::uint32_t word = 0;
 
@@ -79,33 +81,35 @@ class Round {
     [[nodiscard]] std::size_t left() const { return word & 0xFFFFU; }
   };
 
-  // Core 0 calls it when the previous round is done. Begins a round of at most kMaxItems items.
+  // Begins a round of at most kMaxItems items. Core 0 calls it when the previous round is done.
   void open(std::size_t items, Work work);
 
-  // For any core. look() returns the current ticket. claim() takes an item if the ticket has not
-  // changed and an item is left. Otherwise `seen` becomes the current ticket.
+  // Any core may call these functions. look() returns the current ticket. claim() claims an item if
+  // the ticket has not changed and an item is left. Otherwise it sets `seen` to the current ticket.
   [[nodiscard]] Ticket look() const { return {ticket_.load(std::memory_order_acquire)}; }
   [[nodiscard]] std::optional<std::size_t> claim(Ticket& seen);
-  // For the core that claimed the item.
+  // Only the core that claimed the item may call it.
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
-  // Runs items on this core until none is left, and returns the last ticket. Adds the number of
-  // items to `done`, which only this core may write.
+  // Runs items on this core until no item is left, and returns the last ticket. Adds the number of
+  // completed items to `done`, which only this core may write.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
-  // For core 0: whether every item has its flag. If so, all stores of the items are visible.
+  // Whether the flags of all items are set. If it returns true, all stores of the items are
+  // visible. Only core 0 may call it.
   [[nodiscard]] bool is_done();
 
-  // Core 0 calls it when no other core runs items. Runs those without a flag, and returns how many.
+  // Runs the items whose flag is not set, and returns their number. Core 0 calls it when no other
+  // core runs items.
   std::size_t redo();
 
  private:
-  // On one cache line, because a core that takes an item needs the work next. Only core 0 writes
-  // the members after the ticket, while no item is left.
+  // These members share a cache line, because a core that claims an item needs the work next. Only
+  // core 0 writes the members after the ticket, and only while no item is left.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
-  std::size_t checked_ = 0;  // for core 0: all items below this one have their flags
+  std::size_t checked_ = 0;  // for core 0: the flags of all items below this one are set
   Work work_;
   alignas(64) std::array<std::atomic<bool>, kMaxItems> is_done_{};
 };

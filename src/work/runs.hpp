@@ -1,9 +1,9 @@
-// Splits things into runs, each an item of a round. The first runs are long, later ones shorter and
-// shorter.
+// Splits a sequence into runs (guided chunks). Each run is an item of a round. The first runs are
+// long, and later runs become shorter and shorter.
 //
-// Cores take the runs in order. So there are few runs, and the last ones are short enough that no
-// core waits long. This is guided self-scheduling (Polychronopoulos and Kuck, IEEE Transactions on
-// Computers C-36, 1987), with runs half as long.
+// Cores claim the runs in order. As a result, there are few runs, and the last runs are so short
+// that no core waits long. This is guided self-scheduling (Polychronopoulos and Kuck, IEEE
+// Transactions on Computers C-36, 1987), with runs that are half as long.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Runs {
     std::size_t longest = Round::kMaxItems;
   };
 
-  // things: at most Round::kMaxItems.
+  // `things` is the length of the sequence, at most Round::kMaxItems.
   Runs(std::size_t things, Lengths lengths) {
     require(things <= Round::kMaxItems && lengths.shortest > 0);
     for (std::size_t first = 0; first < things;) {

@@ -1,9 +1,10 @@
-// The cores that work together: core 0, which opens rounds, and the helpers.
+// The worker pool: core 0, which opens rounds, and the helpers.
 //
-// Core 0 takes items like any helper, so a round ends even without helpers. A helper that faults or
-// hangs in an item is ended and never used again, and core 0 runs its item. A helper that does not
-// answer a wake-up holds no item, and may answer later. So losing a core only costs time. No wait
-// is longer than the patience, unless an item is.
+// Core 0 claims items like any helper, so a round is completed even without helpers. A helper that
+// faults or hangs while it runs an item is stopped and never used again, and core 0 runs its item.
+// A helper that does not answer a wake-up has not claimed an item, and may answer later. Losing a
+// core therefore only costs time. The time of each wait is limited to the patience, unless an item
+// takes longer.
 #pragma once
 
 #include <algorithm>
@@ -19,21 +20,21 @@
 
 namespace iog::work {
 
-// Why a core does not work.
+// The reason why a core does not work.
 enum class Loss : std::uint8_t {
   kNone,
-  kNotAsked,  // the machine does not have it, or fewer were wanted
+  kNotAsked,  // the machine does not have this core, or fewer cores were requested
   kNotUp,     // it did not come up
   kFaulted,   // an exception or a broken requirement ended it
   kStuck,     // it did not finish its item
-  kSilent,    // it has not answered a wake-up yet, and is woken again
+  kSilent,    // it has not answered a wake-up yet, and will be woken again
 };
 
 // Since start, modulo 2^32.
 struct TeamCounts {
-  std::uint32_t at_work = 0;                          // cores at work now
+  std::uint32_t at_work = 0;                          // cores that currently work
   std::uint32_t for_lost = 0;                         // items of lost cores that core 0 did
-  std::array<std::uint32_t, hal::kMaxCores> items{};  // done by each core
+  std::array<std::uint32_t, hal::kMaxCores> items{};  // completed by each core
 
   // Names in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
@@ -44,8 +45,9 @@ struct TeamCounts {
 template <hal::Cores C>
 class Team {
  public:
-  // cores must outlive the team. patience_us: how long a helper may take to answer a wake-up, or to
-  // finish its item after all others have finished. It must be longer than any item.
+  // cores must outlive the team. patience_us is the maximum time for a helper to answer a wake-up,
+  // or to finish its item after all other helpers have finished. It must be longer than any item
+  // takes.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
@@ -53,8 +55,8 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  // Call it once. Starts helpers until `wanted` cores work, core 0 included, as far as the machine
-  // has them. Returns how many work.
+  // Starts helpers until `wanted` cores work, core 0 included, or until the machine has no more
+  // cores. Returns the number of working cores. Call it once.
   std::size_t start(std::size_t wanted) {
     const std::size_t count = std::min(wanted, cores_->count());
     for (std::size_t core = 1; core < hal::kMaxCores && core < count; ++core) {
@@ -65,8 +67,8 @@ class Team {
     return cores();
   }
 
-  // Runs every item on any core, and returns when all are done. Core 0 runs `beside` first, while
-  // helpers begin.
+  // Runs every item on any core, and returns when all items are done. Core 0 runs `beside` first,
+  // while the helpers already run items.
   void share(std::size_t items, Work work, Beside beside = {}) {
     look_around();
     if (items < 2 || cores() == 1) {
@@ -82,14 +84,14 @@ class Team {
     redone_ += static_cast<std::uint32_t>(round_.redo());
   }
 
-  // Call it between rounds. Wakes every available helper without work, so that comes() shows which
-  // of them are alive.
+  // Wakes every available helper without giving it work, so that comes() shows which helpers are
+  // alive. Call it between rounds.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
   }
 
-  // The number of cores that work or may answer, core 0 included.
+  // The number of cores that work or may still answer, core 0 included.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
     for (std::size_t core = 0; core < loss_.size(); ++core) {
@@ -102,17 +104,19 @@ class Team {
     return cores_->last_word(core);
   }
 
-  // Whether a helper should answer a wake-up: it is up, and not known to be lost.
+  // Whether a helper should answer a wake-up. This is the case if it has started and is not known
+  // to be lost.
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // How often a helper has answered a wake-up and gone idle again. Since start, modulo 2^32.
+  // The number of times that a helper has answered a wake-up and gone idle again, since start-up
+  // and modulo 2^32.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
-  // The items that a core has done, and those of lost cores that core 0 did. Since start, modulo
-  // 2^32.
+  // items() returns the number of items that a core has completed. redone() returns the number of
+  // items of lost cores that core 0 completed. Both are counted since start-up, modulo 2^32.
   [[nodiscard]] std::uint32_t items(std::size_t core) const {
     return seats_[core].items.load(std::memory_order_relaxed);
   }
@@ -123,16 +127,17 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Grows with each core that is lost, or silent for the first time.
+  // Incremented when a core is lost, or when it fails to answer for the first time.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // Not the number of a round: the helper is looking for items.
+  // This value is not the number of a round. It indicates that the helper is looking for items.
   static constexpr std::uint32_t kInside = 1U << 16;
 
-  // Only its own core writes it. It has a cache line of its own.
+  // Only the seat's own core writes it. Each seat has its own cache line.
   struct alignas(64) Seat {
-    std::atomic<std::uint32_t> place{0};  // kInside, or the round that it found without items
+    std::atomic<std::uint32_t> place{0};  // kInside, or the round in which the core found no more
+                                          // items
     std::atomic<std::uint32_t> items{0};
     std::atomic<std::uint32_t> comes{0};
   };
@@ -156,8 +161,8 @@ class Team {
     }
   }
 
-  // A helper that has ended is lost. One that did not answer its wake-up in time is silent. One
-  // that has answered is about to be woken again.
+  // Updates the state of each helper. A helper that has ended is lost. A helper that did not answer
+  // its wake-up in time is silent. A helper that has answered will be woken again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
@@ -182,8 +187,8 @@ class Team {
     });
   }
 
-  // Waits until every item is done, or no helper is still running one. All items are taken by now,
-  // and a helper with an item is inside.
+  // Waits until every item is done or no helper is running an item. All items have already been
+  // claimed, and the `place` of a helper that has an item is kInside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -202,8 +207,8 @@ class Team {
     }
   }
 
-  // A core that cannot be stopped could overwrite the repeated item's output. In that case the run
-  // ends.
+  // Stops helpers that hang. If a core cannot be stopped, it could overwrite the output of the
+  // repeated item, so the run ends.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {
