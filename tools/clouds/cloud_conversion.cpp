@@ -39,12 +39,10 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   PoseLog even;
   even.poses = track_.every(kPosePeriodUs);
   PoseConversion conversion{.mount_x_m = mount_x_m, .mount_y_m = mount_y_m};
-  if (set_.has_poses_of_unit) {
+  if (set_.poses.is_of_unit) {
     conversion.mount_x_m = sensor_->mount.x_m;
     conversion.mount_y_m = sensor_->mount.y_m;
-    for (LoggedPose& pose : even.poses) {
-      *pose.heading_rad -= sensor_->mount.yaw_deg * kRadians;
-    }
+    conversion.mount_yaw_rad = sensor_->mount.yaw_deg * kRadians;
   }
   ConvertedLog log = converted(std::move(even), conversion);
   samples_ = std::move(log.samples);

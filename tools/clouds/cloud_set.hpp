@@ -24,7 +24,6 @@ struct CloudSet {
   bool is_corrected = false;          // for the car's motion
   // Where the receiver of the poses was, or the unit itself if they are of it. May be empty.
   PoseLog poses{};
-  bool has_poses_of_unit = false;
   std::vector<std::string> remarks{};  // what is not there
 };
 

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -19,7 +18,6 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
-#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
@@ -47,37 +45,6 @@ struct PoseLogOptions {
   double map_heading_sigma_mrad = 2;
   SigningOptions signing;
 };
-
-// By the name of what is to be read.
-std::string format_of(const PoseLogOptions& options) {
-  if (!options.format.empty()) {
-    return options.format;
-  }
-  const std::string suffix = std::filesystem::path(options.from).extension();
-  if (std::filesystem::is_directory(options.from)) {
-    return "oxts";
-  }
-  if (suffix == ".csv" || suffix == ".nmea" || suffix == ".ubx") {
-    return suffix.substr(1);
-  }
-  throw UsageError(options.from + ": give --format csv, oxts, nmea or ubx");
-}
-
-PoseLog log_of(const PoseLogOptions& options) {
-  const std::string format = format_of(options);
-  if (format == "csv") {
-    return read_csv_log(options.from);
-  }
-  if (format == "oxts") {
-    return read_oxts_log(options.from);
-  }
-  const std::vector<std::byte> bytes = read_file(options.from);
-  if (format == "nmea") {
-    static_cast<void>(text_in(options.from, bytes));
-    return read_nmea_log(bytes);
-  }
-  return read_ubx_log(bytes);
-}
 
 // What a file says does not depend on the day; a target must know one sending from the next.
 std::uint32_t run_of(const PoseLogOptions& options) {
@@ -175,7 +142,7 @@ void convert(const PoseLogOptions& options) {
   if (!options.signing.key.empty() && options.target.empty()) {
     throw UsageError("--key needs --target: what is signed is signed for one run of a target");
   }
-  PoseLog read = log_of(options);
+  PoseLog read = read_pose_log(options.from, options.format);
   const std::optional<PoseConversion::Map> map = map_of(options);
   if (map && !read.plane && !read.poses.empty()) {
     throw UsageError(options.from + ": no latitudes in it, so no place on a map");
@@ -234,9 +201,10 @@ void add_pose(CLI::App& program) {
   command->add_option("--from", options->from, "The log to read")
       ->option_text("FILE | FOLDER  (required)")
       ->required();
-  command->add_option("--format", options->format, "What it is, where its name does not say")
-      ->option_text("csv | oxts | nmea | ubx")
-      ->check(CLI::IsMember({"csv", "oxts", "nmea", "ubx"}));
+  command
+      ->add_option("--format", options->format, "What it is, where name and content do not show it")
+      ->option_text("csv | oxts | nmea | ubx | tum | kitti | mcap")
+      ->check(CLI::IsMember(std::vector<std::string>(kPoseFormats.begin(), kPoseFormats.end())));
   command->add_option("--out", options->out, "The capture to write (.pcap)")->option_text("FILE");
   command->add_option("--target", options->target, "Or the IPv4 address to send to")
       ->option_text("ADDRESS");
@@ -275,9 +243,13 @@ void add_pose(CLI::App& program) {
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"
-      "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. Latitude and longitude "
-      "become\n"
-      "metres east and north of the first position. docs/drives.md says how each is read.");
+      "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. tum: timestamp tx ty tz qx "
+      "qy qz qw.\n"
+      "kitti: a folder with times.txt, poses.txt and calib.txt. mcap: nav_msgs/Odometry, else "
+      "base_link in /tf;\n"
+      "FILE.mcap:/topic names one of several. Latitude and longitude become metres east and north "
+      "of the\n"
+      "first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }
 

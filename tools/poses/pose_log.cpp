@@ -20,7 +20,7 @@ double seconds_between(const LoggedPose& from, const LoggedPose& to) {
 
 // The receiver's place less its mount.
 PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
-  const double heading = *pose.heading_rad;
+  const double heading = *pose.heading_rad - conversion.mount_yaw_rad;
   const double cos = std::cos(heading);
   const double sin = std::sin(heading);
   return {
