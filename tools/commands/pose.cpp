@@ -34,7 +34,7 @@ struct PoseLogOptions {
   std::string target;
   std::uint16_t port = pose::kPosePort;
   double speed = 1;
-  double clock_offset_s = 0;
+  std::optional<double> clock_offset_s;
   double sigma_mm = 50;
   double heading_sigma_mrad = 2;
   std::vector<double> mount_m{0, 0};
@@ -81,33 +81,6 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
       .sigma = wire_sigma(*options.map_sigma_mm / 1000, options.map_heading_sigma_mrad / 1000)};
 }
 
-// "; not used: 3 poses without a heading, ..."
-std::string joined(const std::vector<std::string>& remarks) {
-  std::string text;
-  for (const std::string& remark : remarks) {
-    text += (text.empty() ? "; not used: " : ", ") + remark;
-  }
-  return text;
-}
-
-void print_remarks(const PoseLogOptions& options, const ConvertedLog& log) {
-  for (const std::string& remark : log.remarks) {
-    std::cout << options.from << ": not used: " << remark << '\n';
-  }
-  for (const std::string& note : log.notes) {
-    std::cout << options.from << ": " << note << '\n';
-  }
-  if (log.taken_sigmas > 0) {
-    std::cout << options.from << ": no standard deviation of the way in " << log.taken_sigmas
-              << " poses, " << options.sigma_mm << " mm taken\n";
-  }
-  if (log.taken_sigma_headings > 0) {
-    std::cout << options.from << ": no standard deviation of the turn in "
-              << log.taken_sigma_headings << " poses, " << options.heading_sigma_mrad
-              << " mrad taken\n";
-  }
-}
-
 void write(const std::vector<CapturedDatagram>& datagrams, const std::string& path) {
   PcapWriter capture(path);
   for (const CapturedDatagram& datagram : datagrams) {
@@ -147,27 +120,28 @@ void convert(const PoseLogOptions& options) {
   if (map && !read.plane && !read.poses.empty()) {
     throw UsageError(options.from + ": no latitudes in it, so no place on a map");
   }
-  const ConvertedLog log =
-      converted(std::move(read), {.mount_x_m = options.mount_m[0],
+  const PoseConversion conversion{.mount_x_m = options.mount_m[0],
                                   .mount_y_m = options.mount_m[1],
                                   .sigma_m = options.sigma_mm / 1000,
                                   .sigma_heading_rad = options.heading_sigma_mrad / 1000,
                                   .run = run_of(options),
-                                  .map = map});
-  if (log.samples.empty()) {
-    throw UsageError(options.from + ": no pose in it" + joined(log.remarks));
-  }
+                                  .map = map};
+  const ConvertedLog log = converted(std::move(read), conversion);
+  demand_poses(log, options.from);
   PoseEncoder encoder;
   std::vector<CapturedDatagram> datagrams;
   for (PoseSample sample : log.samples) {
-    sample.time_us += static_cast<std::uint64_t>(std::llround(options.clock_offset_s * 1e6));
+    sample.time_us +=
+        static_cast<std::uint64_t>(std::llround(options.clock_offset_s.value_or(0) * 1e6));
     datagrams.push_back(encoder.datagram_of(sample));
   }
   if (!options.target.empty()) {
     catch_interrupts();
   }
   const CommandSigner signer = signer_of(options.signing);
-  print_remarks(options, log);
+  for (const std::string& words : words_of(log, conversion)) {
+    std::cout << options.from << ": " << words << '\n';
+  }
   options.out.empty() ? send(datagrams, options, signer) : write(datagrams, options.out);
 }
 

@@ -10,6 +10,8 @@
 
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
+#include "tools/poses/pose_encoder.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
@@ -48,11 +50,56 @@ std::string words_of(const std::string& who, std::int64_t measured_us) {
   return text.str();
 }
 
+void demand_files(const std::vector<std::string>& paths, const std::string& option) {
+  for (const std::string& path : paths) {
+    if (!std::filesystem::is_regular_file(path)) {
+      throw UsageError(option + " needs a file, which is read twice, not " + path);
+    }
+  }
+}
+
+// Poses of a lidar become those of the car by its mount.
+PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car, bool is_of_unit) {
+  const std::vector<double>& at = drive.poses_mount;
+  if (at.empty() && is_of_unit && car.sensors.size() > 1) {
+    throw UsageError(drive.poses + ": poses of a lidar, and " + std::string(car.vehicle->name) +
+                     " has several sensors: give --poses-mount X Y YAW of that one");
+  }
+  const description::MountConfig& mount = car.sensors[0].mount;
+  const bool is_unit = at.empty() && is_of_unit;
+  const auto value = [&](std::size_t i, double of_unit) {
+    return at.size() > i ? at[i] : is_unit ? of_unit : 0.0;
+  };
+  return {.mount_x_m = value(0, mount.x_m),
+          .mount_y_m = value(1, mount.y_m),
+          .mount_yaw_rad = value(2, mount.yaw_deg) * kRadians};
+}
+
 }  // namespace
+
+std::string DriveFiles::name() const {
+  std::string names;
+  for (const std::string& path : captures) {
+    names += (names.empty() ? "" : ", ") + path;
+  }
+  return names;
+}
 
 void CarClocks::Span::add(std::uint64_t time_us) {
   first_us = std::min(first_us, time_us);
   last_us = std::max(last_us, time_us);
+}
+
+std::string CarClocks::Span::words() const {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << " (" << static_cast<double>(first_us) / 1e6
+       << " to " << static_cast<double>(last_us) / 1e6 << " s)";
+  return text.str();
+}
+
+void CarClocks::use_log(std::int64_t ahead_us) {
+  is_of_log_ = true;
+  poses_us_ = ahead_us;
 }
 
 void CarClocks::add(const CapturedDatagram& datagram) {
@@ -70,15 +117,15 @@ void CarClocks::add_pose(const CapturedDatagram& datagram) {
   if (fate != pose::Fate::kUsed) {
     return;
   }
+  first_pose_us_ = poses_.first_us > poses_.last_us ? message.clock_us : first_pose_us_;
   poses_.add(datagram.time_us);
   last_pose_us_ = message.clock_us;
   if (!poses_us_) {
-    first_pose_us_ = message.clock_us;
     poses_us_ = difference(message.clock_us + message.age_us, datagram.time_us);
   }
 }
 
-// What counts from the hour needs a pose to say which.
+// What counts from the hour needs a pose to say which; beside a log the capture says it.
 void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number) {
   const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
   if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
@@ -91,8 +138,9 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
   const intake::Packet packet =
       intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
   if (packet.is_sound()) {
+    const std::uint64_t about_us = is_of_log_ ? datagram.time_us : last_pose_us_;
     ahead_us.push_back(
-        difference(intake::measured_us(sensor, packet.info(), last_pose_us_), datagram.time_us));
+        difference(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us));
   }
 }
 
@@ -106,7 +154,7 @@ std::int64_t CarClocks::sensors_us() const {
   const auto known =
       std::ranges::find_if(sensors_us_, [](const auto& its) { return !its.second.empty(); });
   const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_of(known->second);
-  return std::abs(ahead_us) < kSecondUs ? 0 : ahead_us;
+  return std::abs(ahead_us) <= kAgreeUs ? 0 : ahead_us;
 }
 
 std::string CarClocks::words() const {
@@ -126,35 +174,42 @@ std::string CarClocks::words() const {
     }
   }
   if (!some.empty()) {
-    return words_of(agreeing == 0 ? "the packets" : "the packets of " + some, some_us);
+    return words_of(agreeing == 0 ? "the packets" : "the packets of " + some, some_us) +
+           (is_of_log_ ? ", and --clock-offset 0 says that the log is by the packets' clock" : "");
   }
-  if (poses_.last_us < packets_.first_us || packets_.last_us < poses_.first_us) {
-    return "the packets and the poses have no time in common: if they begin together, " +
-           words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
-  }
-  return {};
+  return poses_.last_us < packets_.first_us || packets_.last_us < poses_.first_us ? words_apart()
+                                                                                  : "";
 }
 
-CarCapture::CarCapture(const std::string& path, const CatalogueEntry& car, double clock_offset_s)
-    : car_(&car), offset_us_(std::llround(clock_offset_s * 1e6)), file_(path), clocks_(car) {
-  if (offset_us_ == 0) {
-    return;
-  }
-  if (!std::filesystem::is_regular_file(path)) {
-    throw UsageError("--clock-offset needs a file, which is read twice, not " + path);
-  }
-  if (const std::int64_t delay_us = delay_of_poses(path); delay_us != 0) {
-    read_poses(path, delay_us);
+std::string CarClocks::words_apart() const {
+  return "the packets" + packets_.words() + " and the poses" + poses_.words() +
+         " have no time in common: if they begin together, " +
+         words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
+}
+
+CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
+    : car_(&car),
+      offset_us_(std::llround(drive.clock_offset_s.value_or(0) * 1e6)),
+      files_(drive.captures),
+      clocks_(car) {
+  if (!drive.poses.empty()) {
+    demand_files(drive.captures, "--poses");
+    read_log(drive);
+  } else if (offset_us_ != 0) {
+    demand_files(drive.captures, "--clock-offset");
+    if (const std::int64_t delay_us = delay_of_poses(drive); delay_us != 0) {
+      read_poses(drive, delay_us);
+    }
   }
 }
 
 // Poses belong to packets of the same measuring time. If they arrive less than a second apart from
 // these, their times stay.
-std::int64_t CarCapture::delay_of_poses(const std::string& path) const {
-  PcapReader file(path);
+std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
+  CaptureSet files(drive.captures);
   CarClocks clocks(*car_);
   while (!clocks.are_known()) {
-    const std::optional<CapturedDatagram> datagram = file.next();
+    const std::optional<CapturedDatagram> datagram = files.next();
     if (!datagram) {
       break;
     }
@@ -164,10 +219,10 @@ std::int64_t CarCapture::delay_of_poses(const std::string& path) const {
   return std::abs(delay_us) < kSecondUs ? 0 : delay_us;
 }
 
-void CarCapture::read_poses(const std::string& path, std::int64_t delay_us) {
+void CarCapture::read_poses(const DriveFiles& drive, std::int64_t delay_us) {
   is_merged_ = true;
-  PcapReader file(path);
-  while (std::optional<CapturedDatagram> datagram = file.next()) {
+  CaptureSet files(drive.captures);
+  while (std::optional<CapturedDatagram> datagram = files.next()) {
     if (is_pose_port(*car_, datagram->destination.port)) {
       datagram->time_us += static_cast<std::uint64_t>(delay_us);
       poses_.push_back(*std::move(datagram));
@@ -175,8 +230,60 @@ void CarCapture::read_poses(const std::string& path, std::int64_t delay_us) {
   }
 }
 
+void CarCapture::read_log(const DriveFiles& drive) {
+  if (!vehicle::have_classes(car_->vehicle->grids)) {
+    throw UsageError("--poses: " + std::string(car_->vehicle->name) +
+                     " has no classes, so it has no use for poses");
+  }
+  PoseLog log = read_pose_log(drive.poses);
+  const PoseConversion conversion = conversion_of(drive, *car_, log.is_of_unit);
+  const ConvertedLog poses = converted(std::move(log), conversion);
+  demand_poses(poses, drive.poses);
+  log_words_ = words_of(poses, conversion);
+  PoseEncoder encoder;
+  for (const PoseSample& sample : poses.samples) {
+    poses_.push_back(encoder.datagram_of(sample));
+    poses_.back().destination.port = car_->vehicle->poses.udp_port;
+  }
+  is_merged_ = true;
+  has_log_ = true;
+  const std::int64_t delay_us = delay_of_log(drive);
+  for (CapturedDatagram& pose : poses_) {
+    pose.time_us += static_cast<std::uint64_t>(delay_us);
+  }
+  clocks_.use_log(offset_us_ - delay_us);
+}
+
+// Reads on until it is known how far the sensors' clock is ahead and whether poses come beside
+// packets.
+std::int64_t CarCapture::delay_of_log(const DriveFiles& drive) {
+  CaptureSet files(drive.captures);
+  CarClocks clocks(*car_);
+  clocks.use_log(0);
+  const CarClocks::Span& packets = clocks.packets();
+  std::int64_t delay_us = 0;
+  const auto is_beside = [&] {
+    delay_us = drive.clock_offset_s ? offset_us_ - without_way(clocks.sensors_us()) : 0;
+    return difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
+           difference(packets.first_us, poses_.back().time_us) - delay_us <= 0;
+  };
+  std::optional<CapturedDatagram> datagram;
+  while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
+    if (!is_pose_port(*car_, datagram->destination.port)) {
+      clocks.add(*datagram);
+    }
+  }
+  if (!is_beside() && packets.last_us > 0) {
+    for (const CapturedDatagram& pose : poses_) {
+      clocks.add(pose);
+    }
+    throw UsageError(drive.poses + ": " + clocks.words_apart());
+  }
+  return delay_us;
+}
+
 std::optional<PcapReader::Place> CarCapture::place() const {
-  return is_merged_ ? std::nullopt : file_.place();
+  return is_merged_ ? std::nullopt : files_.place();
 }
 
 void CarCapture::put_ahead(CapturedDatagram& pose) {
@@ -191,9 +298,10 @@ void CarCapture::put_ahead(CapturedDatagram& pose) {
 
 std::optional<CapturedDatagram> CarCapture::next() {
   std::optional<CapturedDatagram> datagram = std::exchange(packet_, std::nullopt);
-  while (!datagram && (datagram = file_.next()) && is_merged_ &&
+  while (!datagram && (datagram = files_.next()) && is_merged_ &&
          is_pose_port(*car_, datagram->destination.port)) {
     datagram.reset();
+    unused_poses_ += has_log_ ? 1U : 0U;
   }
   if (next_pose_ < poses_.size() &&
       (!datagram || poses_[next_pose_].time_us <= datagram->time_us)) {
@@ -208,10 +316,21 @@ std::optional<CapturedDatagram> CarCapture::next() {
   return datagram;
 }
 
-void warn_of(const std::string& path, const CarCapture& capture) {
-  warn_of(path, capture.file());
+std::vector<std::string> CarCapture::remarks() const {
+  std::vector<std::string> remarks = log_words_;
+  remark(unused_poses_, "poses in the captures are not used", remarks);
+  return remarks;
+}
+
+void warn_of(const DriveFiles& drive, const CarCapture& capture) {
+  for (const CaptureSet::File& file : capture.files().files()) {
+    warn_of(file.path, *file.reader);
+  }
+  for (const std::string& words : capture.remarks()) {
+    std::cerr << "iog: " << drive.poses << ": " << words << '\n';
+  }
   if (const std::string words = capture.clock_words(); !words.empty()) {
-    std::cerr << "iog: " << path << ": " << words << '\n';
+    std::cerr << "iog: " << drive.name() << ": " << words << '\n';
   }
 }
 

@@ -13,20 +13,11 @@ namespace {
 
 namespace files = std::filesystem;
 
-std::string format_of_folder(const files::path& folder) {
-  return files::exists(folder / "oxts") || files::exists(folder / "timestamps.txt") ? "oxts"
-         : files::exists(folder / "poses.txt")                                      ? "kitti"
-                                                                                    : "";
-}
-
 // By the first row that says something.
 std::string format_of_text(std::string_view text) {
   for (const std::string_view line : lines_of(text)) {
-    if (line.find("time_s") != std::string_view::npos) {
-      return "csv";
-    }
-    if (line.starts_with('$')) {
-      return "nmea";
+    if (line.starts_with('$') || line.find("time_s") != std::string_view::npos) {
+      return line.starts_with('$') ? "nmea" : "csv";
     }
     if (!trimmed(line).empty() && !line.starts_with('#')) {
       const std::size_t words = words_of(line).size();
@@ -38,44 +29,31 @@ std::string format_of_text(std::string_view text) {
 
 std::string format_of(const std::string& path) {
   if (files::is_directory(path)) {
-    return format_of_folder(path);
+    const bool is_oxts = files::exists(path + "/oxts") || files::exists(path + "/timestamps.txt");
+    return files::exists(path + "/poses.txt") ? "kitti" : is_oxts ? "oxts" : "";
   }
   const std::string suffix = files::path(path).extension();
-  if (const auto* const known =
-          std::ranges::find(kPoseFormats, suffix.substr(suffix.empty() ? 0 : 1));
-      known != kPoseFormats.end()) {
-    return std::string(*known);
+  for (const std::string_view format : kPoseFormats) {
+    if (suffix == "." + std::string(format)) {
+      return suffix.substr(1);
+    }
   }
-  const std::vector<std::byte> bytes = read_file(path);
+  std::vector<std::byte> bytes = read_file(path);
   if (bytes.empty()) {
     throw UsageError(path + ": empty");
   }
-  const std::span begin = std::span(bytes).first(std::min<std::size_t>(bytes.size(), 4096));
-  if (!ubx_message_at(bytes).empty()) {
-    return "ubx";
-  }
-  return std::ranges::equal(begin.first(std::min(begin.size(), mcap::kMagic.size())),
-                            std::as_bytes(std::span(mcap::kMagic)))
-             ? "mcap"
-             : format_of_text(text_in(path, begin));
-}
-
-// "drive.mcap:/odom", unless there is a file of that name.
-struct FileAndTopic {
-  std::string file;
-  std::string topic;
-};
-FileAndTopic parts_of_input(const std::string& path) {
-  const std::size_t colon = path.rfind(":/");
-  return colon == std::string::npos || files::exists(path)
-             ? FileAndTopic{path, ""}
-             : FileAndTopic{path.substr(0, colon), path.substr(colon + 1)};
+  const bool is_ubx = !ubx_message_at(bytes).empty();
+  bytes.resize(std::min<std::size_t>(bytes.size(), 4096));
+  const bool is_mcap = std::ranges::mismatch(bytes, std::as_bytes(std::span(mcap::kMagic))).in2 ==
+                       std::as_bytes(std::span(mcap::kMagic)).end();
+  return is_ubx ? "ubx" : is_mcap ? "mcap" : format_of_text(text_in(path, bytes));
 }
 
 }  // namespace
 
 PoseLog read_pose_log(const std::string& input, const std::string& format) {
-  const auto [path, topic] = parts_of_input(input);
+  const std::size_t colon = files::exists(input) ? std::string::npos : input.rfind(":/");
+  const std::string path = input.substr(0, colon);
   const std::string its = format.empty() ? format_of(path) : format;
   if (its == "csv") {
     return read_csv_log(path);
@@ -90,18 +68,15 @@ PoseLog read_pose_log(const std::string& input, const std::string& format) {
     return read_kitti_log(files::is_directory(path) ? path + "/poses.txt" : path);
   }
   if (its == "mcap") {
-    return read_ros_log(path, topic);
+    return read_ros_log(path, colon == std::string::npos ? "" : input.substr(colon + 1));
   }
-  if (its != "nmea" && its != "ubx") {
+  if (its.empty()) {
     throw UsageError(path +
-                     ": no log of poses that is known: csv, oxts, nmea, ubx, tum, kitti, mcap");
+                     ": no log of poses that is read: csv, oxts, nmea, ubx, tum, kitti, mcap");
   }
   const std::vector<std::byte> bytes = read_file(path);
-  if (its == "nmea") {
-    static_cast<void>(text_in(path, bytes));
-    return read_nmea_log(bytes);
-  }
-  return read_ubx_log(bytes);
+  static_cast<void>(its == "nmea" ? text_in(path, bytes) : "");
+  return its == "nmea" ? read_nmea_log(bytes) : read_ubx_log(bytes);
 }
 
 }  // namespace iog::tools

@@ -119,6 +119,13 @@ struct ConvertedLog {
 // UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
 
+// UsageError, with why, if there is none.
+void demand_poses(const ConvertedLog& log, const std::string& path);
+
+// A line for each remark and note, and for standard deviations that were taken.
+[[nodiscard]] std::vector<std::string> words_of(const ConvertedLog& log,
+                                                const PoseConversion& conversion);
+
 // How many were left out, and where the first one is.
 struct Tally {
   std::size_t count = 0;

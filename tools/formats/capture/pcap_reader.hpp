@@ -29,6 +29,7 @@ struct CaptureCounts {
   std::uint64_t bad_checksum = 0;  // of IPv4 or UDP
 
   [[nodiscard]] std::uint64_t skipped() const;
+  CaptureCounts& operator+=(const CaptureCounts& others);
 };
 
 class PcapReader {

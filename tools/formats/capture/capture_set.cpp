@@ -1,0 +1,49 @@
+#include "tools/formats/capture/capture_set.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace iog::tools {
+
+CaptureSet::CaptureSet(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    File& file = files_.emplace_back(File{path, std::make_unique<PcapReader>(path)});
+    file.next = paths.size() > 1 ? file.reader->next() : std::nullopt;
+  }
+}
+
+std::optional<CapturedDatagram> CaptureSet::next() {
+  if (files_.size() == 1) {
+    return files_.front().reader->next();
+  }
+  const auto first = std::ranges::min_element(files_, {}, [](const File& file) {
+    return file.next ? file.next->time_us : ~std::uint64_t{0};
+  });
+  return std::exchange(first->next, first->next ? first->reader->next() : std::nullopt);
+}
+
+std::optional<PcapReader::Place> CaptureSet::place() const {
+  return files_.size() == 1 ? files_.front().reader->place() : std::nullopt;
+}
+
+CaptureCounts CaptureSet::counts() const {
+  CaptureCounts sum;
+  for (const File& file : files_) {
+    sum += file.reader->counts();
+  }
+  return sum;
+}
+
+std::optional<double> CaptureSet::part_read() const {
+  double sum = 0;
+  for (const File& file : files_) {
+    const std::optional<double> part = file.reader->part_read();
+    if (!part) {
+      return std::nullopt;
+    }
+    sum += *part / static_cast<double>(files_.size());
+  }
+  return sum;
+}
+
+}  // namespace iog::tools
