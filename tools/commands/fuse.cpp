@@ -94,7 +94,7 @@ std::uint64_t feed(CarCapture& capture, const CatalogueEntry& car, OfflineTarget
     } else {
       ++other_ports;
     }
-    progress.show(capture.files().counts().datagrams, capture.files().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
   target.finish();
   return other_ports;
@@ -165,14 +165,13 @@ class ClassDrawing {
 };
 
 void print_input(const CarCapture& capture, std::uint64_t other_ports) {
-  const CaptureCounts counts = capture.files().counts();
-  std::cout << row("packets", std::to_string(counts.datagrams - other_ports) +
+  std::cout << row("packets", std::to_string(capture.files().datagrams() - other_ports) +
                                   " for the vehicle's ports, " + std::to_string(other_ports) +
                                   " for others");
-  if (const std::string skipped = describe_skipped(counts); !skipped.empty()) {
-    std::cout << row("not looked at", skipped);
-  }
   for (const CaptureSet::File& file : capture.files().files()) {
+    if (const std::string skipped = describe_skipped(file.reader->counts()); !skipped.empty()) {
+      std::cout << row("not looked at", skipped);
+    }
     for (const std::string& words : {file.reader->trouble(), file.reader->clock_words()}) {
       std::cout << (words.empty() ? "" : row("capture", words));
     }
@@ -288,7 +287,7 @@ void add_fuse(CLI::App& program) {
       ->needs("--stream");
   command
       ->add_option("--classes-hashes", options->classes_hashes,
-                   "Write one line per frame of the class grid; needs poses in the capture")
+                   "Write one line per frame of the class grid; needs poses")
       ->option_text("FILE");
   command
       ->add_option("--classes-png", options->classes_png,

@@ -57,7 +57,7 @@ void read(const MountOptions& options, const CatalogueEntry& car, std::vector<Tu
     for (TurningUnit& unit : units) {
       unit.turns.take(*datagram);
     }
-    progress.show(capture.files().counts().datagrams, capture.files().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
   warn_of(options.drive, capture);
   for (TurningUnit& unit : units) {

@@ -123,7 +123,9 @@ class Replay {
       }
       ++other_ports_;
     }
-    skipped_ += capture.files().counts().skipped();
+    for (const CaptureSet::File& file : capture.files().files()) {
+      skipped_ += file.reader->counts().skipped();
+    }
     warn_of(options_->drive, capture);
     return std::nullopt;
   }

@@ -338,7 +338,7 @@ void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car
   }
   const std::string refusal = identity.refusal(car);
   if (!refusal.empty()) {
-    const std::string skipped = describe_skipped(capture.counts());
+    const std::string skipped = describe_skipped(capture.files().front().reader->counts());
     throw UsageError(joined(paths, ", ") + ": " + refusal +
                      (skipped.empty() ? "" : " (" + skipped + ")"));
   }

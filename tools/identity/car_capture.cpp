@@ -50,29 +50,19 @@ std::string words_of(const std::string& who, std::int64_t measured_us) {
   return text.str();
 }
 
-void demand_files(const std::vector<std::string>& paths, const std::string& option) {
-  for (const std::string& path : paths) {
-    if (!std::filesystem::is_regular_file(path)) {
-      throw UsageError(option + " needs a file, which is read twice, not " + path);
-    }
-  }
-}
-
 // Poses of a lidar become those of the car by its mount.
 PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car, bool is_of_unit) {
-  const std::vector<double>& at = drive.poses_mount;
-  if (at.empty() && is_of_unit && car.sensors.size() > 1) {
-    throw UsageError(drive.poses + ": poses of a lidar, and " + std::string(car.vehicle->name) +
-                     " has several sensors: give --poses-mount X Y YAW of that one");
+  std::vector<double> at = drive.poses_mount;
+  if (at.empty() && is_of_unit) {
+    if (car.sensors.size() > 1) {
+      throw UsageError(drive.poses + ": poses of a lidar, and " + std::string(car.vehicle->name) +
+                       " has several sensors: give --poses-mount X Y YAW of that one");
+    }
+    const description::MountConfig& mount = car.sensors[0].mount;
+    at = {mount.x_m, mount.y_m, mount.yaw_deg};
   }
-  const description::MountConfig& mount = car.sensors[0].mount;
-  const bool is_unit = at.empty() && is_of_unit;
-  const auto value = [&](std::size_t i, double of_unit) {
-    return at.size() > i ? at[i] : is_unit ? of_unit : 0.0;
-  };
-  return {.mount_x_m = value(0, mount.x_m),
-          .mount_y_m = value(1, mount.y_m),
-          .mount_yaw_rad = value(2, mount.yaw_deg) * kRadians};
+  at.resize(3);
+  return {.mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
 }
 
 }  // namespace
@@ -154,7 +144,7 @@ std::int64_t CarClocks::sensors_us() const {
   const auto known =
       std::ranges::find_if(sensors_us_, [](const auto& its) { return !its.second.empty(); });
   const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_of(known->second);
-  return std::abs(ahead_us) <= kAgreeUs ? 0 : ahead_us;
+  return std::abs(ahead_us) <= kAgreeUs ? 0 : without_way(ahead_us);
 }
 
 std::string CarClocks::words() const {
@@ -189,42 +179,68 @@ std::string CarClocks::words_apart() const {
 
 CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
     : car_(&car),
+      has_log_(!drive.poses.empty()),
       offset_us_(std::llround(drive.clock_offset_s.value_or(0) * 1e6)),
       files_(drive.captures),
       clocks_(car) {
-  if (!drive.poses.empty()) {
-    demand_files(drive.captures, "--poses");
-    read_log(drive);
-  } else if (offset_us_ != 0) {
-    demand_files(drive.captures, "--clock-offset");
-    if (const std::int64_t delay_us = delay_of_poses(drive); delay_us != 0) {
-      read_poses(drive, delay_us);
+  if (!has_log_ && offset_us_ == 0) {
+    return;
+  }
+  for (const std::string& path : drive.captures) {
+    if (!std::filesystem::is_regular_file(path)) {
+      throw UsageError(std::string(has_log_ ? "--poses" : "--clock-offset") +
+                       " needs a file, which is read twice, not " + path);
     }
+  }
+  if (has_log_) {
+    read_log(drive);
+  }
+  const std::int64_t delay_us = delay_of_poses(drive);
+  is_merged_ = has_log_ || delay_us != 0;
+  if (has_log_) {
+    clocks_.use_log(offset_us_ - delay_us);
+  } else if (is_merged_) {
+    read_poses(drive);
+  }
+  for (CapturedDatagram& pose : poses_) {
+    pose.time_us += static_cast<std::uint64_t>(delay_us);
   }
 }
 
 // Poses belong to packets of the same measuring time. If they arrive less than a second apart from
-// these, their times stay.
+// these, their times stay. Reads on until the clocks are known, and whether a log has poses beside
+// packets.
 std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
   CaptureSet files(drive.captures);
   CarClocks clocks(*car_);
-  while (!clocks.are_known()) {
-    const std::optional<CapturedDatagram> datagram = files.next();
-    if (!datagram) {
-      break;
-    }
-    clocks.add(*datagram);
+  if (has_log_) {
+    clocks.use_log(0);
   }
-  const std::int64_t delay_us = clocks.poses_us() + offset_us_ - clocks.sensors_us();
-  return std::abs(delay_us) < kSecondUs ? 0 : delay_us;
+  const CarClocks::Span& packets = clocks.packets();
+  std::int64_t delay_us = 0;
+  const auto is_beside = [&] {
+    const bool is_told = !has_log_ || drive.clock_offset_s;
+    delay_us = is_told ? clocks.poses_us() + offset_us_ - clocks.sensors_us() : 0;
+    return !has_log_ || (difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
+                         difference(packets.first_us, poses_.back().time_us) - delay_us <= 0);
+  };
+  std::optional<CapturedDatagram> datagram;
+  while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
+    if (!has_log_ || !is_pose_port(*car_, datagram->destination.port)) {
+      clocks.add(*datagram);
+    }
+  }
+  if (!is_beside() && packets.last_us > 0) {
+    std::ranges::for_each(poses_, [&clocks](const auto& pose) { clocks.add(pose); });
+    throw UsageError(drive.poses + ": " + clocks.words_apart());
+  }
+  return std::abs(delay_us) < kSecondUs && !has_log_ ? 0 : delay_us;
 }
 
-void CarCapture::read_poses(const DriveFiles& drive, std::int64_t delay_us) {
-  is_merged_ = true;
+void CarCapture::read_poses(const DriveFiles& drive) {
   CaptureSet files(drive.captures);
   while (std::optional<CapturedDatagram> datagram = files.next()) {
     if (is_pose_port(*car_, datagram->destination.port)) {
-      datagram->time_us += static_cast<std::uint64_t>(delay_us);
       poses_.push_back(*std::move(datagram));
     }
   }
@@ -245,41 +261,6 @@ void CarCapture::read_log(const DriveFiles& drive) {
     poses_.push_back(encoder.datagram_of(sample));
     poses_.back().destination.port = car_->vehicle->poses.udp_port;
   }
-  is_merged_ = true;
-  has_log_ = true;
-  const std::int64_t delay_us = delay_of_log(drive);
-  for (CapturedDatagram& pose : poses_) {
-    pose.time_us += static_cast<std::uint64_t>(delay_us);
-  }
-  clocks_.use_log(offset_us_ - delay_us);
-}
-
-// Reads on until it is known how far the sensors' clock is ahead and whether poses come beside
-// packets.
-std::int64_t CarCapture::delay_of_log(const DriveFiles& drive) {
-  CaptureSet files(drive.captures);
-  CarClocks clocks(*car_);
-  clocks.use_log(0);
-  const CarClocks::Span& packets = clocks.packets();
-  std::int64_t delay_us = 0;
-  const auto is_beside = [&] {
-    delay_us = drive.clock_offset_s ? offset_us_ - without_way(clocks.sensors_us()) : 0;
-    return difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
-           difference(packets.first_us, poses_.back().time_us) - delay_us <= 0;
-  };
-  std::optional<CapturedDatagram> datagram;
-  while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
-    if (!is_pose_port(*car_, datagram->destination.port)) {
-      clocks.add(*datagram);
-    }
-  }
-  if (!is_beside() && packets.last_us > 0) {
-    for (const CapturedDatagram& pose : poses_) {
-      clocks.add(pose);
-    }
-    throw UsageError(drive.poses + ": " + clocks.words_apart());
-  }
-  return delay_us;
 }
 
 std::optional<PcapReader::Place> CarCapture::place() const {

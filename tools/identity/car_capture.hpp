@@ -97,16 +97,15 @@ class CarCapture {
   void put_ahead(CapturedDatagram& pose);
   // The delay of the poses, found at the beginning of the files.
   [[nodiscard]] std::int64_t delay_of_poses(const DriveFiles& drive) const;
-  void read_poses(const DriveFiles& drive, std::int64_t delay_us);
+  void read_poses(const DriveFiles& drive);
   void read_log(const DriveFiles& drive);
-  [[nodiscard]] std::int64_t delay_of_log(const DriveFiles& drive);
 
   const CatalogueEntry* car_;
+  bool has_log_;
   std::int64_t offset_us_;
   CaptureSet files_;
   CarClocks clocks_;
   pose::Encoder encoder_;
-  bool has_log_ = false;
   std::vector<std::string> log_words_;
   std::uint64_t unused_poses_ = 0;       // in the captures, beside a log
   bool is_merged_ = false;               // the poses do not come as they stand in the files

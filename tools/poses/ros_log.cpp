@@ -20,13 +20,11 @@ constexpr std::string_view kVehicleFrame = "base_link";
 
 // A point or a vector, and a turn.
 void read_place(CdrReader& in, LoggedPose& pose) {
-  pose.x_m = in.f64();
-  pose.y_m = in.f64();
-  static_cast<void>(in.f64());
-  const double x = in.f64();
-  const double y = in.f64();
-  const double z = in.f64();
-  pose.heading_rad = heading_of({x, y, z, in.f64()});
+  std::array<double, 7> numbers{};
+  std::ranges::generate(numbers, [&in] { return in.f64(); });
+  pose.x_m = numbers[0];
+  pose.y_m = numbers[1];
+  pose.heading_rad = heading_of({numbers[3], numbers[4], numbers[5], numbers[6]});
 }
 
 // The root of a variance that says something.
@@ -43,29 +41,18 @@ LoggedPose pose_of_odometry(const ros::RecordedMessage& message) {
   read_place(in, pose);
   std::array<double, 36> covariance{};  // x, y, z, about x, about y, about z
   std::ranges::generate(covariance, [&in] { return in.f64(); });  // of the place: it drifts
-  pose.speed_mps = in.f64();
-  for (int skipped = 0; skipped < 4; ++skipped) {
-    static_cast<void>(in.f64());
+  std::array<double, 6> twist{};
+  std::ranges::generate(twist, [&in] { return in.f64(); });
+  if (twist != std::array<double, 6>{}) {  // many drivers leave it at zero
+    pose.speed_mps = twist[0];
+    pose.yaw_rate_rps = twist[5];
   }
-  pose.yaw_rate_rps = in.f64();
   std::ranges::generate(covariance, [&in] { return in.f64(); });
   in.must_be_whole();
   // The error of a rate is that of the way in a second.
   pose.sigma_m = sigma_of(covariance[0]);
   pose.sigma_heading_rad = sigma_of(covariance[35]);
   return pose;
-}
-
-// Many drivers leave the twist at zero. Then the poses say how the car moved.
-void forget_empty_twists(PoseLog& log) {
-  if (std::ranges::all_of(log.poses, [](const LoggedPose& pose) {
-        return pose.speed_mps == 0 && pose.yaw_rate_rps == 0;
-      })) {
-    for (LoggedPose& pose : log.poses) {
-      pose.speed_mps.reset();
-      pose.yaw_rate_rps.reset();
-    }
-  }
 }
 
 void add_transforms(const ros::RecordedMessage& message, std::string& parent, PoseLog& log) {
@@ -100,7 +87,6 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
     }
     log.poses.push_back(pose_of_odometry(message));
   });
-  forget_empty_twists(log);
   if (log.poses.empty()) {
     ros::for_each_message(path, {kTransforms}, topic, [&](const ros::RecordedMessage& message) {
       add_transforms(message, its, log);

@@ -183,7 +183,7 @@ void record_capture(const DriveFiles& drive, const std::string& vehicle, const s
     if (takes_port(car, datagram->destination.port)) {
       target->take(*datagram);
     }
-    progress.show(capture.files().counts().datagrams, capture.files().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
   target->finish();
   warn_of(drive, capture);

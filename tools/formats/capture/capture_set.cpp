@@ -1,6 +1,7 @@
 #include "tools/formats/capture/capture_set.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace iog::tools {
@@ -26,24 +27,10 @@ std::optional<PcapReader::Place> CaptureSet::place() const {
   return files_.size() == 1 ? files_.front().reader->place() : std::nullopt;
 }
 
-CaptureCounts CaptureSet::counts() const {
-  CaptureCounts sum;
-  for (const File& file : files_) {
-    sum += file.reader->counts();
-  }
-  return sum;
-}
-
-std::optional<double> CaptureSet::part_read() const {
-  double sum = 0;
-  for (const File& file : files_) {
-    const std::optional<double> part = file.reader->part_read();
-    if (!part) {
-      return std::nullopt;
-    }
-    sum += *part / static_cast<double>(files_.size());
-  }
-  return sum;
+std::uint64_t CaptureSet::datagrams() const {
+  return std::accumulate(
+      files_.begin(), files_.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const File& file) { return sum + file.reader->counts().datagrams; });
 }
 
 }  // namespace iog::tools

@@ -28,8 +28,11 @@ class CaptureSet {
   // As of PcapReader; no place in several files.
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.front().reader->go_to(place); }
-  [[nodiscard]] CaptureCounts counts() const;
-  [[nodiscard]] std::optional<double> part_read() const;
+  [[nodiscard]] std::uint64_t datagrams() const;
+  // Of the first file; the others are about as far.
+  [[nodiscard]] std::optional<double> part_read() const {
+    return files_.front().reader->part_read();
+  }
 
  private:
   std::vector<File> files_;

@@ -44,18 +44,6 @@ std::uint64_t CaptureCounts::skipped() const {
       [](std::uint64_t sum, const auto& link_and_count) { return sum + link_and_count.second; });
 }
 
-CaptureCounts& CaptureCounts::operator+=(const CaptureCounts& others) {
-  for (const auto member :
-       {&CaptureCounts::datagrams, &CaptureCounts::not_udp, &CaptureCounts::cut_short,
-        &CaptureCounts::fragments, &CaptureCounts::malformed, &CaptureCounts::bad_checksum}) {
-    this->*member += others.*member;
-  }
-  for (const auto& [link, count] : others.other_links) {
-    other_links[link] += count;
-  }
-  return *this;
-}
-
 PcapReader::PcapReader(const std::string& path) : file_(path) {
   const std::optional<std::uint16_t> link = file_.link_type();
   if (link && !is_known_link(*link)) {

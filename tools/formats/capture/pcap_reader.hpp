@@ -29,7 +29,6 @@ struct CaptureCounts {
   std::uint64_t bad_checksum = 0;  // of IPv4 or UDP
 
   [[nodiscard]] std::uint64_t skipped() const;
-  CaptureCounts& operator+=(const CaptureCounts& others);
 };
 
 class PcapReader {
