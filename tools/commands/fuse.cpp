@@ -168,20 +168,19 @@ void print_input(const CarCapture& capture, std::uint64_t other_ports) {
   std::cout << row("packets", std::to_string(capture.files().datagrams() - other_ports) +
                                   " for the vehicle's ports, " + std::to_string(other_ports) +
                                   " for others");
+  const auto print = [](const char* name, const std::string& which, const std::string& words) {
+    std::cout << (words.empty() ? "" : row(name, which + words));
+  };
   for (const CaptureSet::File& file : capture.files().files()) {
-    if (const std::string skipped = describe_skipped(file.reader->counts()); !skipped.empty()) {
-      std::cout << row("not looked at", skipped);
-    }
-    for (const std::string& words : {file.reader->trouble(), file.reader->clock_words()}) {
-      std::cout << (words.empty() ? "" : row("capture", words));
-    }
+    const std::string which = capture.files().files().size() > 1 ? file.path + ": " : "";
+    print("not looked at", which, describe_skipped(file.reader->counts()));
+    print("capture", which, file.reader->trouble());
+    print("capture", which, file.reader->clock_words());
   }
   for (const std::string& words : capture.remarks()) {
-    std::cout << row("poses", words);
+    print("poses", "", words);
   }
-  if (const std::string words = capture.clock_words(); !words.empty()) {
-    std::cout << row("capture", words);
-  }
+  print("capture", "", capture.clock_words());
 }
 
 void fuse(const FuseOptions& options) {

@@ -91,7 +91,8 @@ void check_out(const RecordOptions& options) {
     }
   }
   std::vector<std::string> sources = options.drive.captures;
-  sources.insert(sources.end(), {options.drive.poses, options.stream, options.map});
+  const std::string poses = options.drive.poses.substr(0, options.drive.poses.rfind(":/"));
+  sources.insert(sources.end(), {poses, options.stream, options.map});
   for (const std::string& source : sources) {
     for (const std::string& path : options.out) {
       std::error_code error;

@@ -68,7 +68,11 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
     }
     parent = log.poses.empty() ? from : parent;
     if (from != parent) {
-      throw UsageError(message.where + ": " + to + " is in " + parent + " and in " + from);
+      throw UsageError(std::string(message.where)
+                           .append(": base_link is in ")
+                           .append(parent)
+                           .append(" and in ")
+                           .append(from));
     }
     log.poses.push_back(pose);
   }
