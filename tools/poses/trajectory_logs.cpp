@@ -8,6 +8,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 namespace {
@@ -52,7 +53,7 @@ std::array<double, kCount> numbers_in(std::string_view text, const std::string& 
   for (std::size_t i = 0; i < kCount; ++i) {
     const std::optional<double> value = number_in(words[i]);
     if (!value) {
-      throw UsageError(where + ": '" + std::string(words[i]) + "' is no number");
+      throw UsageError(where + ": '" + printable(std::string(words[i])) + "' is no number");
     }
     numbers[i] = *value;
   }
@@ -88,7 +89,8 @@ std::string place_of(const std::string& path, std::size_t line) {
 std::uint64_t time_in(std::string_view text, const std::string& where) {
   const std::optional<std::uint64_t> time_us = seconds_in(text);
   if (!time_us) {
-    throw UsageError(where + ": the time is '" + std::string(text) + "': give seconds, 0 or more");
+    throw UsageError(where + ": the time is '" + printable(std::string(text)) +
+                     "': give seconds, 0 or more");
   }
   return *time_us;
 }

@@ -8,6 +8,7 @@
 
 #include "tools/formats/mcap/reader.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools::ros {
 
@@ -29,7 +30,7 @@ void for_each_message(const std::string& path, std::initializer_list<std::string
       continue;
     }
     std::string where = path + ": message " + std::to_string(numbers[message->channel_id]++) +
-                        " of " + channel.topic;
+                        " of " + printable(channel.topic);
     if (channel.message_encoding != "cdr") {
       throw UsageError(where + ": its encoding is " + channel.message_encoding + ", not cdr");
     }
