@@ -10,6 +10,7 @@
 
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
+#include "pose/limits.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
@@ -269,12 +270,20 @@ std::optional<PcapReader::Place> CarCapture::place() const {
 
 void CarCapture::put_ahead(CapturedDatagram& pose) {
   auto [fate, message] = pose::decode(pose.payload);
-  if (offset_us_ == 0 || fate != pose::Fate::kUsed) {
+  if ((offset_us_ == 0 && !has_log_) || fate != pose::Fate::kUsed) {
     return;
   }
   message.clock_us += static_cast<std::uint64_t>(offset_us_);
   const auto bytes = encoder_.encode(message);
   pose.payload.assign(bytes.begin(), bytes.end());
+}
+
+// Before the first packet and behind the last one a target needs no more of a log.
+bool CarCapture::is_distant(std::uint64_t pose_us,
+                            const std::optional<CapturedDatagram>& packet) const {
+  const std::uint64_t last_us = clocks_.packets().last_us;
+  return packet ? last_us == 0 && pose_us + pose::kLostUs < packet->time_us
+                : pose_us > last_us + pose::kLostUs;
 }
 
 std::optional<CapturedDatagram> CarCapture::next() {
@@ -283,6 +292,10 @@ std::optional<CapturedDatagram> CarCapture::next() {
          is_pose_port(*car_, datagram->destination.port)) {
     datagram.reset();
     unused_poses_ += has_log_ ? 1U : 0U;
+  }
+  while (has_log_ && next_pose_ < poses_.size() &&
+         is_distant(poses_[next_pose_].time_us, datagram)) {
+    ++next_pose_;
   }
   if (next_pose_ < poses_.size() &&
       (!datagram || poses_[next_pose_].time_us <= datagram->time_us)) {

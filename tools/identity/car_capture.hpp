@@ -75,7 +75,8 @@ class CarCapture {
   // An offset is added to the clock of the poses. If the capture times of their datagrams are of
   // that clock, too, as after merging a log with the packets, these are shifted as well.
   // Poses of a log come at their own times, instead of those in the captures: by the captures'
-  // clock or, if an offset is given, by the sensors'. UsageError as of PcapReader and
+  // clock or, if an offset is given, by the sensors'; from a second before the first packet to a
+  // second behind the last one. UsageError as of PcapReader and
   // read_pose_log(), if packets and log have no time in common, and, with an offset or a log, for
   // what can be read only once.
   CarCapture(const DriveFiles& drive, const CatalogueEntry& car);
@@ -93,7 +94,9 @@ class CarCapture {
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
-  // The offset in the pose's message, if it is one.
+  [[nodiscard]] bool is_distant(std::uint64_t pose_us,
+                                const std::optional<CapturedDatagram>& packet) const;
+  // The offset in the pose's message, if it is one; those of a log are numbered anew.
   void put_ahead(CapturedDatagram& pose);
   // The delay of the poses, found at the beginning of the files.
   [[nodiscard]] std::int64_t delay_of_poses(const DriveFiles& drive) const;

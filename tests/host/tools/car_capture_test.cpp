@@ -130,9 +130,9 @@ class BesideALog : public testing::Test {
  protected:
   static constexpr const char* kHead = "time_s,x_m,y_m,heading_deg,sigma_m,sigma_heading_deg\n";
 
-  static std::string rows(double behind_s) {
+  static std::string rows(double behind_s, int first = 0, int end = 35) {
     std::string text(kHead);
-    for (int i = 0; i < 35; ++i) {
+    for (int i = first; i < end; ++i) {
       text += std::to_string(1'714'564'799.94 - behind_s + 0.01 * i) + ",1,0,0,0.02,0.1\n";
     }
     return text;
@@ -183,6 +183,13 @@ TEST_F(BesideALog, PosesAreThoseOfItsCapture) {
   EXPECT_EQ(pose.pose.heading, 0xC000'0000U);
   EXPECT_EQ(pose.pose.x_mm, 500);  // the mount is 0.5 m and -1 m away
   EXPECT_EQ(pose.pose.y_mm, 1'000);
+}
+
+// A second before 0.04 s is row -90, and a second behind 0.242 s row 130.
+TEST_F(BesideALog, OfALongOneItTakesWhatTheDriveNeeds) {
+  const Read taken = read(log(rows(0, -500, 500)));
+  EXPECT_EQ(taken.datagrams.size(), packets_.size() + 221);
+  EXPECT_TRUE(taken.datagrams == read(log(rows(0, -90, 131))).datagrams);
 }
 
 // Packets by TAI and a capture by UTC, 37 s behind; a log by TAI, or by UTC, too.
