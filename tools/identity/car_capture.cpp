@@ -250,7 +250,8 @@ void CarCapture::read_poses(const DriveFiles& drive) {
 void CarCapture::read_log(const DriveFiles& drive) {
   if (!vehicle::have_classes(car_->vehicle->grids)) {
     throw UsageError("--poses: " + std::string(car_->vehicle->name) +
-                     " has no classes, so it has no use for poses");
+                     " has no classes, so it has no use for poses; grids = \"classes\" or "
+                     "\"both\" in a car's file asks for them");
   }
   PoseLog log = read_pose_log(drive.poses);
   const PoseConversion conversion = conversion_of(drive, *car_, log.is_of_unit);
