@@ -12,6 +12,13 @@
 namespace iog::tools {
 namespace {
 
+CloudPoint moved(const Rigid& by, const CloudPoint& point) {
+  const auto row = [&](std::size_t i) {
+    return by[i] * point.x + by[i + 1] * point.y + by[i + 2] * point.z + by[i + 3];
+  };
+  return {row(0), row(4), row(8)};
+}
+
 constexpr std::uint64_t kPosePeriodUs = 10'000;
 
 }  // namespace
@@ -25,7 +32,7 @@ CloudConversion::CloudConversion(const std::string& folder, const CatalogueEntry
       track_(set_.poses),
       packets_(*sensor_, head_) {
   make_samples(mount_x_m, mount_y_m);
-  if (set_.is_corrected && set_.unit_poses.empty()) {
+  if (set_.is_corrected && set_.poses.in_space.empty()) {
     set_.remarks.emplace_back(
         "no way back to where points were seen: each cloud is as of one time");
   }
@@ -40,12 +47,10 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   PoseLog even;
   even.poses = track_.every(kPosePeriodUs);
   PoseConversion conversion{.mount_x_m = mount_x_m, .mount_y_m = mount_y_m};
-  if (!set_.unit_poses.empty()) {
+  if (set_.poses.is_of_unit) {
     conversion.mount_x_m = sensor_->mount.x_m;
     conversion.mount_y_m = sensor_->mount.y_m;
-    for (LoggedPose& pose : even.poses) {
-      *pose.heading_rad -= sensor_->mount.yaw_deg * kRadians;
-    }
+    conversion.mount_yaw_rad = sensor_->mount.yaw_deg * kRadians;
   }
   ConvertedLog log = converted(std::move(even), conversion);
   samples_ = std::move(log.samples);
@@ -55,7 +60,7 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
 // A point of a corrected cloud stood still while the unit moved on, or had not come so far: the
 // unit's whole motion is taken back, as it pitches and rolls on a road.
 CloudPoint CloudConversion::place_at(const CloudPoint& point, double time_us) const {
-  if (set_.unit_poses.empty()) {
+  if (set_.poses.in_space.empty()) {
     return point;
   }
   const auto time_of = [](const ForwardTime& its) { return static_cast<double>(its.time_us); };
@@ -64,8 +69,8 @@ CloudPoint CloudConversion::place_at(const CloudPoint& point, double time_us) co
       std::clamp<std::ptrdiff_t>(after - set_.forward.begin(), 1, std::ssize(set_.forward) - 1));
   const double from_us = time_of(set_.forward[to - 1]);
   const double part = (time_us - from_us) / (time_of(set_.forward[to]) - from_us);
-  const Rigid then = between(set_.unit_poses[to - 1], set_.unit_poses[to], part);
-  return moved(inverse(then), moved(set_.unit_poses[next_cloud_], point));
+  const Rigid then = between(set_.poses.in_space[to - 1], set_.poses.in_space[to], part);
+  return moved(inverse(then), moved(set_.poses.in_space[next_cloud_], point));
 }
 
 std::vector<CapturedDatagram> CloudConversion::next() {

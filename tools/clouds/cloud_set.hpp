@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "tools/clouds/head.hpp"
-#include "tools/clouds/rigid.hpp"
 #include "tools/poses/pose_log.hpp"
 
 namespace iog::tools {
@@ -25,7 +24,6 @@ struct CloudSet {
   bool is_corrected = false;          // for the car's motion
   // Where the receiver of the poses was, or the unit itself if they are of it. May be empty.
   PoseLog poses{};
-  std::vector<Rigid> unit_poses{};     // for each time, if the poses are of the unit
   std::vector<std::string> remarks{};  // what is not there
 };
 

@@ -3,61 +3,22 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <numbers>
 #include <string_view>
 
 #include "lidar/points.hpp"
 #include "tools/clouds/point_cloud.hpp"
-#include "tools/formats/mcap/reader.hpp"
+#include "tools/formats/ros/cdr_reader.hpp"
+#include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/program/exit_status.hpp"
-#include "wire/byte_reader.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::tools {
 namespace {
 
-class CdrReader {
- public:
-  CdrReader(std::span<const std::byte> message, const std::string& what)
-      : in_(message), what_(&what) {
-    const std::uint32_t encapsulation = in_.u32_be() >> 16;
-    if (!in_.ok() || encapsulation != 1) {
-      throw UsageError(what + ": the message is not in CDR, little endian");
-    }
-  }
+using ros::CdrReader;
 
-  [[nodiscard]] std::uint8_t u8() { return in_.u8(); }
-  [[nodiscard]] std::uint32_t u32() {
-    in_.skip((kAlignment - read_from_ + in_.remaining() % kAlignment) % kAlignment);
-    return in_.u32_le();
-  }
-  [[nodiscard]] double f32() { return static_cast<double>(std::bit_cast<float>(u32())); }
-  [[nodiscard]] std::string text() {
-    const std::span<const std::byte> letters = in_.bytes(u32());
-    const auto* const begin = reinterpret_cast<const char*>(letters.data());
-    return letters.empty() ? std::string() : std::string(begin, letters.size() - 1);
-  }
-  [[nodiscard]] std::span<const std::byte> sequence(std::size_t number_bytes) {
-    const std::size_t count = u32();
-    return in_.bytes(count * number_bytes);
-  }
-  [[nodiscard]] std::uint64_t stamp_us() {
-    const std::uint64_t seconds = u32();
-    return seconds * 1'000'000 + u32() / 1000;
-  }
-  void must_be_whole() const {
-    if (!in_.ok()) {
-      throw UsageError(*what_ + ": the message is cut off");
-    }
-  }
-
- private:
-  static constexpr std::size_t kAlignment = 4;
-
-  wire::ByteReader in_;
-  const std::string* what_;
-  std::size_t read_from_ = in_.remaining() % kAlignment;
-};
+constexpr std::string_view kPointCloud2 = "sensor_msgs/msg/PointCloud2";
 
 // sensor_msgs/PointField: 1 ... 8.
 CloudField field_of(CdrReader& in, std::size_t stride, const std::string& what) {
@@ -159,40 +120,19 @@ SeenCloud cloud_of_laser_scan(std::span<const std::byte> message, const std::str
 
 void for_each_cloud(const std::string& path, const std::string& topic, TimeUnit unit,
                     const std::function<void(SeenCloud&&)>& take) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw UsageError(path + ": there is no such file");
-  }
-  mcap::Reader reader(file);
   std::string its = topic;
   std::uint64_t number = 0;
-  while (const auto message = reader.next()) {
-    const mcap::Channel& channel = reader.channels().at(message->channel_id);
-    const auto schema = reader.schemas().find(channel.schema_id);
-    const std::string_view type =
-        schema == reader.schemas().end() ? std::string_view() : schema->second.name;
-    const bool is_cloud = type == "sensor_msgs/msg/PointCloud2";
-    if ((!is_cloud && type != "sensor_msgs/msg/LaserScan") ||
-        (!topic.empty() && channel.topic != topic)) {
-      continue;
-    }
-    its = its.empty() ? channel.topic : its;
-    if (channel.topic != its) {
-      throw UsageError(path + ": " + its + " and " + channel.topic +
+  const auto take_message = [&](const ros::RecordedMessage& message) {
+    its = its.empty() ? message.topic : its;
+    if (message.topic != its) {
+      throw UsageError(path + ": " + its + " and " + std::string(message.topic) +
                        " have clouds: choose one by --topic");
     }
-    const std::string what = path + ": message " + std::to_string(number++) + " of " + its;
-    if (channel.message_encoding != "cdr") {
-      throw UsageError(what + ": its encoding is " + channel.message_encoding + ", not cdr");
-    }
-    take(is_cloud ? cloud_of_point_cloud2(message->data, unit, what)
-                  : cloud_of_laser_scan(message->data, what));
-  }
-  const std::uint64_t lost = reader.counts().unreadable_chunks + reader.counts().broken_chunks;
-  if (lost > 0) {
-    throw UsageError(path + ": " + std::to_string(lost) +
-                     " chunks are damaged, or compressed by what is not read");
-  }
+    ++number;
+    take(message.type == kPointCloud2 ? cloud_of_point_cloud2(message.data, unit, message.where)
+                                      : cloud_of_laser_scan(message.data, message.where));
+  };
+  ros::for_each_message(path, {kPointCloud2, "sensor_msgs/msg/LaserScan"}, topic, take_message);
   if (number == 0) {
     throw UsageError(path + ": it has no PointCloud2 and no LaserScan of sensor_msgs" +
                      (topic.empty() ? "" : " on " + topic));

@@ -34,7 +34,7 @@ namespace iog::tools {
 namespace {
 
 struct FuseOptions {
-  std::string pcap;
+  DriveFiles drive;
   std::string vehicle = kDefaultVehicle;
   std::optional<std::uint64_t> frame;
   std::string out_raw;
@@ -47,7 +47,6 @@ struct FuseOptions {
   std::string classes_png;
   std::string map;
   std::string as_received;
-  double clock_offset_s = 0;
 };
 
 vehicle::Vehicle vehicle_with_rule(const CatalogueEntry& car, const std::string& rule) {
@@ -95,7 +94,7 @@ std::uint64_t feed(CarCapture& capture, const CatalogueEntry& car, OfflineTarget
     } else {
       ++other_ports;
     }
-    progress.show(capture.file().counts().datagrams, capture.file().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
   target.finish();
   return other_ports;
@@ -165,20 +164,23 @@ class ClassDrawing {
   std::optional<ClassGrid> classes_;
 };
 
-void print_input(const CarCapture& car_capture, std::uint64_t other_ports) {
-  const PcapReader& capture = car_capture.file();
-  std::cout << row("packets", std::to_string(capture.counts().datagrams - other_ports) +
+void print_input(const CarCapture& capture, std::uint64_t other_ports) {
+  std::cout << row("packets", std::to_string(capture.files().datagrams() - other_ports) +
                                   " for the vehicle's ports, " + std::to_string(other_ports) +
                                   " for others");
-  if (const std::string skipped = describe_skipped(capture.counts()); !skipped.empty()) {
-    std::cout << row("not looked at", skipped);
+  const auto print = [](const char* name, const std::string& which, const std::string& words) {
+    std::cout << (words.empty() ? "" : row(name, which + words));
+  };
+  for (const CaptureSet::File& file : capture.files().files()) {
+    const std::string which = capture.files().files().size() > 1 ? file.path + ": " : "";
+    print("not looked at", which, describe_skipped(file.reader->counts()));
+    print("capture", which, file.reader->trouble());
+    print("capture", which, file.reader->clock_words());
   }
-  for (const std::string& words :
-       {capture.trouble(), capture.clock_words(), car_capture.clock_words()}) {
-    if (!words.empty()) {
-      std::cout << row("capture", words);
-    }
+  for (const std::string& words : capture.remarks()) {
+    print("poses", "", words);
   }
+  print("capture", "", capture.clock_words());
 }
 
 void fuse(const FuseOptions& options) {
@@ -186,8 +188,8 @@ void fuse(const FuseOptions& options) {
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
   demand_grids(options, vehicle);
   std::cerr << warning_of_upward_mounts(car);
-  demand_fit(options.pcap, car);
-  CarCapture capture(options.pcap, car, options.clock_offset_s);
+  demand_fit(options.drive.captures, car);
+  CarCapture capture(options.drive, car);
   RunStatistics statistics;
   ChosenFrame chosen(options.frame);
   FrameWriter pictures(options.pictures);
@@ -235,9 +237,9 @@ void fuse(const FuseOptions& options) {
     write_class_records(options.classes_hashes, statistics.classes().records());
   }
   if (statistics.records().empty()) {
-    throw CheckFailed(options.pcap + ": no frame has evidence: what came to the ports of " +
-                      options.vehicle + " holds no scan of its sensors; `iog info " + options.pcap +
-                      "` says what it is");
+    throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
+                      options.vehicle + " holds no scan of its sensors; `iog info " +
+                      options.drive.captures[0] + "` says what it is");
   }
   drawing.write(statistics, vehicle.poses.udp_port, capture.clock_words());
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
@@ -257,9 +259,7 @@ void add_fuse(CLI::App& program) {
   auto* const command =
       program.add_subcommand("fuse", "Fuse a capture on this PC, with the target's own code");
   const auto options = std::make_shared<FuseOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
-      ->option_text("FILE  (required)")
-      ->required();
+  add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
   command
       ->add_option(
@@ -286,7 +286,7 @@ void add_fuse(CLI::App& program) {
       ->needs("--stream");
   command
       ->add_option("--classes-hashes", options->classes_hashes,
-                   "Write one line per frame of the class grid; needs poses in the capture")
+                   "Write one line per frame of the class grid; needs poses")
       ->option_text("FILE");
   command
       ->add_option("--classes-png", options->classes_png,
@@ -302,7 +302,6 @@ void add_fuse(CLI::App& program) {
       ->add_option("--map", options->map,
                    "The map that the target has from the start, made by `iog map`")
       ->option_text("FILE");
-  add_clock_offset_option(*command, options->clock_offset_s);
   command->footer(
       "The capture stands for its replay: sensors are told apart by destination port, their "
       "source\n"

@@ -25,9 +25,8 @@ namespace iog::tools {
 namespace {
 
 struct MountOptions {
-  std::string pcap;
+  DriveFiles drive;
   std::string vehicle = kDefaultVehicle;
-  double clock_offset_s = 0;
 };
 
 struct TurningUnit {
@@ -51,16 +50,16 @@ std::vector<TurningUnit> turning_units_of(const CatalogueEntry& car) {
 
 void read(const MountOptions& options, const CatalogueEntry& car, std::vector<TurningUnit>& units,
           MotionLog& motion) {
-  CarCapture capture(options.pcap, car, options.clock_offset_s);
+  CarCapture capture(options.drive, car);
   Progress progress("packets");
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
     motion.add(datagram->time_us, datagram->payload);
     for (TurningUnit& unit : units) {
       unit.turns.take(*datagram);
     }
-    progress.show(capture.file().counts().datagrams, capture.file().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
-  warn_of(options.pcap, capture);
+  warn_of(options.drive, capture);
   for (TurningUnit& unit : units) {
     unit.turns.finish();
   }
@@ -80,7 +79,7 @@ std::string words_of_others(const CatalogueEntry& car) {
 void fit_mounts(const MountOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   std::vector<TurningUnit> units = turning_units_of(car);
-  demand_fit(options.pcap, car);
+  demand_fit(options.drive.captures, car);
   MotionLog motion;
   read(options, car, units, motion);
   std::string lines;
@@ -107,11 +106,8 @@ void add_mount(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "mount", "Find how the car's turning lidars are mounted, by the ground of a recording");
   const auto options = std::make_shared<MountOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
-      ->option_text("FILE  (required)")
-      ->required();
+  add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
-  add_clock_offset_option(*command, options->clock_offset_s);
   command->footer(
       "Prints what is found of each unit and how sure it is, then a line for the car's file with "
       "all keys\n"

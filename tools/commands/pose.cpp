@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -20,7 +19,6 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/standing_car.hpp"
-#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
@@ -38,7 +36,7 @@ struct PoseLogOptions {
   std::string target;
   std::uint16_t port = pose::kPosePort;
   double speed = 1;
-  double clock_offset_s = 0;
+  std::optional<double> clock_offset_s;
   double sigma_mm = 50;
   double heading_sigma_mrad = 2;
   std::vector<double> mount_m{0, 0};
@@ -49,37 +47,6 @@ struct PoseLogOptions {
   double map_heading_sigma_mrad = 2;
   SigningOptions signing;
 };
-
-// By the name of what is to be read.
-std::string format_of(const PoseLogOptions& options) {
-  if (!options.format.empty()) {
-    return options.format;
-  }
-  const std::string suffix = std::filesystem::path(options.from).extension();
-  if (std::filesystem::is_directory(options.from)) {
-    return "oxts";
-  }
-  if (suffix == ".csv" || suffix == ".nmea" || suffix == ".ubx") {
-    return suffix.substr(1);
-  }
-  throw UsageError(options.from + ": give --format csv, oxts, nmea or ubx");
-}
-
-PoseLog log_of(const PoseLogOptions& options) {
-  const std::string format = format_of(options);
-  if (format == "csv") {
-    return read_csv_log(options.from);
-  }
-  if (format == "oxts") {
-    return read_oxts_log(options.from);
-  }
-  const std::vector<std::byte> bytes = read_file(options.from);
-  if (format == "nmea") {
-    static_cast<void>(text_in(options.from, bytes));
-    return read_nmea_log(bytes);
-  }
-  return read_ubx_log(bytes);
-}
 
 // What a file says does not depend on the day; a target must know one sending from the next.
 std::uint32_t run_of(const PoseLogOptions& options) {
@@ -114,33 +81,6 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
       .origin = options.map.empty() ? map_origin_in("--origin", options.origin)
                                     : origin_in_block(options.map),
       .sigma = wire_sigma(*options.map_sigma_mm / 1000, options.map_heading_sigma_mrad / 1000)};
-}
-
-// "; not used: 3 poses without a heading, ..."
-std::string joined(const std::vector<std::string>& remarks) {
-  std::string text;
-  for (const std::string& remark : remarks) {
-    text += (text.empty() ? "; not used: " : ", ") + remark;
-  }
-  return text;
-}
-
-void print_remarks(const PoseLogOptions& options, const ConvertedLog& log) {
-  for (const std::string& remark : log.remarks) {
-    std::cout << options.from << ": not used: " << remark << '\n';
-  }
-  for (const std::string& note : log.notes) {
-    std::cout << options.from << ": " << note << '\n';
-  }
-  if (log.taken_sigmas > 0) {
-    std::cout << options.from << ": no standard deviation of the way in " << log.taken_sigmas
-              << " poses, " << options.sigma_mm << " mm taken\n";
-  }
-  if (log.taken_sigma_headings > 0) {
-    std::cout << options.from << ": no standard deviation of the turn in "
-              << log.taken_sigma_headings << " poses, " << options.heading_sigma_mrad
-              << " mrad taken\n";
-  }
 }
 
 void write(const std::vector<CapturedDatagram>& datagrams, const std::string& path) {
@@ -190,32 +130,33 @@ void convert(const PoseLogOptions& options) {
   if (!options.signing.key.empty() && options.target.empty()) {
     throw UsageError("--key needs --target: what is signed is signed for one run of a target");
   }
-  PoseLog read = log_of(options);
+  PoseLog read = read_pose_log(options.from, options.format);
   const std::optional<PoseConversion::Map> map = map_of(options);
   if (map && !read.plane && !read.poses.empty()) {
     throw UsageError(options.from + ": no latitudes in it, so no place on a map");
   }
-  const ConvertedLog log =
-      converted(std::move(read), {.mount_x_m = options.mount_m[0],
+  const PoseConversion conversion{.mount_x_m = options.mount_m[0],
                                   .mount_y_m = options.mount_m[1],
                                   .sigma_m = options.sigma_mm / 1000,
                                   .sigma_heading_rad = options.heading_sigma_mrad / 1000,
                                   .run = run_of(options),
-                                  .map = map});
-  if (log.samples.empty()) {
-    throw UsageError(options.from + ": no pose in it" + joined(log.remarks));
-  }
+                                  .map = map};
+  const ConvertedLog log = converted(std::move(read), conversion);
+  demand_poses(log, options.from);
   PoseEncoder encoder;
   std::vector<CapturedDatagram> datagrams;
   for (PoseSample sample : log.samples) {
-    sample.time_us += static_cast<std::uint64_t>(std::llround(options.clock_offset_s * 1e6));
+    sample.time_us +=
+        static_cast<std::uint64_t>(std::llround(options.clock_offset_s.value_or(0) * 1e6));
     datagrams.push_back(encoder.datagram_of(sample));
   }
   if (!options.target.empty()) {
     catch_interrupts();
   }
   const CommandSigner signer = signer_of(options.signing);
-  print_remarks(options, log);
+  for (const std::string& words : words_of(log, conversion)) {
+    std::cout << options.from << ": " << words << '\n';
+  }
   options.out.empty() ? send(datagrams, options, signer) : write(datagrams, options.out);
 }
 
@@ -251,9 +192,10 @@ void add_pose(CLI::App& program) {
       ->add_option("--standing", options->standing,
                    "Or a capture of sensors on a car that stood still: --out is a copy with poses")
       ->option_text("CAPTURE");
-  command->add_option("--format", options->format, "What it is, where its name does not say")
-      ->option_text("csv | oxts | nmea | ubx")
-      ->check(CLI::IsMember({"csv", "oxts", "nmea", "ubx"}));
+  command
+      ->add_option("--format", options->format, "What it is, where name and content do not show it")
+      ->option_text("csv | oxts | nmea | ubx | tum | kitti | mcap")
+      ->check(CLI::IsMember(std::vector<std::string>(kPoseFormats.begin(), kPoseFormats.end())));
   command->add_option("--out", options->out, "The capture to write (.pcap)")->option_text("FILE");
   command->add_option("--target", options->target, "Or the IPv4 address to send to")
       ->option_text("ADDRESS");
@@ -292,9 +234,13 @@ void add_pose(CLI::App& program) {
   command->footer(
       "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
       "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"
-      "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. Latitude and longitude "
-      "become\n"
-      "metres east and north of the first position. docs/drives.md says how each is read.");
+      "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. tum: timestamp tx ty tz qx "
+      "qy qz qw.\n"
+      "kitti: a folder with times.txt, poses.txt and calib.txt. mcap: nav_msgs/Odometry, else "
+      "base_link in /tf;\n"
+      "FILE.mcap:/topic names one of several. Latitude and longitude become metres east and north "
+      "of the\n"
+      "first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }
 

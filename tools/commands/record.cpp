@@ -43,7 +43,7 @@ std::string list_of_topics() {
 
 struct RecordOptions {
   LiveSource live;
-  std::string pcap;
+  DriveFiles drive;
   std::string vehicle = kDefaultVehicle;
   std::string stream;
   std::vector<std::string> out;
@@ -52,7 +52,6 @@ struct RecordOptions {
   bool is_uncompressed = false;
   std::string stamp = "target";
   std::string map;
-  double clock_offset_s = 0;
   PictureOptions pictures{.folder = {}, .every = 1, .scale = {}};
   bool with_maps = false;
 };
@@ -91,7 +90,10 @@ void check_out(const RecordOptions& options) {
       throw UsageError("--out " + path + ": given twice");
     }
   }
-  for (const std::string& source : {options.pcap, options.stream, options.map}) {
+  std::vector<std::string> sources = options.drive.captures;
+  const std::string poses = options.drive.poses.substr(0, options.drive.poses.rfind(":/"));
+  sources.insert(sources.end(), {poses, options.stream, options.map});
+  for (const std::string& source : sources) {
     for (const std::string& path : options.out) {
       std::error_code error;
       if (!source.empty() && std::filesystem::equivalent(source, path, error)) {
@@ -103,8 +105,8 @@ void check_out(const RecordOptions& options) {
 
 // From wherever it comes. The number of datagrams that were dropped on the way.
 std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
-  if (!options.pcap.empty()) {
-    record_capture(options.pcap, options.vehicle, options.map, options.clock_offset_s, recorder);
+  if (!options.drive.captures.empty()) {
+    record_capture(options.drive, options.vehicle, options.map, recorder);
   } else if (!options.stream.empty()) {
     record_stream(options.stream, recorder);
   } else {
@@ -128,8 +130,8 @@ void record(RecordOptions options) {
     options.topics.emplace_back(kPointsTopic);
   }
   check_out(options);
-  if (!options.pcap.empty()) {
-    demand_fit(options.pcap, find_vehicle(options.vehicle));
+  if (!options.drive.captures.empty()) {
+    demand_fit(options.drive.captures, find_vehicle(options.vehicle));
   }
   Recorder::Recordings recordings;
   for (const std::string& path : options.out) {
@@ -165,12 +167,9 @@ void add_sources(CLI::App& command, RecordOptions& options) {
   sources->add_option("--port", options.live.port, "Record what comes to this UDP port")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
-  auto* const pcap =
-      sources
-          ->add_option(
-              "--pcap", options.pcap,
-              "Fuse this capture of sensors (pcap or pcapng; .gz or .zst), and record that")
-          ->option_text("FILE");
+  auto* const pcap = add_drive_options(command, *sources, options.drive,
+                                       "Fuse this capture of sensors (pcap or pcapng; .gz or "
+                                       ".zst), or several by time, and record that");
   sources
       ->add_option("--stream", options.stream,
                    "Record what has been recorded as FILE.pcap or FILE.mcap")
@@ -182,7 +181,6 @@ void add_sources(CLI::App& command, RecordOptions& options) {
                   "The map that the target has from the start, made by `iog map`")
       ->option_text("FILE  (with --pcap)")
       ->needs(pcap);
-  add_clock_offset_option(command, options.clock_offset_s)->needs(pcap);
   command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
   command.add_option("--frames", options.live.frames, "End after so many frames with evidence")

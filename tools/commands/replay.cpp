@@ -36,7 +36,7 @@ namespace iog::tools {
 namespace {
 
 struct ReplayOptions {
-  std::string pcap;
+  DriveFiles drive;
   std::string vehicle = kDefaultVehicle;
   std::string target;
   std::uint16_t port_base = 0;  // 0: the vehicle's own ports
@@ -44,7 +44,6 @@ struct ReplayOptions {
   bool step = false;
   bool loop = false;
   std::string map;
-  double clock_offset_s = 0;
   SigningOptions signing;
 };
 
@@ -81,17 +80,18 @@ class Replay {
         sender_(target_of(options, *car_), target_ports(options, ports_)),
         pace_(options.speed.value_or(options.step ? 0.0 : 1.0)),
         progress_("packets") {
-    demand_fit(options.pcap, *car_);
+    demand_fit(options.drive.captures, *car_);
   }
 
   void run() {
     send_map();
     do {
-      CarCapture capture(options_->pcap, *car_, options_->clock_offset_s);
+      CarCapture capture(options_->drive, *car_);
       const std::uint64_t sent_before = sent_;
       options_->step ? play_stepwise(capture) : play(capture);
       if (sent_ == sent_before && !was_interrupted() && !has_stopped_) {
-        throw UsageError(options_->pcap + ": no packet for a sensor of " + options_->vehicle);
+        throw UsageError(options_->drive.name() + ": no packet for a sensor of " +
+                         options_->vehicle);
       }
     } while (options_->loop && !was_interrupted() && !has_stopped_);
   }
@@ -123,8 +123,10 @@ class Replay {
       }
       ++other_ports_;
     }
-    skipped_ += capture.file().counts().skipped();
-    warn_of(options_->pcap, capture);
+    for (const CaptureSet::File& file : capture.files().files()) {
+      skipped_ += file.reader->counts().skipped();
+    }
+    warn_of(options_->drive, capture);
     return std::nullopt;
   }
 
@@ -150,7 +152,7 @@ class Replay {
     last_sent_ = std::chrono::steady_clock::now();
     are_poses_on_the_way_ = is_pose_port(*car_, datagram.destination.port);
     ports_on_the_way_.insert(datagram.destination.port);
-    progress_.show(sent_, options_->loop ? std::nullopt : capture.file().part_read());
+    progress_.show(sent_, options_->loop ? std::nullopt : capture.files().part_read());
   }
 
   // Twice, because nobody says what has arrived. Classes are named as soon as the target uses it.
@@ -310,9 +312,7 @@ void add_replay(CLI::App& program) {
   auto* const command =
       program.add_subcommand("replay", "Send the packets of a capture to a target");
   const auto options = std::make_shared<ReplayOptions>();
-  command->add_option("--pcap", options->pcap, "The capture to read (pcap or pcapng; .gz or .zst)")
-      ->option_text("FILE  (required)")
-      ->required();
+  add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
   command->add_option("--target", options->target, "IPv4 address to send to")
       ->option_text("ADDRESS  (default the vehicle's, with --port-base 127.0.0.1)");
@@ -332,7 +332,6 @@ void add_replay(CLI::App& program) {
                     "Report each frame as sent, then wait for a line on standard input");
   command->add_option("--map", options->map, "Send this map first, made by `iog map`")
       ->option_text("FILE");
-  add_clock_offset_option(*command, options->clock_offset_s);
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);
   command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");

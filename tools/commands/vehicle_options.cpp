@@ -30,12 +30,30 @@ CLI::Option* add_vehicle_file_option(CLI::App& command) {
       ->option_text("CAR.toml");
 }
 
-CLI::Option* add_clock_offset_option(CLI::App& command, double& seconds) {
+CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds) {
   return command
       .add_option("--clock-offset", seconds,
                   "Add this to the times of the poses, if the packets' clock is ahead")
       ->option_text("SECONDS  (default 0; 37: packets by TAI, poses by UTC)")
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
+}
+
+CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& drive,
+                               const std::string& text, const std::string& names) {
+  auto* const pcap = command.add_option(names, drive.captures, text);
+  pcap->option_text("FILE...");
+  all.add_option("--poses", drive.poses,
+                 "Poses of this log instead of those in the capture (docs/drives.md): csv, nmea, "
+                 "ubx, oxts, tum, kitti, mcap")
+      ->option_text("FILE | FOLDER")
+      ->needs(pcap);
+  all.add_option("--poses-mount", drive.poses_mount,
+                 "Where in the vehicle frame the receiver or lidar is whose poses were logged")
+      ->option_text("X Y [YAW]  (metres, degrees)")
+      ->expected(2, 3)
+      ->needs("--poses");
+  add_clock_offset_option(all, drive.clock_offset_s)->needs(pcap);
+  return pcap;
 }
 
 }  // namespace iog::tools

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+
+#include "tools/identity/car_capture.hpp"
 
 namespace iog::tools {
 
@@ -13,7 +16,15 @@ void add_vehicle_options(CLI::App& command, std::string& name,
 // --vehicle-file alone, of commands that know the car by the stream.
 CLI::Option* add_vehicle_file_option(CLI::App& command);
 
-// --clock-offset, of commands that read a car's capture or a log of poses.
-CLI::Option* add_clock_offset_option(CLI::App& command, double& seconds);
+// --clock-offset, of commands that read a car's captures or a log of poses.
+CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds);
+
+inline constexpr const char* kCapturesHelp =
+    "The capture to read (pcap or pcapng; .gz or .zst); several are merged by time";
+
+// --pcap, and with it --poses, --poses-mount and --clock-offset. `names` may add a place on the
+// command line, `command` may be a group of `all`.
+CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& drive,
+                               const std::string& text, const std::string& names = "--pcap");
 
 }  // namespace iog::tools

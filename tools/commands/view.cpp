@@ -38,13 +38,12 @@ struct ViewOptions {
   std::optional<std::uint16_t> http;
   std::optional<std::uint16_t> foxglove;
   bool open = false;
-  std::string pcap;
+  DriveFiles drive;
   std::string simulate;
   std::string vehicle = kDefaultVehicle;
   std::uint64_t seed = 1;
   double speed = 1;
   bool loop = false;
-  double clock_offset_s = 0;
   std::string records = ".";
   std::string map;
   std::string key;
@@ -88,8 +87,8 @@ std::string host_words(const ViewOptions& options, std::uint16_t port) {
 }
 
 std::string words_of_origin(const ViewOptions& options) {
-  if (!options.pcap.empty()) {
-    return options.pcap;
+  if (!options.drive.captures.empty()) {
+    return options.drive.name();
   }
   if (!options.simulate.empty()) {
     return options.simulate + ", seed " + std::to_string(options.seed);
@@ -98,13 +97,12 @@ std::string words_of_origin(const ViewOptions& options) {
 }
 
 std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
-  if (!options.pcap.empty()) {
-    return view::make_recording_source({.path = options.pcap,
+  if (!options.drive.captures.empty()) {
+    return view::make_recording_source({.drive = options.drive,
                                         .vehicle = options.vehicle,
                                         .port = options.port,
                                         .speed = options.speed,
-                                        .loops = options.loop,
-                                        .clock_offset_s = options.clock_offset_s});
+                                        .loops = options.loop});
   }
   if (!options.simulate.empty()) {
     return view::make_drive_source(options.simulate, options.vehicle, options.seed);
@@ -160,12 +158,10 @@ void add_sources(CLI::App& command, ViewOptions& options) {
                   "Hand each message on to this port of this PC, for `iog receive`")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
-  auto* const pcap =
-      command
-          .add_option(
-              "FILE,--pcap", options.pcap,
-              "Show a recording instead: a capture of sensors or of a grid, or an MCAP file")
-          ->option_text("FILE");
+  auto* const pcap = add_drive_options(
+      command, command, options.drive,
+      "Show a recording instead: a capture of sensors, or several, or of a grid, or an MCAP file",
+      "FILE,--pcap");
   auto* const simulate =
       command.add_option("--simulate", options.simulate,
                          "Show a simulated drive instead, with its truth: " + scene_option_help());
@@ -181,7 +177,6 @@ void add_sources(CLI::App& command, ViewOptions& options) {
       ->check(CLI::Range(0.01, 100.0))
       ->needs(pcap);
   command.add_flag("--loop", options.loop, "The recording again and again")->needs(pcap);
-  add_clock_offset_option(command, options.clock_offset_s)->needs(pcap);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/capture/capture_set.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/program/exit_status.hpp"
 
@@ -319,12 +319,15 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
   return better == nullptr ? "" : words(car) + advice(car);
 }
 
-void demand_fit(const std::string& path, const CatalogueEntry& car) {
-  std::error_code ignored;
-  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
-    return;
+void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car) {
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) &&
+        !std::filesystem::is_regular_file(path, ignored)) {
+      return;
+    }
   }
-  PcapReader capture(path);
+  CaptureSet capture(paths);
   CaptureIdentity identity;
   while (!identity.is_settled(car)) {
     const std::optional<CapturedDatagram> datagram = capture.next();
@@ -335,8 +338,9 @@ void demand_fit(const std::string& path, const CatalogueEntry& car) {
   }
   const std::string refusal = identity.refusal(car);
   if (!refusal.empty()) {
-    const std::string skipped = describe_skipped(capture.counts());
-    throw UsageError(path + ": " + refusal + (skipped.empty() ? "" : " (" + skipped + ")"));
+    const std::string skipped = describe_skipped(capture.files().front().reader->counts());
+    throw UsageError(joined(paths, ", ") + ": " + refusal +
+                     (skipped.empty() ? "" : " (" + skipped + ")"));
   }
 }
 

@@ -91,9 +91,9 @@ class CaptureIdentity {
   std::uint64_t datagrams_ = 0;
 };
 
-// Reads as much of the capture as tells whose it is. UsageError with CaptureIdentity::refusal() if
-// it cannot be the car's, or if the file cannot be read. What is not a regular file, such as a
-// pipe, could be read only once and is left alone.
-void demand_fit(const std::string& path, const CatalogueEntry& car);
+// Reads as much of the captures as tells whose they are. UsageError with CaptureIdentity::refusal()
+// if they cannot be the car's, or if a file cannot be read. If one is no regular file, such as a
+// pipe, it could be read only once and all are left alone.
+void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car);
 
 }  // namespace iog::tools

@@ -10,6 +10,9 @@
 
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
+#include "pose/limits.hpp"
+#include "tools/poses/pose_encoder.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
@@ -48,11 +51,46 @@ std::string words_of(const std::string& who, std::int64_t measured_us) {
   return text.str();
 }
 
+// Poses of a lidar become those of the car by its mount.
+PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car, bool is_of_unit) {
+  std::vector<double> at = drive.poses_mount;
+  if (at.empty() && is_of_unit) {
+    if (car.sensors.size() > 1) {
+      throw UsageError(drive.poses + ": poses of a lidar, and " + std::string(car.vehicle->name) +
+                       " has several sensors: give --poses-mount X Y YAW of that one");
+    }
+    const description::MountConfig& mount = car.sensors[0].mount;
+    at = {mount.x_m, mount.y_m, mount.yaw_deg};
+  }
+  at.resize(3);
+  return {.mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
+}
+
 }  // namespace
+
+std::string DriveFiles::name() const {
+  std::string names;
+  for (const std::string& path : captures) {
+    names += (names.empty() ? "" : ", ") + path;
+  }
+  return names;
+}
 
 void CarClocks::Span::add(std::uint64_t time_us) {
   first_us = std::min(first_us, time_us);
   last_us = std::max(last_us, time_us);
+}
+
+std::string CarClocks::Span::words() const {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << " (" << static_cast<double>(first_us) / 1e6
+       << " to " << static_cast<double>(last_us) / 1e6 << " s)";
+  return text.str();
+}
+
+void CarClocks::use_log(std::int64_t ahead_us) {
+  is_of_log_ = true;
+  poses_us_ = ahead_us;
 }
 
 void CarClocks::add(const CapturedDatagram& datagram) {
@@ -70,15 +108,15 @@ void CarClocks::add_pose(const CapturedDatagram& datagram) {
   if (fate != pose::Fate::kUsed) {
     return;
   }
+  first_pose_us_ = poses_.first_us > poses_.last_us ? message.clock_us : first_pose_us_;
   poses_.add(datagram.time_us);
   last_pose_us_ = message.clock_us;
   if (!poses_us_) {
-    first_pose_us_ = message.clock_us;
     poses_us_ = difference(message.clock_us + message.age_us, datagram.time_us);
   }
 }
 
-// What counts from the hour needs a pose to say which.
+// What counts from the hour needs a pose to say which; beside a log the capture says it.
 void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number) {
   const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
   if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
@@ -91,8 +129,9 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
   const intake::Packet packet =
       intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
   if (packet.is_sound()) {
+    const std::uint64_t about_us = is_of_log_ ? datagram.time_us : last_pose_us_;
     ahead_us.push_back(
-        difference(intake::measured_us(sensor, packet.info(), last_pose_us_), datagram.time_us));
+        difference(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us));
   }
 }
 
@@ -106,7 +145,7 @@ std::int64_t CarClocks::sensors_us() const {
   const auto known =
       std::ranges::find_if(sensors_us_, [](const auto& its) { return !its.second.empty(); });
   const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_of(known->second);
-  return std::abs(ahead_us) < kSecondUs ? 0 : ahead_us;
+  return std::abs(ahead_us) <= kAgreeUs ? 0 : without_way(ahead_us);
 }
 
 std::string CarClocks::words() const {
@@ -126,62 +165,113 @@ std::string CarClocks::words() const {
     }
   }
   if (!some.empty()) {
-    return words_of(agreeing == 0 ? "the packets" : "the packets of " + some, some_us);
+    return words_of(agreeing == 0 ? "the packets" : "the packets of " + some, some_us) +
+           (is_of_log_ ? ", and --clock-offset 0 says that the log is by the packets' clock" : "");
   }
-  if (poses_.last_us < packets_.first_us || packets_.last_us < poses_.first_us) {
-    return "the packets and the poses have no time in common: if they begin together, " +
-           words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
-  }
-  return {};
+  return poses_.last_us < packets_.first_us || packets_.last_us < poses_.first_us ? words_apart()
+                                                                                  : "";
 }
 
-CarCapture::CarCapture(const std::string& path, const CatalogueEntry& car, double clock_offset_s)
-    : car_(&car), offset_us_(std::llround(clock_offset_s * 1e6)), file_(path), clocks_(car) {
-  if (offset_us_ == 0) {
+std::string CarClocks::words_apart() const {
+  return "the packets" + packets_.words() + " and the poses" + poses_.words() +
+         " have no time in common: if they begin together, " +
+         words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
+}
+
+CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
+    : car_(&car),
+      has_log_(!drive.poses.empty()),
+      offset_us_(std::llround(drive.clock_offset_s.value_or(0) * 1e6)),
+      files_(drive.captures),
+      clocks_(car) {
+  if (!has_log_ && offset_us_ == 0) {
     return;
   }
-  if (!std::filesystem::is_regular_file(path)) {
-    throw UsageError("--clock-offset needs a file, which is read twice, not " + path);
+  for (const std::string& path : drive.captures) {
+    if (!std::filesystem::is_regular_file(path)) {
+      throw UsageError(std::string(has_log_ ? "--poses" : "--clock-offset") +
+                       " needs a file, which is read twice, not " + path);
+    }
   }
-  if (const std::int64_t delay_us = delay_of_poses(path); delay_us != 0) {
-    read_poses(path, delay_us);
+  if (has_log_) {
+    read_log(drive);
+  }
+  const std::int64_t delay_us = delay_of_poses(drive);
+  is_merged_ = has_log_ || delay_us != 0;
+  if (has_log_) {
+    clocks_.use_log(offset_us_ - delay_us);
+  } else if (is_merged_) {
+    read_poses(drive);
+  }
+  for (CapturedDatagram& pose : poses_) {
+    pose.time_us += static_cast<std::uint64_t>(delay_us);
   }
 }
 
 // Poses belong to packets of the same measuring time. If they arrive less than a second apart from
-// these, their times stay.
-std::int64_t CarCapture::delay_of_poses(const std::string& path) const {
-  PcapReader file(path);
+// these, their times stay. Reads on until the clocks are known, and whether a log has poses beside
+// packets.
+std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
+  CaptureSet files(drive.captures);
   CarClocks clocks(*car_);
-  while (!clocks.are_known()) {
-    const std::optional<CapturedDatagram> datagram = file.next();
-    if (!datagram) {
-      break;
-    }
-    clocks.add(*datagram);
+  if (has_log_) {
+    clocks.use_log(0);
   }
-  const std::int64_t delay_us = clocks.poses_us() + offset_us_ - clocks.sensors_us();
-  return std::abs(delay_us) < kSecondUs ? 0 : delay_us;
+  const CarClocks::Span& packets = clocks.packets();
+  std::int64_t delay_us = 0;
+  const auto is_beside = [&] {
+    const bool is_told = !has_log_ || drive.clock_offset_s;
+    delay_us = is_told ? clocks.poses_us() + offset_us_ - clocks.sensors_us() : 0;
+    return !has_log_ || (difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
+                         difference(packets.first_us, poses_.back().time_us) - delay_us <= 0);
+  };
+  std::optional<CapturedDatagram> datagram;
+  while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
+    if (!has_log_ || !is_pose_port(*car_, datagram->destination.port)) {
+      clocks.add(*datagram);
+    }
+  }
+  if (!is_beside() && packets.last_us > 0) {
+    std::ranges::for_each(poses_, [&clocks](const auto& pose) { clocks.add(pose); });
+    throw UsageError(drive.poses + ": " + clocks.words_apart());
+  }
+  return std::abs(delay_us) < kSecondUs && !has_log_ ? 0 : delay_us;
 }
 
-void CarCapture::read_poses(const std::string& path, std::int64_t delay_us) {
-  is_merged_ = true;
-  PcapReader file(path);
-  while (std::optional<CapturedDatagram> datagram = file.next()) {
+void CarCapture::read_poses(const DriveFiles& drive) {
+  CaptureSet files(drive.captures);
+  while (std::optional<CapturedDatagram> datagram = files.next()) {
     if (is_pose_port(*car_, datagram->destination.port)) {
-      datagram->time_us += static_cast<std::uint64_t>(delay_us);
       poses_.push_back(*std::move(datagram));
     }
   }
 }
 
+void CarCapture::read_log(const DriveFiles& drive) {
+  if (!vehicle::have_classes(car_->vehicle->grids)) {
+    throw UsageError("--poses: " + std::string(car_->vehicle->name) +
+                     " has no classes, so it has no use for poses; grids = \"classes\" or "
+                     "\"both\" in a car's file asks for them");
+  }
+  PoseLog log = read_pose_log(drive.poses);
+  const PoseConversion conversion = conversion_of(drive, *car_, log.is_of_unit);
+  const ConvertedLog poses = converted(std::move(log), conversion);
+  demand_poses(poses, drive.poses);
+  log_words_ = words_of(poses, conversion);
+  PoseEncoder encoder;
+  for (const PoseSample& sample : poses.samples) {
+    poses_.push_back(encoder.datagram_of(sample));
+    poses_.back().destination.port = car_->vehicle->poses.udp_port;
+  }
+}
+
 std::optional<PcapReader::Place> CarCapture::place() const {
-  return is_merged_ ? std::nullopt : file_.place();
+  return is_merged_ ? std::nullopt : files_.place();
 }
 
 void CarCapture::put_ahead(CapturedDatagram& pose) {
   auto [fate, message] = pose::decode(pose.payload);
-  if (offset_us_ == 0 || fate != pose::Fate::kUsed) {
+  if ((offset_us_ == 0 && !has_log_) || fate != pose::Fate::kUsed) {
     return;
   }
   message.clock_us += static_cast<std::uint64_t>(offset_us_);
@@ -189,11 +279,24 @@ void CarCapture::put_ahead(CapturedDatagram& pose) {
   pose.payload.assign(bytes.begin(), bytes.end());
 }
 
+// Before the first packet and behind the last one a target needs no more of a log.
+bool CarCapture::is_distant(std::uint64_t pose_us,
+                            const std::optional<CapturedDatagram>& packet) const {
+  const std::uint64_t last_us = clocks_.packets().last_us;
+  return packet ? last_us == 0 && pose_us + pose::kLostUs < packet->time_us
+                : pose_us > last_us + pose::kLostUs;
+}
+
 std::optional<CapturedDatagram> CarCapture::next() {
   std::optional<CapturedDatagram> datagram = std::exchange(packet_, std::nullopt);
-  while (!datagram && (datagram = file_.next()) && is_merged_ &&
+  while (!datagram && (datagram = files_.next()) && is_merged_ &&
          is_pose_port(*car_, datagram->destination.port)) {
     datagram.reset();
+    unused_poses_ += has_log_ ? 1U : 0U;
+  }
+  while (has_log_ && next_pose_ < poses_.size() &&
+         is_distant(poses_[next_pose_].time_us, datagram)) {
+    ++next_pose_;
   }
   if (next_pose_ < poses_.size() &&
       (!datagram || poses_[next_pose_].time_us <= datagram->time_us)) {
@@ -208,10 +311,21 @@ std::optional<CapturedDatagram> CarCapture::next() {
   return datagram;
 }
 
-void warn_of(const std::string& path, const CarCapture& capture) {
-  warn_of(path, capture.file());
+std::vector<std::string> CarCapture::remarks() const {
+  std::vector<std::string> remarks = log_words_;
+  remark(unused_poses_, "poses in the captures are not used", remarks);
+  return remarks;
+}
+
+void warn_of(const DriveFiles& drive, const CarCapture& capture) {
+  for (const CaptureSet::File& file : capture.files().files()) {
+    warn_of(file.path, *file.reader);
+  }
+  for (const std::string& words : capture.remarks()) {
+    std::cerr << "iog: " << drive.poses << ": " << words << '\n';
+  }
   if (const std::string words = capture.clock_words(); !words.empty()) {
-    std::cerr << "iog: " << path << ": " << words << '\n';
+    std::cerr << "iog: " << drive.name() << ": " << words << '\n';
   }
 }
 

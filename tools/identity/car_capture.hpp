@@ -1,6 +1,7 @@
-// A capture of a car, and the clocks in it: that of the poses, and those of the sensors that the
-// car's file calls synchronised with it. If they differ (TAI and UTC, GPS and UTC, a wrong year) no
-// packet has a pose. The difference is reported, and an offset corrects it.
+// Captures of a car, a log of its poses beside them, and the clocks in them: that of the poses, and
+// those of the sensors that the car's file calls synchronised with it. If they differ (TAI and UTC,
+// GPS and UTC, a wrong year) no packet has a pose. The difference is reported, and an offset
+// corrects it.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +12,19 @@
 #include <vector>
 
 #include "pose/message.hpp"
-#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/capture/capture_set.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
+
+// What is given of a drive.
+struct DriveFiles {
+  std::vector<std::string> captures{};
+  std::string poses{};  // a log as of read_pose_log(); empty: they are in the captures
+  std::vector<double> poses_mount{};  // x and y in metres, perhaps the yaw in degrees; empty: none
+  std::optional<double> clock_offset_s{};  // added to the clock of the poses
+  [[nodiscard]] std::string name() const;  // of the captures, for messages
+};
 
 // How far each clock is ahead of the capture's, us, by the time stamps in the datagrams.
 class CarClocks {
@@ -22,6 +32,9 @@ class CarClocks {
   explicit CarClocks(const CatalogueEntry& car) : car_(&car) {}
 
   void add(const CapturedDatagram& datagram);
+
+  // Poses are those of a log, whose clock is so far ahead: nothing shows when they came.
+  void use_log(std::int64_t ahead_us);
 
   // Whether there is a pose, and enough of each sensor that has a clock.
   [[nodiscard]] bool are_known() const;
@@ -31,18 +44,24 @@ class CarClocks {
 
   // "the packets are 37.000 s ahead of the poses; ..."; empty if poses and packets agree.
   [[nodiscard]] std::string words() const;
-
- private:
-  void add_pose(const CapturedDatagram& datagram);
-  void add_packet(const CapturedDatagram& datagram, std::size_t sensor);
+  // That they have no time in common, with both spans.
+  [[nodiscard]] std::string words_apart() const;
 
   struct Span {
     std::uint64_t first_us = ~std::uint64_t{0};
     std::uint64_t last_us = 0;
     void add(std::uint64_t time_us);
+    [[nodiscard]] std::string words() const;
   };
+  // Capture times.
+  [[nodiscard]] const Span& packets() const { return packets_; }
+
+ private:
+  void add_pose(const CapturedDatagram& datagram);
+  void add_packet(const CapturedDatagram& datagram, std::size_t sensor);
 
   const CatalogueEntry* car_;
+  bool is_of_log_ = false;
   Span poses_;
   Span packets_;
   std::uint64_t first_pose_us_ = 0;  // by its own clock, and the last one's
@@ -53,40 +72,52 @@ class CarClocks {
 
 class CarCapture {
  public:
-  // clock_offset_s is added to the clock of the poses. If the capture times of their datagrams are
-  // of that clock, too, as after merging a log with the packets, these are shifted as well.
-  // UsageError as of PcapReader, and for an offset if the file can be read only once.
-  CarCapture(const std::string& path, const CatalogueEntry& car, double clock_offset_s = 0);
+  // An offset is added to the clock of the poses. If the capture times of their datagrams are of
+  // that clock, too, as after merging a log with the packets, these are shifted as well.
+  // Poses of a log come at their own times, instead of those in the captures: by the captures'
+  // clock or, if an offset is given, by the sensors'; from a second before the first packet to a
+  // second behind the last one. UsageError as of PcapReader and
+  // read_pose_log(), if packets and log have no time in common, and, with an offset or a log, for
+  // what can be read only once.
+  CarCapture(const DriveFiles& drive, const CatalogueEntry& car);
 
   [[nodiscard]] std::optional<CapturedDatagram> next();
 
-  [[nodiscard]] const PcapReader& file() const { return file_; }
+  [[nodiscard]] const CaptureSet& files() const { return files_; }
   // As of PcapReader; nothing if poses come at other times.
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
-  void go_to(const PcapReader::Place& place) { file_.go_to(place); }
+  void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
   // How the clocks of poses and packets differ; empty if they agree. Known when all has been read.
   [[nodiscard]] std::string clock_words() const { return clocks_.words(); }
+  // What is to be told of the log.
+  [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
-  // The offset in the pose's message, if it is one.
+  [[nodiscard]] bool is_distant(std::uint64_t pose_us,
+                                const std::optional<CapturedDatagram>& packet) const;
+  // The offset in the pose's message, if it is one; those of a log are numbered anew.
   void put_ahead(CapturedDatagram& pose);
-  // The delay of the poses, found at the beginning of the file.
-  [[nodiscard]] std::int64_t delay_of_poses(const std::string& path) const;
-  void read_poses(const std::string& path, std::int64_t delay_us);
+  // The delay of the poses, found at the beginning of the files.
+  [[nodiscard]] std::int64_t delay_of_poses(const DriveFiles& drive) const;
+  void read_poses(const DriveFiles& drive);
+  void read_log(const DriveFiles& drive);
 
   const CatalogueEntry* car_;
+  bool has_log_;
   std::int64_t offset_us_;
-  PcapReader file_;
+  CaptureSet files_;
   CarClocks clocks_;
   pose::Encoder encoder_;
-  bool is_merged_ = false;               // the poses do not come as they stand in the file
+  std::vector<std::string> log_words_;
+  std::uint64_t unused_poses_ = 0;       // in the captures, beside a log
+  bool is_merged_ = false;               // the poses do not come as they stand in the files
   std::vector<CapturedDatagram> poses_;  // then all of them
   std::size_t next_pose_ = 0;
   std::optional<CapturedDatagram> packet_;  // that comes behind them
 };
 
-// As of PcapReader, and clock_words().
-void warn_of(const std::string& path, const CarCapture& capture);
+// As of PcapReader, remarks() and clock_words().
+void warn_of(const DriveFiles& drive, const CarCapture& capture);
 
 }  // namespace iog::tools

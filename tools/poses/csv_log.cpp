@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include "tools/poses/pose_log.hpp"
@@ -60,14 +59,7 @@ std::optional<double> decimal_in(std::string text) {
 
 std::optional<std::uint64_t> time_in(std::string text) {
   std::ranges::replace(text, ',', '.');
-  if (text.find_first_of("eE") == std::string::npos) {
-    return microseconds_in(text);
-  }
-  constexpr double kMostSeconds = 1e12;
-  const std::optional<double> seconds = decimal_in(text);
-  return seconds && *seconds >= 0 && *seconds < kMostSeconds
-             ? std::optional(static_cast<std::uint64_t>(std::llround(*seconds * 1e6)))
-             : std::nullopt;
+  return seconds_in(text);
 }
 
 Places places_of(const std::string& place_in_file, const std::vector<std::string>& header,

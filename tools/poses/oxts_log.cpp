@@ -24,11 +24,8 @@ std::array<double, kFields> fields_in(const std::string& path) {
   std::array<double, kFields> fields{};
   std::size_t count = 0;
   const std::string_view line = lines.empty() ? std::string_view() : lines.front();
-  for (const std::string_view part : parts_of(line, ' ')) {
-    if (trimmed(part).empty()) {
-      continue;
-    }
-    const std::optional<double> value = number_in(trimmed(part));
+  for (const std::string_view part : words_of(line)) {
+    const std::optional<double> value = number_in(part);
     if (!value || count == kFields) {
       throw UsageError(path + ": field " + std::to_string(count + 1) + " of " +
                        std::to_string(kFields) + " is '" + std::string(part) + "'");

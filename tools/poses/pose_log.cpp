@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
 #include "pose/limits.hpp"
 #include "tools/poses/outliers.hpp"
 #include "tools/poses/pose_encoder.hpp"
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 namespace {
@@ -20,7 +22,7 @@ double seconds_between(const LoggedPose& from, const LoggedPose& to) {
 
 // The receiver's place less its mount.
 PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
-  const double heading = *pose.heading_rad;
+  const double heading = *pose.heading_rad - conversion.mount_yaw_rad;
   const double cos = std::cos(heading);
   const double sin = std::sin(heading);
   return {
@@ -144,6 +146,37 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   result.remarks = std::move(log.remarks);
   result.notes = std::move(log.notes);
   return result;
+}
+
+void demand_poses(const ConvertedLog& log, const std::string& path) {
+  if (!log.samples.empty()) {
+    return;
+  }
+  std::string why;
+  for (const std::string& remark : log.remarks) {
+    why += (why.empty() ? "; not used: " : ", ") + remark;
+  }
+  throw UsageError(path + ": no pose in it" + why);
+}
+
+std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion& conversion) {
+  std::vector<std::string> words;
+  for (const std::string& remark : log.remarks) {
+    words.push_back("not used: " + remark);
+  }
+  words.insert(words.end(), log.notes.begin(), log.notes.end());
+  const auto add_taken = [&words](std::size_t count, const char* of, double value,
+                                  const char* unit) {
+    if (count > 0) {
+      std::ostringstream text;
+      text << "no standard deviation of the " << of << " in " << count << " poses, " << value * 1000
+           << unit << " taken";
+      words.push_back(text.str());
+    }
+  };
+  add_taken(log.taken_sigmas, "way", conversion.sigma_m, " mm");
+  add_taken(log.taken_sigma_headings, "turn", conversion.sigma_heading_rad, " mrad");
+  return words;
 }
 
 }  // namespace iog::tools

@@ -1,6 +1,7 @@
 // Poses that somebody has logged, in whatever format, and how they become what a source sends.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,15 +12,16 @@
 
 #include "tools/poses/map_origin.hpp"
 #include "tools/poses/pose_sample.hpp"
+#include "tools/poses/rigid.hpp"
 
 namespace iog::tools {
 
 // One row of a log. What the log does not say is empty.
 struct LoggedPose {
   std::uint64_t time_us = 0;  // since 1970, or since the log's begin
-  double x_m = 0;             // of the receiver, in the log's plane
+  double x_m = 0;             // of the receiver or lidar, in the log's plane
   double y_m = 0;
-  std::optional<double> heading_rad{};  // of the vehicle, counter-clockwise from the plane's x
+  std::optional<double> heading_rad{};  // counter-clockwise from the plane's x
   std::optional<double> speed_mps{};
   std::optional<double> yaw_rate_rps{};
   std::optional<double> sigma_m{};
@@ -29,10 +31,12 @@ struct LoggedPose {
 };
 
 struct PoseLog {
-  std::vector<LoggedPose> poses;     // in the order of the log
-  std::vector<std::string> remarks;  // what was not used, and why; never silent
-  std::vector<std::string> notes{};  // what was taken on an assumption, and which
-  std::string_view unit = "line";    // what a place counts
+  std::vector<LoggedPose> poses{};     // in the order of the log
+  std::vector<std::string> remarks{};  // what was not used, and why; never silent
+  std::vector<std::string> notes{};    // what was taken on an assumption, and which
+  std::string_view unit = "line";      // what a place counts
+  bool is_of_unit = false;             // poses of the lidar, not of the car or a receiver in it
+  std::vector<Rigid> in_space{};       // each of them whole, if they are of the lidar
   // In which x is east and y north, if the log has latitudes: it touches at the first position.
   std::optional<LocalPlane> plane{};
 };
@@ -57,14 +61,38 @@ struct PoseLog {
 // 84 bytes) among any others. receiver_fixes.hpp says what both make of a course.
 [[nodiscard]] PoseLog read_ubx_log(std::span<const std::byte> bytes);
 
+// A trajectory as the TUM RGB-D benchmark has it: timestamp tx ty tz qx qy qz qw. UsageError with
+// file and line for a row that is not so.
+[[nodiscard]] PoseLog read_tum_log(const std::string& path);
+
+// poses.txt of KITTI's odometry benchmark, which are those of camera 0; beside it times.txt, in
+// seconds, and calib.txt, whose Tr brings the unit's frame into the camera's. Poses of the unit in
+// its first frame: x forward, y left. UsageError with file and line.
+[[nodiscard]] PoseLog read_kitti_log(const std::string& path);
+
+// nav_msgs/msg/Odometry of an MCAP file or, if it has none, base_link in tf2_msgs/msg/TFMessage; of
+// a topic if one is given. UsageError if several topics or parents have poses.
+[[nodiscard]] PoseLog read_ros_log(const std::string& path, const std::string& topic);
+
+// A log of that format; empty: the one that its name or its first bytes show. "FILE.mcap:/topic"
+// names a topic. UsageError if it is none, cannot be read, or as of its format.
+inline constexpr std::array<std::string_view, 7> kPoseFormats{"csv", "oxts",  "nmea", "ubx",
+                                                              "tum", "kitti", "mcap"};
+[[nodiscard]] PoseLog read_pose_log(const std::string& input, const std::string& format = {});
+
+// x, y, z, w. The heading of what is turned so; empty: it is no rotation.
+using Quaternion = std::array<double, 4>;
+[[nodiscard]] std::optional<double> heading_of(const Quaternion& turn);
+
 // The sound UBX message at the beginning of the bytes; empty if there is none.
 [[nodiscard]] std::span<const std::byte> ubx_message_at(std::span<const std::byte> bytes);
 
 // How a log becomes poses of the vehicle frame.
 struct PoseConversion {
-  // Where in the vehicle frame the receiver is whose places were logged.
+  // How in the vehicle frame the receiver or lidar is mounted whose poses were logged.
   double mount_x_m = 0;
   double mount_y_m = 0;
+  double mount_yaw_rad = 0;
   // For a log that does not say them.
   double sigma_m = 0.05;
   double sigma_heading_rad = 0.002;
@@ -92,6 +120,13 @@ struct ConvertedLog {
 // and poses that no car reaches from those around them (outliers.hpp).
 // UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
+
+// UsageError, with why, if there is none.
+void demand_poses(const ConvertedLog& log, const std::string& path);
+
+// A line for each remark and note, and for standard deviations that were taken.
+[[nodiscard]] std::vector<std::string> words_of(const ConvertedLog& log,
+                                                const PoseConversion& conversion);
 
 // How many were left out, and where the first one is.
 struct Tally {

@@ -8,6 +8,8 @@
 namespace iog::tools {
 namespace {
 
+constexpr std::string_view kBlanks = " \t\r";
+
 bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 
 }  // namespace
@@ -43,8 +45,16 @@ std::vector<std::string_view> parts_of(std::string_view line, char separator) {
   return parts;
 }
 
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (!(line = trimmed(line)).empty()) {
+    words.push_back(line.substr(0, line.find_first_of(kBlanks)));
+    line.remove_prefix(words.back().size());
+  }
+  return words;
+}
+
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
   const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) {
     return {};
@@ -91,6 +101,17 @@ std::optional<std::uint64_t> microseconds_in(std::string_view text) {
     value = value * 10 + static_cast<std::uint64_t>(i < part.size() ? part[i] - '0' : 0);
   }
   return value;
+}
+
+std::optional<std::uint64_t> seconds_in(std::string_view text) {
+  if (text.find_first_of("eE") == std::string_view::npos) {
+    return microseconds_in(text);
+  }
+  constexpr double kMostSeconds = 1e12;
+  const std::optional<double> seconds = number_in(text.substr(text.starts_with('+') ? 1 : 0));
+  return seconds && *seconds >= 0 && *seconds < kMostSeconds
+             ? std::optional(static_cast<std::uint64_t>(std::llround(*seconds * 1e6)))
+             : std::nullopt;
 }
 
 std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month, std::uint32_t day,

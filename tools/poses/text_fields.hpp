@@ -22,6 +22,9 @@ namespace iog::tools {
 // The parts of a line between separators; an empty line is one empty part.
 [[nodiscard]] std::vector<std::string_view> parts_of(std::string_view line, char separator);
 
+// What stands between blanks.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+
 // Without blanks at both ends, and without a carriage return.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
@@ -34,6 +37,9 @@ namespace iog::tools {
 // Seconds with or without decimals as microseconds, exactly; what is beyond the sixth decimal is
 // cut off. At most 12 digits before the point, no sign.
 [[nodiscard]] std::optional<std::uint64_t> microseconds_in(std::string_view text);
+
+// The same or, rounded, with an exponent, as numpy writes it; then below 10^12 s.
+[[nodiscard]] std::optional<std::uint64_t> seconds_in(std::string_view text);
 
 // Microseconds since 1970 of a day and a time of it (UTC, no leap seconds). Empty: no such day.
 [[nodiscard]] std::optional<std::uint64_t> unix_us_of(std::uint32_t year, std::uint32_t month,

@@ -85,7 +85,7 @@ std::string ClassStatistics::why_nothing_placed(std::uint16_t pose_port) const {
   const std::uint64_t poses = std::accumulate(fates.begin(), fates.end(), std::uint64_t{0});
   const std::string port = " on UDP port " + std::to_string(pose_port);
   if (poses == 0) {
-    return "no pose message came" + port + "; `iog pose` makes a capture of a log of poses";
+    return "no pose message came" + port + "; --poses takes a log of them";
   }
   if (fates[0] == 0) {
     return "none of the " + std::to_string(poses) + " pose messages" + port +

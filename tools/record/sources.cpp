@@ -10,7 +10,6 @@
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/fuse/scan_points.hpp"
-#include "tools/identity/car_capture.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -170,10 +169,10 @@ std::uint64_t record_live(const LiveSource& source, Recorder& recorder) {
   return recording.overflow();
 }
 
-void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
-                    double clock_offset_s, Recorder& recorder) {
+void record_capture(const DriveFiles& drive, const std::string& vehicle, const std::string& map,
+                    Recorder& recorder) {
   const CatalogueEntry& car = find_vehicle(vehicle);
-  CarCapture capture(path, car, clock_offset_s);
+  CarCapture capture(drive, car);
   const auto target = std::make_unique<CapturedTarget>(car, recorder);  // too large for the stack
   if (!map.empty()) {
     target->begin_with_map(map);
@@ -184,13 +183,13 @@ void record_capture(const std::string& path, const std::string& vehicle, const s
     if (takes_port(car, datagram->destination.port)) {
       target->take(*datagram);
     }
-    progress.show(capture.file().counts().datagrams, capture.file().part_read());
+    progress.show(capture.files().datagrams(), capture.files().part_read());
   }
   target->finish();
-  warn_of(path, capture);
+  warn_of(drive, capture);
   if (recorder.census().statistics().records().empty() && !was_interrupted()) {
-    throw UsageError(path + ": no frame has evidence: what came to the ports of " + vehicle +
-                     " holds no scan of its sensors");
+    throw UsageError(drive.name() + ": no frame has evidence: what came to the ports of " +
+                     vehicle + " holds no scan of its sensors");
   }
 }
 

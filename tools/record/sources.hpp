@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "tools/identity/car_capture.hpp"
 #include "tools/record/recorder.hpp"
 
 namespace iog::tools {
@@ -24,10 +25,9 @@ struct LiveSource {
 
 // UsageError if the capture cannot be read. The same capture gives the same datagrams, at the times
 // of the capture. map: a file of `iog map`, which the target has from the start; empty: none.
-// UsageError if that cannot be read, or the vehicle has no classes. clock_offset_s: as of
-// CarCapture.
-void record_capture(const std::string& path, const std::string& vehicle, const std::string& map,
-                    double clock_offset_s, Recorder& recorder);
+// UsageError if that cannot be read, or the vehicle has no classes.
+void record_capture(const DriveFiles& drive, const std::string& vehicle, const std::string& map,
+                    Recorder& recorder);
 
 // UsageError if the file is no recording, or has no stream in it.
 void record_stream(const std::string& path, Recorder& recorder);

@@ -8,7 +8,6 @@
 
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/identity/capture_identity.hpp"
-#include "tools/identity/car_capture.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
@@ -36,10 +35,13 @@ class ShownFile {
  public:
   ShownFile(const RecordingOptions& options, const CatalogueEntry& car)
       : car_(&car), port_(options.port) {
-    if (is_mcap_file(options.path)) {
-      stream_ = std::make_unique<StreamFile>(options.path);
+    if (is_mcap_file(options.drive.captures[0])) {
+      if (options.drive.captures.size() > 1 || !options.drive.poses.empty()) {
+        throw UsageError(options.drive.name() + ": an MCAP file is shown alone, without --poses");
+      }
+      stream_ = std::make_unique<StreamFile>(options.drive.captures[0]);
     } else {
-      capture_ = std::make_unique<CarCapture>(options.path, car, options.clock_offset_s);
+      capture_ = std::make_unique<CarCapture>(options.drive, car);
     }
   }
 
@@ -78,15 +80,15 @@ class ShownFile {
   }
 
   [[nodiscard]] std::optional<double> part_read() const {
-    return stream_ ? stream_->part_read() : capture_->file().part_read();
+    return stream_ ? stream_->part_read() : capture_->files().part_read();
   }
 
   // On stderr, when all has been read.
-  void warn(const std::string& path) const {
+  void warn(const DriveFiles& drive) const {
     if (capture_) {
-      warn_of(path, *capture_);
+      warn_of(drive, *capture_);
     } else {
-      stream_->warn(path);
+      stream_->warn(drive.name());
     }
   }
 
@@ -106,7 +108,7 @@ class RecordingSource : public Source {
     CaptureIdentity others;
     const std::optional<CapturedDatagram> first = file_->next(&others);
     if (!first) {
-      throw UsageError(options_.path +
+      throw UsageError(options_.drive.name() +
                        (file_->is_mcap()
                             ? ": no stream of a target in it; `iog record` writes one, "
                               "with the topic /iogrid/messages"
@@ -115,7 +117,7 @@ class RecordingSource : public Source {
     }
     is_of_target_ = !file_->is_of_car(*first);
     if (!is_of_target_) {
-      demand_fit(options_.path, *car_);
+      demand_fit(options_.drive.captures, *car_);
     }
     find_span(*first);
   }
@@ -163,7 +165,7 @@ class RecordingSource : public Source {
       }
     }
     if (!was_interrupted()) {
-      file_->warn(options_.path);
+      file_->warn(options_.drive);
     }
   }
 

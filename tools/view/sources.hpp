@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "tools/identity/car_capture.hpp"
 #include "tools/view/viewer.hpp"
 
 namespace iog::tools::view {
@@ -27,16 +28,15 @@ class Source {
                                                          std::uint16_t port);
 
 struct RecordingOptions {
-  std::string path;
+  DriveFiles drive;
   std::string vehicle;
   std::uint16_t port;  // to which a recorded stream went
   double speed;        // 2: twice as fast as recorded
   bool loops;
-  double clock_offset_s = 0;  // as of CarCapture
 };
 
-// A capture of a vehicle's sensors, or of a target's stream, or an MCAP file that has a stream, in
-// its own time, from wherever pages ask. UsageError if the file cannot be read, or nothing in it
+// Captures of a vehicle's sensors, or one of a target's stream, or an MCAP file that has a stream,
+// in its own time, from wherever pages ask. UsageError if the file cannot be read, or nothing in it
 // can be shown.
 [[nodiscard]] std::unique_ptr<Source> make_recording_source(const RecordingOptions& options);
 

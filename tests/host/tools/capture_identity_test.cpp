@@ -38,7 +38,7 @@ class Capture {
   [[nodiscard]] std::string refusal_by(const char* car) {
     finish();
     try {
-      demand_fit(path_, find_vehicle(car));
+      demand_fit({path_}, find_vehicle(car));
     } catch (const UsageError& error) {
       return error.what();
     }

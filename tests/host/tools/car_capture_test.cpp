@@ -1,6 +1,7 @@
 #include "tools/identity/car_capture.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -10,7 +11,10 @@
 #include "drive_sample.hpp"
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/poses/pose_encoder.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
@@ -46,21 +50,31 @@ struct Read {
   std::string words;
 };
 
-Read read(const Datagrams& datagrams, double offset_s) {
-  const tests::TemporaryFolder folder;
-  const std::string path = folder / "drive.pcap";
+std::string write(const Datagrams& datagrams, const std::string& path) {
   PcapWriter writer(path);
   for (const CapturedDatagram& datagram : datagrams) {
     writer.write(datagram);
   }
   writer.finish();
-  CarCapture capture(path, car(), offset_s);
+  return path;
+}
+
+Read read(const DriveFiles& files) {
+  CarCapture capture(files, car());
   Read read;
   while (const auto datagram = capture.next()) {
     read.datagrams.emplace_back(datagram->time_us, datagram->destination.port, datagram->payload);
   }
   read.words = capture.clock_words();
+  for (const std::string& remark : capture.remarks()) {
+    read.words += '|' + remark;
+  }
   return read;
+}
+
+Read read(const Datagrams& datagrams, double offset_s) {
+  const tests::TemporaryFolder folder;
+  return read({.captures = {write(datagrams, folder / "drive.pcap")}, .clock_offset_s = offset_s});
 }
 
 TEST(CarCapture, ClocksThatAgreeAreLeftAlone) {
@@ -102,13 +116,128 @@ TEST(CarCapture, PosesOfALogAreToldAndMended) {
   const Read right = read(drive(0, false), 0);
   for (const Offset& offset : kOffsets) {
     const Datagrams datagrams = drive(offset.seconds * 1'000'000, true);
-    EXPECT_EQ(read(datagrams, 0).words,
-              "the packets and the poses have no time in common: if they begin together, " +
-                  offset.words);
+    EXPECT_TRUE(
+        read(datagrams, 0)
+            .words.ends_with(" have no time in common: if they begin together, " + offset.words));
     const Read mended = read(datagrams, static_cast<double>(offset.seconds));
     EXPECT_EQ(mended.words, "");
     EXPECT_EQ(mended.datagrams, right.datagrams) << offset.seconds;
   }
+}
+
+// Six frames, and beside them a log of 100 poses a second whose clock is so much behind.
+class BesideALog : public testing::Test {
+ protected:
+  static constexpr const char* kHead = "time_s,x_m,y_m,heading_deg,sigma_m,sigma_heading_deg\n";
+
+  static std::string rows(double behind_s, int first = 0, int end = 35) {
+    std::string text(kHead);
+    for (int i = first; i < end; ++i) {
+      text += std::to_string(1'714'564'799.94 - behind_s + 0.01 * i) + ",1,0,0,0.02,0.1\n";
+    }
+    return text;
+  }
+  DriveFiles log(const std::string& text, std::optional<double> offset_s = {}) const {
+    OutputFile file(log_);
+    file.write(text);
+    file.finish();
+    return {.captures = {lidar_}, .poses = log_, .clock_offset_s = offset_s};
+  }
+  static void expect_error(const DriveFiles& files, const std::string& words) {
+    try {
+      static_cast<void>(read(files));
+      ADD_FAILURE() << "read, not: " << words;
+    } catch (const UsageError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+
+  tests::TemporaryFolder folder_;
+  std::string log_ = folder_ / "log.csv";
+  Datagrams packets_ = sample_drive(car(), 1, 6);
+  std::string lidar_ = write(packets_, folder_ / "lidar.pcap");
+};
+
+// What `iog pose` makes of the log, merged with the packets: as a capture of its own, and by hand.
+TEST_F(BesideALog, PosesAreThoseOfItsCapture) {
+  const Read beside = read(log(rows(0)));
+  EXPECT_EQ(beside.words, "");
+  PoseEncoder encoder;
+  Datagrams poses;
+  for (const PoseSample& sample : converted(read_pose_log(log_), {}).samples) {
+    poses.push_back(encoder.datagram_of(sample));
+  }
+  ASSERT_EQ(poses.size(), 35U);
+  const std::string capture = write(poses, folder_ / "poses.pcap");
+  EXPECT_EQ(read({.captures = {capture, lidar_}}).datagrams, beside.datagrams);
+  poses.insert(poses.end(), packets_.begin(), packets_.end());
+  std::ranges::stable_sort(poses, {}, &CapturedDatagram::time_us);
+  const std::string merged = write(poses, folder_ / "merged.pcap");
+  EXPECT_EQ(read({.captures = {merged}}).datagrams, beside.datagrams);
+  const Read instead = read({.captures = {merged}, .poses = log_});
+  EXPECT_EQ(instead.datagrams, beside.datagrams);
+  EXPECT_EQ(instead.words, "|35 poses in the captures are not used");
+  DriveFiles mounted = log(rows(0));
+  mounted.poses_mount = {1, 0.5, 90};
+  const auto [fate, pose] = pose::decode(std::get<2>(read(mounted).datagrams[0]));
+  EXPECT_EQ(pose.pose.heading, 0xC000'0000U);
+  EXPECT_EQ(pose.pose.x_mm, 500);  // the mount is 0.5 m and -1 m away
+  EXPECT_EQ(pose.pose.y_mm, 1'000);
+}
+
+// A second before 0.04 s is row -90, and a second behind 0.242 s row 130.
+TEST_F(BesideALog, OfALongOneItTakesWhatTheDriveNeeds) {
+  const Read taken = read(log(rows(0, -500, 500)));
+  EXPECT_EQ(taken.datagrams.size(), packets_.size() + 221);
+  EXPECT_TRUE(taken.datagrams == read(log(rows(0, -90, 131))).datagrams);
+}
+
+// Packets by TAI and a capture by UTC, 37 s behind; a log by TAI, or by UTC, too.
+TEST_F(BesideALog, AnOffsetBringsItsClockToThatOfThePackets) {
+  const Read right = read(log(rows(0)));
+  EXPECT_EQ(read(log(rows(100), 100)).datagrams, right.datagrams);
+  for (CapturedDatagram& packet : packets_) {
+    packet.time_us -= 37'000'000;
+  }
+  write(packets_, lidar_);
+  const Read told = read(log(rows(0), 0));
+  EXPECT_EQ(told.words, "");
+  EXPECT_EQ(std::get<0>(told.datagrams[0]), 1'714'564'762'940'000U);
+  EXPECT_EQ(std::get<2>(told.datagrams[0]), std::get<2>(right.datagrams[0]));
+  EXPECT_EQ(read(log(rows(37))).words,
+            "the packets are 37.000 s ahead of the poses: --clock-offset 37 adds it to these, and "
+            "--clock-offset 0 says that the log is by the packets' clock");
+}
+
+TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
+  const std::string head(kHead);
+  const std::string row = "1714564800.11,1,0,0,0.1,0.1\n";
+  expect_error(log(rows(100)),
+               "log.csv: the packets (1714564800.040 to 1714564800.242 s) and the poses "
+               "(1714564699.940 to 1714564700.280 s) have no time in common: if they begin "
+               "together, the packets are 100.100 s ahead of the poses: --clock-offset 100.100");
+  expect_error(log(""), "log.csv: empty");
+  expect_error(log(head), "log.csv: no pose in it");
+  expect_error(log(head + "1,nan,0,0,0,0\n"), "log.csv:2: x_m is 'nan'");
+  expect_error({.captures = {lidar_}, .poses = lidar_}, "no log of poses");
+  expect_error({.captures = {"/dev/null"}, .poses = log_}, "");
+  EXPECT_EQ(read(log(head + row + row + row)).words,
+            "|not used: 2 poses that are not newer than the one before (first: line 3)");
+  EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("roof_vlp16")), UsageError);
+}
+
+// Of each scanner a file.
+TEST_F(BesideALog, CapturesAreMergedByTime) {
+  DriveFiles files;
+  for (const description::SensorConfig& sensor : car().sensors) {
+    Datagrams its = packets_;
+    std::erase_if(its, [&](const auto& one) { return one.destination.port != sensor.udp_port; });
+    files.captures.push_back(write(its, folder_ / sensor.name));
+  }
+  const Read merged = read(files);
+  EXPECT_EQ(merged.datagrams.size(), packets_.size());
+  const auto time_us = [](const auto& one) { return std::get<0>(one); };
+  EXPECT_TRUE(std::ranges::is_sorted(merged.datagrams, {}, time_us));
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ TEST(ClassStatistics, SayWhyNothingHadAPlace) {
     return statistics.why_nothing_placed(15'010);
   };
   EXPECT_EQ(told(0, 0, 9, 0),
-            "no pose message came on UDP port 15010; `iog pose` makes a capture of a log of poses");
+            "no pose message came on UDP port 15010; --poses takes a log of them");
   EXPECT_EQ(told(0, 7, 9, 0), "none of the 7 pose messages on UDP port 15010 was used: 7 damaged");
   EXPECT_EQ(told(5, 7, 9, 0),
             "the poses and the scans do not overlap in time: of 9 slices of scans none has a pose "

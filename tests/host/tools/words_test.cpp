@@ -68,12 +68,12 @@ TEST(VehicleFit, NamesNoVehicleWhereNothingIsKnown) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   const std::string empty = folder / "empty.pcap";
   PcapWriter(empty).finish();
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(empty, car); }), "no UDP packet at all"));
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({empty}, car); }), "no UDP packet at all"));
   const std::string strange = folder / "strange.pcap";
   PcapWriter capture(strange);
   capture.write({.time_us = 1, .source = {1, 1}, .destination = {2, 5000}, .payload = {}});
   capture.finish();
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(strange, car); }),
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({strange}, car); }),
                        "its packets go to port 5000, of no lidar that iog knows"));
 }
 
@@ -86,12 +86,12 @@ TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
     capture.write(datagram);
   }
   capture.finish();
-  EXPECT_EQ(complaint_of([&] { demand_fit(path, car); }), "");
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit(path, find_vehicle("roof_vlp16")); }),
+  EXPECT_EQ(complaint_of([&] { demand_fit({path}, car); }), "");
+  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({path}, find_vehicle("roof_vlp16")); }),
                        path + ": no packet is for a sensor of roof_vlp16 (UDP port 2368); what "
                               "comes to UDP port 12002 is of an ibeo LUX"));
   EXPECT_TRUE(complaint_of([&] {
-                demand_fit(path, find_vehicle("roof_vlp16"));
+                demand_fit({path}, find_vehicle("roof_vlp16"));
               }).ends_with("try --vehicle reference_car"));
 }
 
@@ -110,14 +110,14 @@ TEST(VehicleFit, AnotherUnitIsNamedAndSoIsADoubt) {
     return folder / name;
   };
   const std::string two = written("two.pcap", {tests::kHdl32eFirst, tests::kHdl32eSecond});
-  EXPECT_EQ(complaint_of([&] { demand_fit(two, find_vehicle("roof_hdl32e")); }), "");
-  EXPECT_EQ(complaint_of([&] { demand_fit(two, find_vehicle("roof_vlp16")); }),
+  EXPECT_EQ(complaint_of([&] { demand_fit({two}, find_vehicle("roof_hdl32e")); }), "");
+  EXPECT_EQ(complaint_of([&] { demand_fit({two}, find_vehicle("roof_vlp16")); }),
             two +
                 ": what comes to UDP port 2368 is of a Velodyne HDL-32E, and sensor roof of "
                 "roof_vlp16 is a Velodyne VLP-16: try --vehicle roof_hdl32e");
   const std::string one = written("one.pcap", {tests::kHdl32eFirst});
   for (const char* const car : {"roof_hdl32e", "roof_vlp16"}) {
-    EXPECT_TRUE(contains(complaint_of([&] { demand_fit(one, find_vehicle(car)); }),
+    EXPECT_TRUE(contains(complaint_of([&] { demand_fit({one}, find_vehicle(car)); }),
                          "is of a Velodyne HDL-32E or Velodyne VLP-16, and sensor roof of"));
   }
   EXPECT_TRUE(contains(summary_of_capture(two), "Velodyne HDL-32E        2 "));

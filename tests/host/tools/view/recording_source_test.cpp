@@ -31,7 +31,7 @@ void write_stream(const std::string& path) {
 // What the source says on stderr while it is made, and how it ends, is that of a process.
 [[noreturn]] void read_through(const std::string& path) {
   (void)make_recording_source(
-      {.path = path, .vehicle = std::string(kCar), .port = 15000, .speed = 1, .loops = false});
+      {.drive = {{path}}, .vehicle = std::string(kCar), .port = 15000, .speed = 1, .loops = false});
   std::exit(0);
 }
 

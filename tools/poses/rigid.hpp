@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "tools/clouds/point_cloud.hpp"
-
 namespace iog::tools {
 
 // Three rows of four: a rotation, and behind it the place.
@@ -18,7 +16,5 @@ using Rigid = std::array<double, 12>;
 // A body that moves and turns evenly is at `from` at part 0 and at `to` at part 1; others go
 // beyond. It turns by less than half a turn.
 [[nodiscard]] Rigid between(const Rigid& from, const Rigid& to, double part);
-
-[[nodiscard]] CloudPoint moved(const Rigid& by, const CloudPoint& point);
 
 }  // namespace iog::tools

@@ -1,4 +1,4 @@
-#include "tools/clouds/rigid.hpp"
+#include "tools/poses/rigid.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -55,13 +55,6 @@ Rigid between(const Rigid& from, const Rigid& to, double part) {
     step[row * 4 + 3] = part * whole[row * 4 + 3];
   }
   return product(from, step);
-}
-
-CloudPoint moved(const Rigid& by, const CloudPoint& point) {
-  const auto row = [&](std::size_t i) {
-    return by[i] * point.x + by[i + 1] * point.y + by[i + 2] * point.z + by[i + 3];
-  };
-  return {row(0), row(4), row(8)};
 }
 
 }  // namespace iog::tools

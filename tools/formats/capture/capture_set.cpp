@@ -1,0 +1,36 @@
+#include "tools/formats/capture/capture_set.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace iog::tools {
+
+CaptureSet::CaptureSet(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    File& file = files_.emplace_back(File{path, std::make_unique<PcapReader>(path)});
+    file.next = paths.size() > 1 ? file.reader->next() : std::nullopt;
+  }
+}
+
+std::optional<CapturedDatagram> CaptureSet::next() {
+  if (files_.size() == 1) {
+    return files_.front().reader->next();
+  }
+  const auto first = std::ranges::min_element(files_, {}, [](const File& file) {
+    return file.next ? file.next->time_us : ~std::uint64_t{0};
+  });
+  return std::exchange(first->next, first->next ? first->reader->next() : std::nullopt);
+}
+
+std::optional<PcapReader::Place> CaptureSet::place() const {
+  return files_.size() == 1 ? files_.front().reader->place() : std::nullopt;
+}
+
+std::uint64_t CaptureSet::datagrams() const {
+  return std::accumulate(
+      files_.begin(), files_.end(), std::uint64_t{0},
+      [](std::uint64_t sum, const File& file) { return sum + file.reader->counts().datagrams; });
+}
+
+}  // namespace iog::tools

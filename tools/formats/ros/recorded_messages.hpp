@@ -1,0 +1,27 @@
+// The messages of ROS 2 in a recording: an MCAP file.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace iog::tools::ros {
+
+struct RecordedMessage {
+  std::string_view topic;
+  std::string_view type;            // "sensor_msgs/msg/LaserScan"
+  std::span<const std::byte> data;  // CDR
+  std::string where;                // "drive.mcap: message 3 of /scan", for errors
+};
+
+// Calls take(message) with each message of one of these types, in the order of the file; of a
+// topic, if one is given. UsageError if the file cannot be read or parts of it are damaged, or such
+// a message is not in CDR.
+void for_each_message(const std::string& path, std::initializer_list<std::string_view> types,
+                      std::string_view topic,
+                      const std::function<void(const RecordedMessage&)>& take);
+
+}  // namespace iog::tools::ros

@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tools/formats/ros/cdr_reader.hpp"
+#include "tools/formats/ros/recorded_messages.hpp"
+#include "tools/poses/pose_log.hpp"
+#include "tools/program/exit_status.hpp"
+
+namespace iog::tools {
+namespace {
+
+using ros::CdrReader;
+
+constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
+constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
+
+// Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
+constexpr std::string_view kVehicleFrame = "base_link";
+
+// A point or a vector, and a turn.
+void read_place(CdrReader& in, LoggedPose& pose) {
+  std::array<double, 7> numbers{};
+  std::ranges::generate(numbers, [&in] { return in.f64(); });
+  pose.x_m = numbers[0];
+  pose.y_m = numbers[1];
+  pose.heading_rad = heading_of({numbers[3], numbers[4], numbers[5], numbers[6]});
+}
+
+// The root of a variance that says something.
+std::optional<double> sigma_of(double variance) {
+  return variance > 0 && std::isfinite(variance) ? std::optional(std::sqrt(variance))
+                                                 : std::nullopt;
+}
+
+LoggedPose pose_of_odometry(const ros::RecordedMessage& message) {
+  CdrReader in(message.data, message.where);
+  LoggedPose pose{.time_us = in.stamp_us()};
+  static_cast<void>(in.text());  // the frame, and its child
+  static_cast<void>(in.text());
+  read_place(in, pose);
+  std::array<double, 36> covariance{};  // x, y, z, about x, about y, about z
+  std::ranges::generate(covariance, [&in] { return in.f64(); });  // of the place: it drifts
+  std::array<double, 6> twist{};
+  std::ranges::generate(twist, [&in] { return in.f64(); });
+  if (twist != std::array<double, 6>{}) {  // many drivers leave it at zero
+    pose.speed_mps = twist[0];
+    pose.yaw_rate_rps = twist[5];
+  }
+  std::ranges::generate(covariance, [&in] { return in.f64(); });
+  in.must_be_whole();
+  // The error of a rate is that of the way in a second.
+  pose.sigma_m = sigma_of(covariance[0]);
+  pose.sigma_heading_rad = sigma_of(covariance[35]);
+  return pose;
+}
+
+void add_transforms(const ros::RecordedMessage& message, std::string& parent, PoseLog& log) {
+  CdrReader in(message.data, message.where);
+  for (std::uint32_t left = in.u32(); left > 0; --left) {
+    LoggedPose pose{.time_us = in.stamp_us()};
+    const std::string from = in.text();
+    const std::string to = in.text();
+    read_place(in, pose);
+    in.must_be_whole();
+    if (to != kVehicleFrame) {
+      continue;
+    }
+    parent = log.poses.empty() ? from : parent;
+    if (from != parent) {
+      throw UsageError(std::string(message.where)
+                           .append(": base_link is in ")
+                           .append(parent)
+                           .append(" and in ")
+                           .append(from));
+    }
+    log.poses.push_back(pose);
+  }
+}
+
+}  // namespace
+
+PoseLog read_ros_log(const std::string& path, const std::string& topic) {
+  PoseLog log{.unit = "pose"};
+  std::string its = topic;
+  ros::for_each_message(path, {kOdometry}, topic, [&](const ros::RecordedMessage& message) {
+    its = its.empty() ? std::string(message.topic) : its;
+    if (message.topic != its) {
+      throw UsageError(path + ": " + its + " and " + std::string(message.topic) +
+                       " have poses: choose one by " + path + ':' + its);
+    }
+    log.poses.push_back(pose_of_odometry(message));
+  });
+  if (log.poses.empty()) {
+    ros::for_each_message(path, {kTransforms}, topic, [&](const ros::RecordedMessage& message) {
+      add_transforms(message, its, log);
+    });
+  }
+  if (log.poses.empty()) {
+    throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +
+                     std::string(kVehicleFrame) + (topic.empty() ? "" : ", on " + topic));
+  }
+  for (std::size_t i = 0; i < log.poses.size(); ++i) {
+    log.poses[i].place = i + 1;
+  }
+  return log;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,130 @@
+// The trajectories of SLAM programs and benchmarks: rows of numbers between blanks.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "tools/poses/pose_log.hpp"
+#include "tools/poses/rigid.hpp"
+#include "tools/poses/text_fields.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
+
+namespace iog::tools {
+namespace {
+
+template <std::size_t kCount>
+std::array<double, kCount> numbers_in(std::string_view text, const std::string& where,
+                                      std::string_view what) {
+  std::array<double, kCount> numbers{};
+  const std::vector<std::string_view> words = words_of(text);
+  if (words.size() != kCount) {
+    throw UsageError(where + ": " + std::to_string(words.size()) + " numbers instead of " +
+                     std::to_string(kCount) + ": " + std::string(what));
+  }
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::optional<double> value = number_in(words[i]);
+    if (!value) {
+      throw UsageError(where + ": '" + printable(std::string(words[i])) + "' is no number");
+    }
+    numbers[i] = *value;
+  }
+  return numbers;
+}
+
+Rigid rigid_in(std::string_view text, const std::string& where) {
+  const Rigid rigid = numbers_in<12>(text, where, "three rows of a pose");
+  // A row of a rotation has length 1.
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double length = std::hypot(rigid[row * 4], rigid[row * 4 + 1], rigid[row * 4 + 2]);
+    if (std::abs(length - 1) > 0.01) {
+      throw UsageError(where + ": row " + std::to_string(row + 1) + " is no row of a rotation");
+    }
+  }
+  return rigid;
+}
+
+// What calib.txt says of the unit.
+Rigid unit_in_camera(const std::string& path) {
+  for (const std::string& line : read_lines(path)) {
+    if (line.starts_with("Tr:")) {
+      return rigid_in(std::string_view(line).substr(3), path);
+    }
+  }
+  throw UsageError(path + ": no line Tr: says where the unit is");
+}
+
+std::string place_of(const std::string& path, std::size_t line) {
+  return path + ':' + std::to_string(line + 1);
+}
+
+std::uint64_t time_in(std::string_view text, const std::string& where) {
+  const std::optional<std::uint64_t> time_us = seconds_in(text);
+  if (!time_us) {
+    throw UsageError(where + ": the time is '" + printable(std::string(text)) +
+                     "': give seconds, 0 or more");
+  }
+  return *time_us;
+}
+
+}  // namespace
+
+std::optional<double> heading_of(const Quaternion& turn) {
+  const auto& [x, y, z, w] = turn;
+  const double length = std::sqrt(x * x + y * y + z * z + w * w);
+  // Of the vehicle's x, seen from above.
+  const double heading = std::atan2(2 * (w * z + x * y), w * w + x * x - y * y - z * z);
+  return std::abs(length - 1) < 0.01 ? std::optional(heading) : std::nullopt;
+}
+
+PoseLog read_tum_log(const std::string& path) {
+  const std::vector<std::string> lines = read_lines(path);
+  PoseLog log;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = trimmed(lines[i]);
+    if (line.empty() || line.starts_with('#')) {
+      continue;
+    }
+    const std::string where = place_of(path, i);
+    const auto numbers = numbers_in<8>(line, where, "timestamp tx ty tz qx qy qz qw");
+    const auto heading = heading_of({numbers[4], numbers[5], numbers[6], numbers[7]});
+    if (!heading) {
+      throw UsageError(where + ": qx qy qz qw are no rotation, which has the length 1");
+    }
+    log.poses.push_back({.time_us = time_in(words_of(line)[0], where),
+                         .x_m = numbers[1],
+                         .y_m = numbers[2],
+                         .heading_rad = heading,
+                         .place = i + 1});
+  }
+  return log;
+}
+
+PoseLog read_kitti_log(const std::string& path) {
+  const std::string folder = std::filesystem::absolute(path).parent_path();
+  const std::vector<std::string> lines = read_lines(path);
+  const std::vector<std::string> times = read_lines(folder + "/times.txt");
+  const Rigid unit = unit_in_camera(folder + "/calib.txt");
+  const Rigid camera = inverse(unit);
+  PoseLog log{.is_of_unit = true};
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (trimmed(times[i]).empty()) {
+      continue;
+    }
+    if (i >= lines.size()) {
+      throw UsageError(path + ": " + std::to_string(lines.size()) + " poses, and times of " +
+                       std::to_string(times.size()));
+    }
+    const Rigid pose = product(camera, product(rigid_in(lines[i], place_of(path, i)), unit));
+    log.in_space.push_back(pose);
+    log.poses.push_back({.time_us = time_in(trimmed(times[i]), place_of(folder + "/times.txt", i)),
+                         .x_m = pose[3],
+                         .y_m = pose[7],
+                         .heading_rad = std::atan2(pose[4], pose[0]),
+                         .place = i + 1});
+  }
+  return log;
+}
+
+}  // namespace iog::tools
