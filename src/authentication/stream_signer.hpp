@@ -43,8 +43,8 @@ class StreamSigner {
 
   [[nodiscard]] bool is_full() const { return count_ == kMaxNames; }
 
-  // Returns the signature of the messages added since the last call. There must be at least one.
-  // The result is valid until the next call.
+  // Returns the signature of the messages added since the last call. At least one message must have
+  // been added. The result is valid until the next call.
   [[nodiscard]] std::span<const std::byte> sign();
 
  private:

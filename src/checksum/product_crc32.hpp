@@ -85,7 +85,7 @@ class ProductCrc32 {
   // of the next byte.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
-    std::uint32_t factor = 0x8000'0000U;  // the polynomial 1
+    std::uint32_t factor = 0x8000'0000U;  // represents the polynomial 1
     for (int byte = 0; byte < 4; ++byte) {
       factor = Field::times_x8(factor);
     }

@@ -9,7 +9,7 @@
 namespace iog::discovery {
 
 enum class Count : std::uint8_t {
-  kReceived,      // datagrams to the service discovery port
+  kReceived,      // received datagrams for the service discovery port
   kMalformed,     // received datagrams that were invalid, fragmented, or from outside the subnet
   kSpoofed,       // sender's Ethernet address contradicted the subscription or ARP
   kFlooded,       // unanswered because no answer tokens were left

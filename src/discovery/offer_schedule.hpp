@@ -28,7 +28,7 @@ class OfferSchedule {
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
   // Returns true if an offer is due, and counts it as sent. Time starts with the first call. Missed
-  // offers are not made up for.
+  // offers are not sent later.
   [[nodiscard]] constexpr bool take_due(std::uint64_t now_us) {
     if (!has_begun_) {
       has_begun_ = true;

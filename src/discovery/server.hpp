@@ -99,7 +99,7 @@ class Server {
     SessionWatch by_group{};
     SessionWatch by_unicast{};
   };
-  // The entries of an answer.
+  // The entries of an answer message.
   struct Answer {
     std::array<Entry, 1 + kMaxSubscriptionsPerMessage> entries{};
     std::size_t count = 0;

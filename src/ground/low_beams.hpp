@@ -3,8 +3,8 @@
 //
 // The height of the ground below a beam is known only per bin. On a bank that rises from one bin to
 // the next, a beam would therefore appear low over both the foot and the top. A hit in between
-// would then look like motion. For this reason, the height of beams is measured from the lowest
-// ground nearby, and the height of tall returns from the highest.
+// would then look like motion. For this reason, the height of a beam is measured from the lowest
+// ground nearby. The height of a tall return is measured from the highest ground nearby.
 //
 // A beam opens no ground where its height over the ground is less than MovedLimits::kUnderCarsMm.
 // It may pass under a parked car there while the next beam hits the body of the car. If the sensor

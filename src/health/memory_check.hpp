@@ -1,9 +1,9 @@
 // Checks that constant memory has not changed. It reads the memory cyclically in small slices and
 // compares the CRC-32 of every region once per round.
 //
-// A slice is 1,408 bytes, a block of checksum/crc32.hpp. Slices are spread evenly over a round, so
-// the load depends only on the number of bytes and not on the loop period. A late loop catches up
-// by a bounded number of slices per call.
+// A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
+// a round, so the load depends only on the number of bytes and not on the loop period. A late loop
+// catches up by a bounded number of slices per call.
 #pragma once
 
 #include <cstddef>

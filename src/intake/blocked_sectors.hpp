@@ -131,7 +131,7 @@ class BlockedSectors {
   State state_{};
 };
 
-// A packet as used by fusion: missing returns at silent azimuths are no evidence.
+// A packet as used by fusion: a missing return at a silent azimuth is not treated as evidence.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

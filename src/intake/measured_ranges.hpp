@@ -97,7 +97,7 @@ class FrozenWatch {
 
  private:
   RangeMemory memory_;
-  bool has_new_ = false;  // this frame has new packets with a hash
+  bool has_new_ = false;  // a new packet with a hash was received in this frame
   bool has_frozen_ = false;
   bool unit_is_frozen_ = false;
 };

@@ -30,7 +30,7 @@ class ScanTracker {
     kNextScan,     // the sensor's next scan has begun: close the frame, then call classify() again
     kDuplicate,    // the same packet was seen before
     kLate,         // the frame of its scan has been closed
-    kTooSoon,      // its scan begins sooner after the last scan than is possible for any unit
+    kTooSoon,      // its scan begins too soon after the last scan for any unit
   };
 
   // turns: the scans are turns of a spinning lidar. scan_width_ticks: the width of a whole scan.
@@ -92,9 +92,9 @@ class ScanTracker {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // True if the packet sweeps a part of the turn again that is already in the frame, and the two
-  // sweeps begin within less than the shortest turn. Never true if the clock has stepped in
-  // between. A clock that counts from the full hour does so every hour.
+  // True if the packet sweeps a part of the turn that is already in the frame, and the two sweeps
+  // begin less than the shortest turn apart. Never true if the clock has stepped in between. A
+  // clock that counts from the full hour steps every hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

@@ -20,7 +20,7 @@ enum class PacketDrop : std::uint8_t {
   kOtherUnit,   // from another unit of the same make, or from one of two identical units
   kNotTaken,    // shed after waiting too long because the target is too slow
   kFrozen,      // has a new timestamp but repeats the ranges of an earlier packet
-  kTooSoon,     // its scan begins sooner after the last scan than is possible for any unit
+  kTooSoon,     // its scan begins too soon after the last scan for any unit
 };
 inline constexpr std::size_t kPacketDropCount = 12;
 

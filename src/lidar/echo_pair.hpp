@@ -1,4 +1,4 @@
-// Handles two returns of one beam, which some units send in two blocks.
+// Selects between two returns of one beam, which some units send in two blocks.
 #pragma once
 
 #include <algorithm>

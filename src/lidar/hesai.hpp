@@ -46,7 +46,7 @@ struct HesaiUnit {
   std::size_t bank_lasers = 0;  // number of lasers in each of the first two banks, which alternate
   std::size_t channel_bytes = 0;
   std::size_t bank_at = 0;   // offset in the tail, as below; tells which bank fires first
-  std::size_t speed_at = 0;  // in rpm; for units whose packets may contain a single firing
+  std::size_t speed_at = 0;  // offset of the rpm; used if a packet may contain a single firing
   std::size_t mode_at = 0;
   std::size_t utc_at = 0;
   std::size_t time_at = 0;
@@ -142,7 +142,7 @@ class HesaiPacket {
   PacketInfo info_;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::array<std::uint16_t, kMaxBlocks> azimuths_{};  // clockwise from straight ahead, raw values
+  std::array<std::uint16_t, kMaxBlocks> azimuths_{};  // raw azimuths, clockwise from straight ahead
   bool is_dual_ = false;
 };
 

@@ -41,8 +41,8 @@ inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
 class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
-  // In single return mode, one turn takes 450 packets of 256 points, of which 64 did not fire. In
-  // dual return mode, one turn has more points than a frame can mark.
+  // In single return mode, one turn takes 450 packets of 256 points. In each packet, 64 of the
+  // points did not fire. In dual return mode, one turn has more points than a frame can mark.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -8,10 +8,10 @@ namespace iog::lidar {
 // The calibration of one laser as given in the car file. docs/sensors.md describes how a
 // manufacturer's file is converted to a table of these.
 struct Laser {
-  double elevation_deg = 0;  // -90 ... 90, positive up
-  double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 ... 30
+  double elevation_deg = 0;  // -90 to 90, positive up
+  double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 to 30
   double height_m = 0;       // height of the beam's start over the origin, across the beam
-  double range_m = 0;        // offset added to every range, -10 ... 10
+  double range_m = 0;        // offset added to every range, -10 to 10
 };
 
 // The part of a laser's calibration that changes a scan point, as integers.

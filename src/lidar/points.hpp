@@ -43,7 +43,7 @@ class PointsPacket {
 
   // Flags in the header.
   static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z instead of directions and ranges
-  static constexpr std::uint8_t kIsShare = 0x02;    // the sector is the sector of the whole scan
+  static constexpr std::uint8_t kIsShare = 0x02;    // the sector describes the whole scan
   // Flags of a point.
   static constexpr std::uint8_t kEcho = 0x03;
   static constexpr std::uint8_t kNothing = 0x04;  // no return from this direction

@@ -95,7 +95,7 @@ class VelodynePacket {
   // For each channel of a block: the rotation of the unit until the channel fires, plus the
   // channel's own offset.
   struct Firing {
-    std::uint32_t step = 0xFFFF;  // azimuth increment over the block; 0xFFFF occurs in no packet
+    std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
   };
   static void turn(const VelodyneUnit& unit, std::size_t bank, std::uint32_t step, Firing& firing) {
@@ -155,7 +155,7 @@ class VelodynePacket {
   VelodyneLook look_;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::array<std::uint16_t, kBlocks> azimuths_{};  // clockwise from straight ahead, raw values
+  std::array<std::uint16_t, kBlocks> azimuths_{};  // raw azimuths, clockwise from straight ahead
   std::array<std::uint16_t, kBlocks> steps_{};     // azimuth increment to the next azimuth
 };
 

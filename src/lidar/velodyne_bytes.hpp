@@ -1,4 +1,4 @@
-// Offsets and values of the bytes of a Velodyne data packet (docs/spec.md).
+// Byte offsets and byte values of a Velodyne data packet (docs/spec.md).
 #pragma once
 
 #include <array>

@@ -28,8 +28,8 @@ consteval VelodyneUnit make_hdl32e() {
 }
 inline constexpr VelodyneUnit kHdl32eUnit = make_hdl32e();
 
-// The elevations of even channels are from -30.67 to -10.67 degrees, and those of odd channels from
-// -9.33 to 10.67 degrees, in steps of 4/3 degrees.
+// The elevations of even channels are from -30.67 to -10.67 degrees, and the elevations of odd
+// channels are from -9.33 to 10.67 degrees. Both are in steps of 4/3 degrees.
 consteval std::array<double, 32> make_hdl32e_elevations() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < 32; ++channel) {

@@ -38,7 +38,8 @@ struct Config {
   std::uint8_t service_instance = 0;
 };
 
-// Checks the preconditions of Host. Use it in a static_assert next to the configuration.
+// True if the configuration meets the preconditions of Host. Use it in a static_assert next to the
+// configuration.
 [[nodiscard]] constexpr bool is_valid(const Config& config) {
   // The prefix must be checked first, because the other checks shift by it.
   return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&

@@ -29,7 +29,7 @@ enum class Drop : std::uint8_t {
   kBadUdpLength,     // UDP length below the header length or beyond the end of the datagram
   kBadUdpChecksum,   // UDP checksum present but wrong
   kBadIcmp,          // ICMP message too short, or its checksum is wrong
-  kPingIgnored,      // echo request not from the peer or sent to a broadcast, or peer unresolved
+  kPingIgnored,      // echo request to a broadcast or not from the peer, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
   kBadArp,           // ARP packet too short, or not for Ethernet and IPv4
   kArpIgnored,       // ARP packet without a request for our address or an address that we need

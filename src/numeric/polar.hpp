@@ -1,5 +1,6 @@
-// Converts a position to direction and distance using CORDIC, without a multiplication per bit (J.
-// E. Volder, 1959). It runs twice: once about z and once about the remaining horizontal axis.
+// Converts a position to direction and distance using CORDIC (Volder, 1959), without a
+// multiplication per bit. CORDIC runs twice: once about z and once about the remaining horizontal
+// axis.
 #pragma once
 
 #include <cstdint>

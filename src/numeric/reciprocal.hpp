@@ -23,7 +23,7 @@ class Reciprocal {
 
   constexpr Reciprocal() = default;
 
-  // divisor: 1 ... 2^31 - 1.
+  // divisor: from 1 to 2^31 - 1.
   explicit constexpr Reciprocal(std::uint32_t divisor)
       : log2_(static_cast<int>(std::bit_width(divisor - 1))),
         multiplier_(static_cast<std::uint32_t>(

@@ -39,7 +39,7 @@ class SineTable {
     return static_cast<std::uint32_t>(quadrant_.size() - 1) * 4;
   }
 
-  // ticks: 0 ... ticks_per_turn() - 1.
+  // ticks: 0 to ticks_per_turn() - 1.
   [[nodiscard]] constexpr std::int32_t sine(std::uint32_t ticks) const {
     const std::uint32_t quarter = ticks_per_turn() / 4;
     if (ticks <= quarter) {

@@ -24,7 +24,7 @@ struct Profile4 {
   std::uint16_t max_delta_counter;  // the maximum counter step that is reported as kOkSomeLost
 };
 
-// The values are those of E2E_P04CheckStatusType.
+// The values are the same as in E2E_P04CheckStatusType.
 enum class CheckStatus : std::uint8_t {
   kOk = 0x00,             // valid; next message of its sender
   kNoNewData = 0x01,      // no message received

@@ -47,8 +47,8 @@ class Sender {
   constexpr explicit Sender(const Channel& channel)
       : event_{channel.event}, protector_{channel.profile()} {}
 
-  // Fills in both headers. The content must already follow them. Requires kProtectionBytes <=
-  // message.size() <= kMaxMessageBytes.
+  // Fills in both headers. The content must already be in place after the headers. Requires
+  // kProtectionBytes <= message.size() <= kMaxMessageBytes.
   void protect(std::span<std::byte> message);
 
  private:

@@ -34,7 +34,7 @@ struct Event {
 enum class SomeIpStatus : std::uint8_t {
   kOk,
   kTooShort,      // shorter than a header or than its length field
-  kTooLong,       // longer than its length field; a datagram contains only one message
+  kTooLong,       // longer than its length field; we send one message per datagram
   kNotOurs,       // another protocol version, service or event
   kWrongVersion,  // another interface version; see interface_version_of()
   kWrongType,     // not a notification, or its return code is an error

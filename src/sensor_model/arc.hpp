@@ -14,7 +14,7 @@
 //   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2
 //
 // Cells in front of and behind the target get no index. A radar detects objects behind other
-// objects and round corners, and it does not report every object (docs/model.md, section 10).
+// objects and around corners, and it does not report every object (docs/model.md, section 10).
 //
 // An ultrasonic sensor measures no direction, so the Gaussian represents its cone. The sensor
 // reports only the first echo. It detects an object in its cone with probability h. Consider a cell
@@ -49,8 +49,10 @@ inline constexpr double kHeard = 0.2;
 struct Arc {
   std::uint16_t cell_ticks = 0;  // width of an angular cell in ticks of the sensor
   std::uint8_t count = 0;        // number of cells per side that get an index, including cell 0
-  std::array<index::OccupancyIndex, kMaxArcCells> marks{};  // from the centre outward; above 0
-  index::OccupancyIndex free = 0;  // index of the cone before the target; at most 0; 0 for radars
+  std::array<index::OccupancyIndex, kMaxArcCells> marks{};  // indexes from the centre outward;
+                                                            // above 0 and never increasing
+  index::OccupancyIndex free = 0;  // index of the cone in front of the target; at most 0, and
+                                   // always 0 for a radar
 
   // True if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
@@ -101,7 +103,7 @@ constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
 }
 
 // The index of a cell from which an ultrasonic sensor received no echo. It is 0 if even the weakest
-// index of the set would overstate the evidence.
+// index of the set would be too strong.
 constexpr index::OccupancyIndex unheard(const ProfileConfig& config) {
   const index::RecursiveSet set(config.epsilon);
   return static_cast<index::OccupancyIndex>(

@@ -46,7 +46,8 @@ struct ClassEnd {
   std::uint32_t packets_not_placed = 0;
   std::uint32_t slices_over_budget = 0;  // slices with a pose for which the window had no room
   std::uint32_t groups_fused = 0;
-  std::uint32_t groups_left = 0;                 // groups with evidence that exceeded the budget
+  std::uint32_t groups_left = 0;                 // groups with evidence left out because of the
+                                                 // budget
   std::uint32_t groups_refreshed = 0;            // groups updated without evidence
   std::uint8_t slice_count = 0;                  // at most kMaxSlices
   std::array<SliceRecord, kMaxSlices> slices{};  // in chronological order

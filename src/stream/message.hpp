@@ -85,12 +85,12 @@ struct FrameEnd {
   std::uint32_t grid_crc = 0;    // CRC of all known tiles, even if not sent (stream/grid_hash.hpp)
   std::uint64_t opened_us = 0;   // time at which the frame opened
   std::uint32_t stopwatch_hz = 0;
-  StageTicks ticks{};                  // `publish` is the value of the previous frame
+  StageTicks ticks{};                  // `publish` belongs to the previous frame
   std::uint32_t stack_used_bytes = 0;  // maximum since start
   std::array<std::uint32_t, vehicle::kFateCount> fates{};  // scan points of this frame by outcome
-  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops{};  // since start
+  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops{};  // drops by cause since start
   std::uint8_t link_counter_count = 0;
-  LinkCounters link_counters{};  // since start
+  LinkCounters link_counters{};  // counted since start
   std::array<intake::SensorReport, vehicle::kMaxSensors>
       sensors{};  // only the first Header::sensor_count are used
   // Bitmaps of the sectors around the vehicle. Bit i of `unwatched` is set if no sensor watches

@@ -24,8 +24,8 @@ inline constexpr std::uint16_t kObjectHasHeading = 0x0001;
 inline constexpr std::uint16_t kObjectNotHit = 0x0002;     // not hit in this frame; predicted
 inline constexpr std::uint16_t kObjectEndHidden = 0x0004;  // may be longer or wider than measured
 
-inline constexpr std::uint16_t kNotBelieved = 65535;  // velocity deviation: velocity not confirmed
-inline constexpr std::uint16_t kAtLeast = 65535;      // other unsigned fields: 65535 or more
+inline constexpr std::uint16_t kNotBelieved = 65535;  // in a velocity deviation: not confirmed
+inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
 // A box on the ground and its motion. Positions and velocities are in the local frame. "Along"
 // means in the direction of the heading. "Across" means to its left.

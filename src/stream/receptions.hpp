@@ -21,8 +21,8 @@ struct Reception {
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter.
-// These bytes contain the time, the number or measurements, which distinguish the datagrams of a
+// CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter. The
+// timestamp, the sequence number or the measurements in these bytes distinguish the datagrams of a
 // sensor.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 

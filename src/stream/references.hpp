@@ -16,7 +16,7 @@ namespace iog::stream {
 
 // The maximum age of a reference. A receiver has all tiles after it has received one frame more
 // than this.
-inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
+inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
 // True if tiles with this encoding are self-contained.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {

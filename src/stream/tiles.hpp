@@ -46,8 +46,8 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The firmware's grid at a level of its quadtree. Level 0 contains the cells, and level 5 contains
-// one coarse cell per tile.
+// The geometry of the firmware's grid at a level of its quadtree. Level 0 contains the cells, and
+// level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
   constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
@@ -61,7 +61,7 @@ struct Geometry {
           .origin_y_mm = kOriginMm};
 }
 
-// The firmware's window. It has as many cells as the grid.
+// The geometry of the firmware's window. The window has as many cells as the grid.
 [[nodiscard]] constexpr Geometry geometry_of_classes() {
   Geometry geometry = geometry_of_level(0);
   geometry.storage = Storage::kClass;

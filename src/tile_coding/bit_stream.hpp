@@ -9,7 +9,7 @@
 
 namespace iog::tile_coding {
 
-// The buffer must be large enough for all bits written. The caller computes this size beforehand.
+// The buffer must have room for all bits written. The caller computes this size beforehand.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)

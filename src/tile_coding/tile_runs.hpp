@@ -36,7 +36,7 @@ class TileRuns {
   // starting at the lowest bit. Returns the number of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;
   static constexpr std::size_t kBlocksPerRow = kTileSide / 4;
-  static constexpr std::size_t kSets = kBlocks / 8;  // size of the block bits in bytes
+  static constexpr std::size_t kSets = kBlocks / 8;  // number of bytes with block bits
   static constexpr std::size_t kMostStartBytes = kSets + kBlocks;
   std::size_t write_starts(std::span<std::byte, kMostStartBytes> out) const;
 

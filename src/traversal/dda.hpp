@@ -8,13 +8,14 @@
 // column exactly if e_c >= 0, and
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
-// As a rotation: All e_c are equal modulo r. Let y_c = floor(e_c / r) + w_u - w_v. The line then
-// rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v, minus w_u if the line rises.
-// Therefore y rotates on a circle of w_u, and the line rises when y wraps. y_c / w_u is the height
-// of the line above the bottom of its row at the left side of column c.
+// The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
+// r) + w_u - w_v. The line then rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v,
+// minus w_u if the line rises. Therefore y rotates on a circle of w_u, and the line rises when y
+// wraps. y_c / w_u is the height of the line above the bottom of its row at the left side of column
+// c.
 //
-// In 32 bits: If scaled by 2^32 / w_u, the rotation becomes an addition of 32-bit words, and its
-// carry indicates a rise:
+// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, it is an addition of 32-bit words
+// whose carry indicates a rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
 // Both are too large by at most 1, and never too small. After n columns, the phase therefore
 // exceeds the exact phase by at most n + 1. No carry is missed. No false carry occurs while the

@@ -69,7 +69,7 @@ struct Ranges {
 // the measured range, and in_band applies to the horizontal range along the line. Both regions are
 // convex, so one interval describes each.
 struct BeamRanges {
-  Ranges on_car;   // not below the sensor's minimum range
+  Ranges on_car;   // at least the sensor's minimum range
   Ranges in_band;  // at most L
 };
 

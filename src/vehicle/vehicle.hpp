@@ -61,8 +61,8 @@ struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
-  // The first layer that has the same lines on the grid. If the sensor is level, two layers with
-  // opposite elevations share their lines.
+  // Index of the first layer that has the same lines on the grid. If the sensor is level, two
+  // layers with opposite elevations share their lines.
   std::uint8_t line = 0;
   // Ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share the
   // line of elevation 0, it is the cosine of the layer's elevation; otherwise it is 1.

@@ -11,8 +11,8 @@
 namespace iog::wire {
 
 // The integer nearest to value * factor / 2^fraction_bits; ties are rounded away from 0. bits: the
-// encoded value. fraction_bits: 0 ... 32. Returns nothing if the value is NaN, infinite, or at
-// least 2^(19 + fraction_bits).
+// encoded value. fraction_bits: 0 to 32. Returns nothing if the value is NaN, infinite, or at least
+// 2^(19 + fraction_bits).
 [[nodiscard]] constexpr std::optional<std::int64_t> nearest_product(std::uint32_t bits,
                                                                     std::uint32_t factor,
                                                                     int fraction_bits) {
