@@ -107,8 +107,8 @@ class HesaiPacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The sum of an azimuth in (0, one turn] and a 16-bit offset of less than one turn is out of
-    // range by at most one turn.
+    // The azimuth is in (0, one turn] and the 16-bit offset is below one turn, so a single wrap is
+    // enough.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

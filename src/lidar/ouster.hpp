@@ -104,8 +104,8 @@ class OusterPacket {
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
-    // The sum of an azimuth within a turn and a 16-bit offset of less than one turn is out of range
-    // by at most one turn.
+    // The azimuth is within a turn and the 16-bit offset is below one turn, so a single wrap is
+    // enough.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;

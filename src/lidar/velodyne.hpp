@@ -256,8 +256,8 @@ class VelodyneDecoder : public VelodynePacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The sum of at most one turn of azimuth, 3 degrees of rotation and 34.2 degrees of offset is
-    // out of range by at most one turn.
+    // The azimuth is at most one turn, the rotation 3 degrees and the offset 34.2 degrees, so a
+    // single wrap is enough.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

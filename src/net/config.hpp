@@ -41,7 +41,7 @@ struct Config {
 // True if the configuration meets the preconditions of Host. Use it in a static_assert next to the
 // configuration.
 [[nodiscard]] constexpr bool is_valid(const Config& config) {
-  // The prefix must be checked first, because the other checks shift by it.
+  // The prefix must be checked first, because the other checks use it as a shift count.
   return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&
          is_host_in_subnet(config.address, config.address, config.prefix_bits) &&
          is_host_in_subnet(config.peer, config.address, config.prefix_bits) &&
