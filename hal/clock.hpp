@@ -1,4 +1,4 @@
-// Hardware interface for time: a clock for points in time, a stopwatch for short durations.
+// Hardware interface for time: a clock for timestamps and a stopwatch for short durations.
 #pragma once
 
 #include <concepts>
@@ -6,14 +6,16 @@
 
 namespace iog::hal {
 
-// now_us():  microseconds since start, monotonic, does not wrap within the life of a car.
+// now_us():  microseconds since start. The clock is monotonic and does not wrap during the lifetime
+//            of a car.
 template <typename T>
 concept Clock = requires(T& clock) {
   { clock.now_us() } -> std::same_as<std::uint64_t>;
 };
 
-// A free-running 32-bit counter for measuring stages of some microseconds. ticks() wraps; the
-// difference of two readings less than one wrap apart is exact. ticks_hz() is its measured rate.
+// A free-running 32-bit counter for timing stages that take a few microseconds. ticks() wraps. The
+// difference of two readings is exact if they are less than one wrap apart. ticks_hz() is the
+// measured tick rate.
 template <typename T>
 concept Stopwatch = requires(const T& stopwatch) {
   { stopwatch.ticks() } -> std::same_as<std::uint32_t>;

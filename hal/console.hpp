@@ -1,4 +1,4 @@
-// Hardware interface for a text console. A call blocks no longer than it takes to shift out its
+// Hardware interface for a text console. A call blocks only as long as it takes to transmit its
 // bytes.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Hardware interface for the other cores, called helpers. Core 0 controls them.
 //
-// A helper sleeps until it is woken, does its job once, and sleeps again. It never gives up a job
-// by itself; core 0 watches the time and stops it.
+// A helper sleeps until it is woken, runs its job once, and goes back to sleep. A helper never
+// abandons a job. Core 0 enforces the time limit and stops the helper.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@ namespace iog::hal {
 
 inline constexpr std::size_t kMaxCores = 4;
 
-// The job of a helper each time it is woken.
+// The job that a helper runs each time it is woken.
 struct CoreJob {
   void (*run)(void* context, std::size_t core) = nullptr;
   void* context = nullptr;
@@ -22,23 +22,24 @@ struct CoreJob {
 enum class CoreState : std::uint8_t {
   kOff,      // never started, or failed to start
   kRunning,  // sleeping or doing its job
-  kFaulted,  // ended by an exception or a failed requirement; stores nothing any more
-  kStopped,  // ended by stop(); stores nothing any more
+  kFaulted,  // ended by an exception or a failed requirement; writes no more memory
+  kStopped,  // ended by stop(); writes no more memory
 };
 
-// count():           cores of the machine, core 0 included: 1 to kMaxCores.
-// start(core, job):  starts a helper, 1 to count() - 1, and waits until it is up, at most 100 ms.
-//                    Returns false if it is not. The job and its context must outlive the helper.
-// state(core):       the helper's state. Everything that it stored before it ended is then visible
-//                    to core 0.
-// wake(core):        the helper does its job at least once, starting after this call. Everything
-// that
-//                    core 0 stored before is then visible to the helper.
-// stop(core):        ends a helper at any point, and waits until it has ended, at most 100 ms.
-//                    Returns false if it has not; it may then still store.
-// last_word(core):   why and where a helper ended, as text for people. Otherwise empty.
+// count():           number of cores of the machine, including core 0: 1 to kMaxCores.
+// start(core, job):  starts helper `core`, 1 to count() - 1, and waits at most 100 ms until it is
+//                    running. Returns false if it is not running by then. The job and its context
+//                    must outlive the helper.
+// state(core):       the state of the helper. If the helper has ended, core 0 sees everything that
+//                    the helper wrote before it ended.
+// wake(core):        makes the helper run its job at least once, starting after this call. The
+//                    helper sees everything that core 0 wrote before this call.
+// stop(core):        ends a helper at any point, and waits at most 100 ms until it has ended.
+//                    Returns false if it has not ended; in that case it may still write memory.
+// last_word(core):   the reason and the location at which a helper ended, as human-readable text.
+//                    Empty if the helper has not ended.
 // now_us():          the clock that bounds all waits.
-// pause():           a short rest in a loop that waits for another core.
+// pause():           a short pause for a loop that waits for another core.
 template <typename T>
 concept Cores = requires(T& cores, const T& view, std::size_t core, CoreJob job) {
   { view.count() } -> std::same_as<std::size_t>;

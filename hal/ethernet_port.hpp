@@ -1,6 +1,6 @@
 // Hardware interface for an Ethernet port: sends and receives whole frames and never blocks.
 //
-// A frame is destination, source, type and payload, without preamble and FCS.
+// A frame consists of destination, source, type and payload, without preamble and FCS.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace iog::hal {
 
-// Received, sent and lost frames since the port was opened. Every counter wraps.
+// Counts the frames received, sent and lost since the port was opened. Every counter wraps.
 struct PortCounters {
   std::uint32_t received = 0;        // good frames handed to the caller
-  std::uint32_t receive_errors = 0;  // frames that the controller marked bad: CRC, length, overrun
-  std::uint32_t oversized = 0;       // frames longer than one receive buffer, dropped
+  std::uint32_t receive_errors = 0;  // bad frames according to the controller: CRC, length, overrun
+  std::uint32_t oversized = 0;       // dropped frames that were longer than one receive buffer
   std::uint32_t sent = 0;            // frames committed for sending
-  std::uint32_t send_refused = 0;    // calls of acquire() with a full transmit ring
-  std::uint32_t receive_overflows = 0;  // frames for which the controller had no room
+  std::uint32_t send_refused = 0;    // calls of acquire() while the transmit ring was full
+  std::uint32_t receive_overflows = 0;  // frames for which the controller had no free buffer
   std::uint32_t restarts = 0;           // times that pump() restarted the controller
-  std::uint32_t lost_received = 0;      // buffers of received frames lost by restarts
-  std::uint32_t lost_unsent = 0;        // sent or queued frames lost by restarts
+  std::uint32_t lost_received = 0;      // buffers of received frames lost in restarts
+  std::uint32_t lost_unsent = 0;        // sent or queued frames lost in restarts
 
-  // Names in the stream (stream/target_table.hpp).
+  // Names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
       std::to_array<std::string_view>({"port received", "receive errors", "oversized", "port sent",
                                        "port refused", "port without room", "port restarts",
@@ -33,19 +33,19 @@ struct PortCounters {
 
 // Shows whether a port is alive.
 struct PortLife {
-  std::uint32_t moved = 0;  // frames received, bad ones too, or sent since it was opened; wraps
+  std::uint32_t moved = 0;  // frames sent or received since opening, including bad ones; wraps
   bool is_excused = true;   // there is no link, or the port can receive and has nothing to send
 };
 
-// receive():  the oldest received frame, or empty. It remains the same, and valid, until release().
-// release():  frees that frame. Call it only after a non-empty receive().
-// acquire():  a free transmit buffer of at least 1514 bytes, or empty if the ring is full
-// (counted).
-//             A second call before commit() returns the same buffer.
-// room():     the least number of buffers that are now free for acquire().
+// receive():  the oldest received frame, or empty. The frame remains valid and unchanged until
+//             release().
+// release():  frees the frame returned by receive(). Call it only after a non-empty receive().
+// acquire():  a free transmit buffer of at least 1514 bytes, or empty if the ring is full, which is
+//             counted. A second call before commit() returns the same buffer.
+// room():     the minimum number of buffers that acquire() can return now.
 // commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
-// pump():     passes a bounded number of queued frames to the controller. Call it once per pass of
-//             the loop. It may restart a stopped controller, but not while a buffer is acquired.
+// pump():     passes a bounded number of queued frames to the controller. Call it once per loop
+//             iteration. It may restart a stopped controller, but not while a buffer is acquired.
 template <typename Port>
 concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
   { port.receive() } -> std::same_as<std::span<const std::byte>>;

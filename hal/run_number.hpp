@@ -6,8 +6,9 @@
 
 namespace iog::hal {
 
-// run_number():  constant within a run, different after each start. A reset adds one. A power-up
-//                draws an unpredictable number; two of them are equal once in 2^32.
+// run_number():  constant within a run and different after each start. A reset increments it. A
+//                power-up draws an unpredictable number; the probability that two of these numbers
+//                are equal is 2^-32.
 template <typename T>
 concept RunNumber = requires(const T& machine) {
   { machine.run_number() } -> std::same_as<std::uint32_t>;

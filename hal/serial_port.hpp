@@ -8,12 +8,11 @@
 
 namespace iog::hal {
 
-// bytes_per_second():  the rate of the link.
+// bytes_per_second():  the data rate of the link.
 // free_bytes():        the number of bytes that write() accepts now.
 // write(bytes):        queues at most free_bytes() bytes.
-// pump():              passes a bounded number of bytes to the transmitter, as many as it has room
-//                      for. Call it often enough that the link does not run idle; write() does it
-//                      too.
+// pump():              passes bytes to the transmitter until it is full; their number is bounded.
+//                      Call it often enough that the link does not run idle. write() also calls it.
 template <typename Port>
 concept SerialPort = requires(Port& port, const Port& view, std::span<const std::byte> bytes) {
   { view.bytes_per_second() } -> std::same_as<std::uint32_t>;

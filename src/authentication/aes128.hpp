@@ -1,5 +1,5 @@
-// AES-128 encryption (FIPS 197), without decryption. No table look-up, branch or address depends on
-// key or data.
+// AES-128 encryption (FIPS 197). Decryption is not implemented. No table look-up, branch or address
+// depends on the key or the data.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The message authentication code CMAC with AES-128 (NIST SP 800-38B, 2005; RFC 4493).
+// CMAC, the message authentication code with AES-128 (NIST SP 800-38B, 2005; RFC 4493).
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// An expanded key: its round keys and both subkeys.
+// An expanded key, which consists of its round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);
@@ -18,11 +18,11 @@ class CmacKey {
   friend class Cmac;
 
   Aes128 cipher_;
-  Block k1_;  // for a message that ends with a whole block
-  Block k2_;  // for any other message
+  Block k1_;  // used if the message ends with a whole block
+  Block k2_;  // used for any other message
 };
 
-// The MAC of one message, added piece by piece.
+// Computes the MAC of one message that is added piece by piece.
 class Cmac {
  public:
   // The key must outlive this object.
@@ -30,7 +30,7 @@ class Cmac {
 
   void add(std::span<const std::byte> bytes);
 
-  // Returns all 128 bits. Call it once, after the last add().
+  // Returns the complete 128-bit MAC. Call it once, after the last add().
   [[nodiscard]] Block finish();
 
  private:
@@ -38,11 +38,11 @@ class Cmac {
 
   const CmacKey* key_;
   Block chain_{};
-  Block waiting_{};  // may be the last block
+  Block waiting_{};  // buffered bytes, because they may be the last block
   std::size_t waiting_bytes_ = 0;
 };
 
-// True if both are equal. The time does not reveal where they differ.
+// True if both are equal. The run time does not depend on where they differ.
 [[nodiscard]] bool are_equal(std::span<const std::byte> a, std::span<const std::byte> b);
 
 }  // namespace iog::authentication

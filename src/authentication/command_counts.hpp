@@ -1,4 +1,4 @@
-// Counts of the commands that a target received, and their signature.
+// Counts the commands that a target has received, and signs the counts.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ struct CommandCounts {
   std::array<OfOneKind, 2> kinds{};  // poses, maps
   std::array<std::uint32_t, 2> signature{};
 
-  // Names in the stream (stream/target_table.hpp).
+  // Names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"poses authentic", "poses unsigned", "poses replayed", "poses forged", "poses last counter",
        "maps authentic", "maps unsigned", "maps replayed", "maps forged", "maps last counter",
        "commands MAC"});
 
-  // The signature that these counts must have. data_id: that of the stream; run: that of the
-  // target.
+  // The signature that these counts must have. data_id: the stream's data id; run: the target's run
+  // number.
   [[nodiscard]] std::array<std::uint32_t, 2> signature_by(const CmacKey& key, std::uint16_t data_id,
                                                           std::uint32_t run) const {
     constexpr std::size_t kWords = sizeof(kinds) / sizeof(std::uint32_t);

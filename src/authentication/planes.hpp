@@ -1,10 +1,11 @@
-// Bit-sliced bytes: plane b holds bit b of each of 32 bytes, two AES blocks side by side. Logic on
-// planes processes all bytes at once, in a time independent of their values.
+// Bit-sliced bytes: plane b contains bit b of each of 32 bytes, which are two AES blocks side by
+// side. Logic operations on planes process all bytes at once, in a time that does not depend on
+// their values.
 //
-// Byte r of column c of a block is bit 8 r + 2 c of each plane. The bit above it belongs to a
-// second block, which is zero here. A row of the state is therefore one byte of a plane (Kaesper
-// and Schwabe, Faster and Timing-Attack Resistant AES-GCM, 2009, the same idea with wider
-// registers).
+// The byte in row r and column c of a block is bit 8 r + 2 c of each plane. The next higher bit
+// belongs to a second block, which is zero here. A row of the state is therefore one byte of a
+// plane. Kaesper and Schwabe, Faster and Timing-Attack Resistant AES-GCM, 2009, use the same idea
+// with wider registers.
 #pragma once
 
 #include <array>
@@ -18,11 +19,11 @@ namespace iog::authentication {
 
 using Planes = std::array<std::uint32_t, 8>;
 
-// Converts a block to planes and back.
+// Converts between a block and planes.
 [[nodiscard]] Planes planes_of(std::span<const std::byte, kBlockBytes> block);
 [[nodiscard]] Block block_of(const Planes& planes);
 
-// Converts a single column, lowest byte first.
+// Converts a single column. The lowest byte comes first.
 [[nodiscard]] Planes planes_of_column(std::uint32_t column);
 [[nodiscard]] std::uint32_t column_of(const Planes& planes);
 

@@ -9,7 +9,7 @@ namespace iog::authentication {
 
 inline constexpr std::size_t kSha256Bytes = 32;
 
-// The message has fewer than 2^29 bytes.
+// The message must be shorter than 2^29 bytes.
 [[nodiscard]] std::array<std::byte, kSha256Bytes> sha256(std::span<const std::byte> message);
 
 }  // namespace iog::authentication

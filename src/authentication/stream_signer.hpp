@@ -1,6 +1,7 @@
-// Signs a stream of messages (docs/spec.md 9.2). After some messages a signature message names them
-// and carries a MAC as a command does (authentication/secured_message.hpp). The messages themselves
-// do not change, and hashing them takes a tenth of the time that a MAC of each would take.
+// Signs a stream of messages (docs/spec.md 9.2). After a number of messages, a signature message
+// lists their names and contains a MAC, like a command (authentication/secured_message.hpp). The
+// signed messages themselves do not change. Hashing them takes one tenth of the time that a MAC per
+// message would take.
 //
 // Content of a signature, big endian:
 //
@@ -23,7 +24,7 @@
 
 namespace iog::authentication {
 
-// Finding another message with the name of a given message takes 2^128 trials.
+// Finding a second message with the same name takes 2^128 trials.
 using MessageName = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kNamesHeaderBytes = 12;
@@ -42,8 +43,8 @@ class StreamSigner {
 
   [[nodiscard]] bool is_full() const { return count_ == kMaxNames; }
 
-  // Returns the signature of the messages added since the last call. There must be at least one.
-  // Valid until the next call.
+  // Returns the signature of the messages added since the last call. At least one message must have
+  // been added. The result is valid until the next call.
   [[nodiscard]] std::span<const std::byte> sign();
 
  private:
@@ -61,7 +62,7 @@ class StreamSigner {
   std::array<std::byte, kMostBytes> message_{};
 };
 
-// The content of a signature, not yet verified.
+// The content of a signature before it is verified.
 struct Names {
   std::uint32_t run = 0;
   std::span<const std::byte> bytes{};
@@ -75,7 +76,8 @@ struct Names {
   }
 };
 
-// Reads a secured message (is_signed()). Returns nothing if its numbers are inconsistent.
+// Reads a secured message for which is_signed() is true. Returns nothing if its length fields or
+// counts are inconsistent.
 [[nodiscard]] std::optional<Names> read_names(std::span<const std::byte> secured);
 
 }  // namespace iog::authentication

@@ -1,6 +1,6 @@
-// The car in an image: a block of bytes at a fixed place with the compiled car file and the network
-// configuration. The build or `iog image` writes it. The target checks all of it before using any
-// part (docs/spec.md, section 8).
+// The car in an image: a block of bytes at a fixed offset that contains the compiled car file and
+// the network configuration. The block is written by the build or by `iog image`. The target checks
+// the whole block before it uses any part (docs/spec.md, section 8).
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@
 
 namespace iog::car_block {
 
-// The properties for which a firmware is compiled. A car that needs others needs another image.
+// The properties that are fixed when the firmware is compiled. A car that requires other properties
+// requires another image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;
@@ -31,22 +32,24 @@ struct Firmware {
 // The properties of firmware compiled from this source.
 [[nodiscard]] Firmware firmware_of(vehicle::Grids grids);
 
-// Writes the whole block. The vehicle must be within its limits and the network valid.
+// Writes the whole block. The vehicle must be within the limits, and the network configuration must
+// be valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
-// Writes a block without a car. The firmware refuses it until `iog image` adds one.
+// Writes a block without a car. The firmware refuses this block until `iog image` adds a car.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
 // Returns nothing if the record is invalid.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 
-// Adds a key to a written block: the target then requires commands signed with it.
+// Adds a key to an existing block. The target then accepts only commands signed with this key.
 void write_key(const authentication::Key& key, WritableBlock block);
 
-// Returns the key, if there is a valid one. read_car() refuses a car with a damaged key.
+// Returns the key if there is a valid one. If the key is damaged, read_car() refuses the car.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
-// Returns the network of the first valid record of two; nothing if neither is valid.
+// Returns the network configuration of the first valid record of two, or nothing if neither is
+// valid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
 // The record that was refused.
@@ -56,15 +59,15 @@ enum class Part : std::uint8_t { kCar, kNetwork, kKey };
 struct Verdict {
   Refusal refusal = Refusal::kNone;
   Part part = Part::kCar;  // the refused record
-  vehicle::Fault fault{};  // only with kLimit
+  vehicle::Fault fault{};  // set only for kLimit
 };
 
-// Reads and checks a whole car. grids: those of the firmware. `vehicle` refers to the block and to
-// `memory`; it must not be used unless the result is kNone.
+// Reads and checks a whole car. grids: the grids of the firmware. `vehicle` refers to the block and
+// to `memory`. Do not use it unless the result is kNone.
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The text about a refused car for console, stream and `iog image`.
+// The message about a refused car. The console, the stream and `iog image` use it.
 class Words {
  public:
   explicit Words(const Verdict& verdict);
@@ -74,7 +77,7 @@ class Words {
   void add(std::string_view text);
   void add_number(std::uint32_t number);
 
-  // The longest text of allowed values has some 110 letters.
+  // The longest list of allowed values has about 110 characters.
   std::array<char, 200> letters_{};
   std::size_t length_ = 0;
 };

@@ -1,8 +1,8 @@
-// The bytes of a car: the compiled car file as stored in an image (docs/spec.md, section 8.4). Cars
-// that differ in any way have different bytes.
+// The serialised car: the compiled car file as stored in an image (docs/spec.md, section 8.4). Cars
+// that differ in any property have different bytes.
 //
-// Writer and reader share one list of the members in order. It omits members that follow from
-// others (vehicle/derived.hpp) and unused entries of fixed-size tables.
+// Writer and reader use the same list of members, in the same order. The list omits members that
+// are derived from others (vehicle/derived.hpp) and unused entries of fixed-size tables.
 #pragma once
 
 #include <concepts>
@@ -59,7 +59,7 @@ void visit_arc(auto& content, auto& arc) {
   }
 }
 
-// The arc of an ultrasonic unit.
+// The arc of an ultrasonic sensor.
 void visit_cone(auto& content, auto& arc) {
   visit_arc(content, arc);
   content.numbers(arc.free);
@@ -91,7 +91,7 @@ void visit_window(auto& content, auto& rules) {
   content.assignment(rules.assignment);
 }
 
-// The grid's sizes come first, because the tables are in its subcells.
+// The grid sizes come first because the tables are in units of the grid's subcells.
 void visit_car(auto& content, auto& car) {
   content.grid(geometry::kCellMm, geometry::kCellsPerSide, geometry::kResolution);
   content.text(car.name);
@@ -115,7 +115,8 @@ void visit_assignment(auto& content, auto& assignment) {
 }
 
 // Writes integers in big-endian order with the size of their type, a bool as one byte, a string as
-// its letters and a 0, and a format as its name. put(std::uint8_t) takes the bytes one by one.
+// its characters and a 0, and a format as its name. put(std::uint8_t) receives the bytes one by
+// one.
 template <typename Put>
 class Writer {
  public:
@@ -125,8 +126,8 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Writes one byte with a bit for each of: layers share lines; the sensor follows the ground; the
-  // sensor has limits for low beams and tall returns.
+  // Writes one byte with three flags: the layers share lines, the sensor follows the ground, and
+  // the sensor has limits for low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;
@@ -140,7 +141,7 @@ class Writer {
       numbers(moved.low_mm, moved.tall_mm);
     }
   }
-  // An extra bit is set if there are classes but no tracked objects.
+  // An extra bit is set if the car has classes but no tracked objects.
   void grids_and_objects(vehicle::Grids grids, bool has_objects) {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
@@ -153,7 +154,7 @@ class Writer {
     number(std::uint8_t{0});
   }
   void format(lidar::Format format) { text(lidar::name_of(format)); }
-  // Only radars and ultrasonic units have an arc.
+  // Only radars and ultrasonic sensors have an arc.
   void arc(lidar::Format format, const sensor_model::Arc& arc) {
     if (lidar::facts_of(format).is_ultrasonic) {
       visit_cone(*this, arc);
@@ -192,13 +193,13 @@ class Writer {
 
 }  // namespace content_detail
 
-// Calls put(std::uint8_t) for each byte.
+// Serialises the car and calls put(std::uint8_t) for each byte.
 void write_content(const vehicle::Vehicle& car, auto&& put) {
   content_detail::Writer out([&put](std::uint8_t byte) { put(byte); });
   content_detail::visit_car(out, car);
 }
 
-// The CRC-32 that identifies a car in messages. It covers everything but `id` itself.
+// The CRC-32 that identifies a car in messages. It covers everything except `id` itself.
 inline std::uint32_t identity_of(const vehicle::Vehicle& car) {
   using Field = checksum::ReflectedField<0x04C11DB7>;
   std::uint32_t state = ~0U;

@@ -1,4 +1,4 @@
-// Place and layout of the car block in an image (docs/spec.md, section 8).
+// Location and layout of the car block in an image (docs/spec.md, section 8).
 #pragma once
 
 #include <cstddef>
@@ -7,26 +7,27 @@
 
 namespace iog::car_block {
 
-// Offset from the image's first byte, where the vectors are. linker/imx6.ld puts the block there.
+// Offset from the first byte of the image, which contains the exception vectors. linker/imx6.ld
+// places the block there.
 inline constexpr std::size_t kOffsetInImage = 0x1000;
 inline constexpr std::size_t kBlockBytes = 65'536;
 
 using Block = std::span<const std::byte, kBlockBytes>;
 using WritableBlock = std::span<std::byte, kBlockBytes>;
 
-// A record has a header and its content. The header: magic, version, 0, content bytes, content
-// CRC-32.
+// A record consists of a header and its content. The header consists of magic, version, 0, content
+// length and content CRC-32.
 inline constexpr std::size_t kRecordHeaderBytes = 16;
 inline constexpr std::uint16_t kVersion = 1;
 
 struct RecordPlace {
   std::uint32_t magic = 0;
   std::size_t offset = 0;
-  std::size_t capacity = 0;  // header included
+  std::size_t capacity = 0;  // size in bytes, including the header
 };
 
 inline constexpr RecordPlace kFirmwareRecord{0x494F4746, 0, 32};  // "IOGF"
-inline constexpr RecordPlace kKeyRecord{0x494F474B, 32, 32};      // "IOGK"; all 0: no key
+inline constexpr RecordPlace kKeyRecord{0x494F474B, 32, 32};      // "IOGK"; all zeros if no key
 inline constexpr RecordPlace kNetworkRecord{0x494F474E, 64, 64};  // "IOGN"
 inline constexpr RecordPlace kNetworkCopy{0x494F474E, kBlockBytes - 64, 64};
 inline constexpr RecordPlace kCarRecord{0x494F4743, 128, kBlockBytes - 64 - 128};  // "IOGC"

@@ -1,5 +1,6 @@
-// The limits of a car, on which the loops of the target rely. They are checked on the integers made
-// from the car file: on the target for the car in its image, on the PC for a car file.
+// The limits of a car. The loops of the target rely on them. They are checked on the integers that
+// are compiled from the car file. The target checks the car in its image, and the PC checks a car
+// file.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 namespace iog::car_block {
 
 inline constexpr std::uint32_t kLongestRangeMm = 130'000;
-// For ultrasonic units: the cells of a cone are visited one by one (grid/cone.hpp).
+// Only for ultrasonic sensors, because the cells of a cone are visited one by one (grid/cone.hpp).
 inline constexpr std::uint32_t kLongestConeMm = 10'000;
 inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most 130000";
 
@@ -28,34 +29,37 @@ inline constexpr std::string_view kMovedLowWords =
     "0.1 m or more over what is no obstacle, over the ground 0.4 or more, at most 10";
 inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacles end";
 
-// Limit of coordinates, which keeps products of subcells within 64 bits.
+// The maximum magnitude of coordinates. It keeps products of subcells within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;
 
-// The maximum distance of a sensor from its car's footprint, for bumpers and roof racks.
+// The maximum distance of a sensor from the footprint of its car, which allows for bumpers and roof
+// racks.
 inline constexpr std::int32_t kOffCarMm = 150;
 
-// A length in subcells, rounded up. length_mm <= kLongestRangeMm.
+// A length in subcells, rounded up. Requires length_mm <= kLongestRangeMm.
 constexpr std::uint64_t subcells_up(std::uint32_t length_mm) {
   return (std::uint64_t{length_mm} * geometry::kResolution + geometry::kCellMm - 1) /
          geometry::kCellMm;
 }
 
-// The maximum length of a beam. Beams of a tilted mirror are fitted (tools/car/tilted_mirror.hpp);
-// at azimuths that the mirror cannot see they may end beyond the range. range_mm <=
-// kLongestRangeMm.
+// The maximum length of a beam. The beams of a tilted mirror are fitted
+// (tools/car/tilted_mirror.hpp), so they may end beyond the range at azimuths that the mirror
+// cannot reach. Requires range_mm <= kLongestRangeMm.
 constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t range_mm) {
   return lidar::facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;
 }
 
-// Both functions report faults by the field of the car file. This one runs first and needs no
-// tables: it checks names, numbers, addresses and ports. Each sensor's range must be above 0.
+// Both check functions report faults with the name of the field in the car file. This function runs
+// first and needs no tables. It checks names, numbers, addresses and ports. Each sensor's range
+// must be above 0.
 void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
                    const vehicle::Tell& tell);
 
 // Checks the tables of a car that has passed check_numbers().
 void check_tables(const vehicle::Vehicle& car, const vehicle::Tell& tell);
 
-// The first fault. Its field is empty if there is none. network: from the same block.
+// The first fault. The field is empty if there is no fault. network: the network configuration in
+// the same block.
 [[nodiscard]] vehicle::Fault fault_of(const vehicle::Vehicle& car, const net::Config& network);
 
 }  // namespace iog::car_block

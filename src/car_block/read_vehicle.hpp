@@ -10,16 +10,16 @@
 
 namespace iog::car_block {
 
-// Memory for the sensors of a vehicle, 80 KB: make it static. A constructor sets the initial
-// values, which are not zero, so the image need not contain them.
+// Memory for the sensors of a vehicle. It takes up 80 KB: make it static. The constructor sets the
+// initial values. They are not zero, so a static initialiser would add them to the image.
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;
 };
 
 // Returns kNone, kOtherGrid or kNotACar. The vehicle refers to the bytes and to the memory. Do not
-// use it before its limits are checked (car_block/limits.hpp). Azimuths are derived here, other
-// derived members are not.
+// use it before its limits are checked (car_block/limits.hpp). Derives the azimuths but no other
+// derived members.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

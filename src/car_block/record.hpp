@@ -1,5 +1,5 @@
-// A record of the car block: a header with magic, length and CRC, then the content (docs/spec.md,
-// section 8.1).
+// A record of the car block: a header with magic, length and CRC, followed by the content
+// (docs/spec.md, section 8.1).
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,30 @@
 
 namespace iog::car_block {
 
-// Why a car is refused. The values are those of docs/spec.md, section 8.5.
+// The reason for refusing a car. The values are listed in docs/spec.md, section 8.5.
 enum class Refusal : std::uint8_t {
   kNone,
   kNoRecord,      // wrong magic number
   kWrongVersion,  // another version of the format
-  kWrongLength,   // longer than its place
+  kWrongLength,   // longer than the space for the record
   kDamaged,       // wrong CRC, or a reserved byte that is not zero
-  kNotACar,       // the bytes are no car
-  kOtherGrid,     // tables for another cell size or grid size
-  kOtherGrids,    // the car needs grids that this firmware does not make
+  kNotACar,       // the bytes do not describe a car
+  kOtherGrid,     // the tables were made for another cell size or grid size
+  kOtherGrids,    // the car needs grids that this firmware does not produce
   kLimit,         // a field exceeds its limit
 };
 inline constexpr std::size_t kRefusalCount = 9;
 
 struct Record {
   Refusal refusal = Refusal::kNone;
-  std::span<const std::byte> content{};  // only if valid
+  std::span<const std::byte> content{};  // empty unless the record is valid
   std::uint32_t crc = 0;                 // CRC of the content
 };
 
 [[nodiscard]] Record read_record(Block block, const RecordPlace& place);
 
-// Adds the header to content already in place. bytes: length of the content; it must fit the place.
+// Adds the header to content that is already in place. bytes: length of the content. The content
+// must fit in the record.
 void frame_record(WritableBlock block, const RecordPlace& place, std::size_t bytes);
 
 }  // namespace iog::car_block

@@ -1,4 +1,4 @@
-// The two CRC-32 of this project. CMake chooses the faster implementation for the machine:
+// The two CRC-32 variants of this project. CMake chooses the faster implementation for the machine:
 // crc32_neon.cpp or crc32_slices.cpp.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace iog::checksum {
 
-// A reflected CRC with initial value and final xor of all ones. `kPolynomial` is written as in the
-// standards, highest power first and without x^32. The two instances are below.
+// A reflected CRC with initial value and final xor of all ones. `kPolynomial` has the notation of
+// the standards: highest power first and without x^32. The two instances are below.
 template <std::uint32_t kPolynomial>
 class FastCrc32 {
  public:
@@ -25,10 +25,10 @@ class FastCrc32 {
     crc.update(part);
     return crc.state_;
   }
-  // Does the same as update() with a part that has this remainder.
+  // Has the same effect as update() with a part that has this remainder.
   void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_) ^ remainder; }
 
-  // The CRC of all bytes so far; more may follow.
+  // The CRC of all bytes so far. More bytes may follow.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
@@ -38,7 +38,7 @@ class FastCrc32 {
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 
-// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It names grids and cars,
+// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It identifies grids and cars,
 // because any tool can compute it.
 using Crc32 = FastCrc32<0x04C11DB7>;
 

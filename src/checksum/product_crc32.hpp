@@ -1,11 +1,12 @@
-// Implements checksum/crc32.hpp on machines that multiply bytes without carry.
+// Implements checksum/crc32.hpp on machines with carry-less multiplication of bytes.
 //
-// A CRC is linear. A byte followed by d others contributes its product with x^(32 + 8d), modulo the
-// polynomial. The bytes of a block are therefore independent: their products are summed, and only
-// the sum is reduced. Both halves of a block use the same factors, so each factor is loaded once.
+// A CRC is linear. A byte followed by d other bytes contributes its product with x^(32 + 8d),
+// modulo the polynomial. The bytes of a block are therefore independent: their products are summed,
+// and only the sum is reduced. Both halves of a block use the same factors, so each factor is
+// loaded only once.
 //
-// Everything is reflected: bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0 of their
-// product is x^38.
+// All polynomials are bit-reflected: bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
+// of their product is x^38.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@
 
 namespace iog::checksum {
 
-// `Products` is PlainProducts or its NEON twin.
+// `Products` is PlainProducts or its NEON counterpart.
 template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
@@ -34,7 +35,7 @@ class ProductCrc32 {
     rest_.update(bytes);
   }
 
-  // The CRC of all bytes so far; more may follow.
+  // The CRC of all bytes so far. More bytes may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
   // The state after kBytes zero bytes; kBytes >= 8.
@@ -53,11 +54,12 @@ class ProductCrc32 {
   using Field = ReflectedField<kPolynomial>;
 
   static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
-  static constexpr std::size_t kLeastBlockBytes = 32;   // for shorter blocks, look-ups are faster
+  static constexpr std::size_t kLeastBlockBytes = 32;   // look-ups are faster for shorter blocks
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // The state before a half has the same effect as adding it to the half's first four bytes.
+  // Adding the state to the first four bytes of a half has the same effect as a state before this
+  // half.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
     const auto factors = std::span(kFactors).last(half / kProductLanes);
@@ -72,17 +74,18 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. A look-up reduces them as if they were the first byte
-  // of a state followed by a zero byte.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A look-up reduces these bits as if they were the first
+  // byte of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // The factor of the last byte is x^32. Each preceding byte has x^8 times the factor of the next.
+  // The factor of the last byte is x^32. The factor of each preceding byte is x^8 times the factor
+  // of the next byte.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
-    std::uint32_t factor = 0x8000'0000U;  // 1
+    std::uint32_t factor = 0x8000'0000U;  // represents the polynomial 1
     for (int byte = 0; byte < 4; ++byte) {
       factor = Field::times_x8(factor);
     }

@@ -1,7 +1,6 @@
-// Carry-less products of bytes, eight at a time, as the Cortex-A9 multiplies them in one
-// instruction.
+// Carry-less products of bytes, eight at a time, as the Cortex-A9 computes them in one instruction.
 //
-// This is the specification; its NEON twin is in checksum/crc32_neon.cpp.
+// This code is the reference; the NEON counterpart is in checksum/crc32_neon.cpp.
 #pragma once
 
 #include <array>
@@ -14,8 +13,8 @@ namespace iog::checksum {
 inline constexpr std::size_t kProductLanes = 8;
 inline constexpr std::size_t kFactorBytes = 4;
 
-// A 32-bit factor for each of eight bytes, in the order in which the machine loads them: byte by
-// byte, lowest first.
+// A 32-bit factor for each of eight bytes. They are stored in the order in which the machine loads
+// them: byte by byte, lowest first.
 struct alignas(32) Factors {
   std::array<std::array<std::uint8_t, kProductLanes>, kFactorBytes> bytes{};
 
@@ -26,11 +25,11 @@ struct alignas(32) Factors {
   }
 };
 
-// Carry-less sums of bytes times their factors: 8 + 32 - 1 = 39 bits.
+// Carry-less sums of bytes times their factors. Each sum has 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
-  // The sums of two halves that share their factors. Each factor group applies to eight bytes of
-  // each half.
+  // The sums of two halves that use the same factors. Each group of factors applies to eight bytes
+  // of each half.
   struct Sums {
     std::uint64_t first = 0;
     std::uint64_t second = 0;

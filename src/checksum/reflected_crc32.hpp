@@ -1,11 +1,12 @@
 // CRC-32 for any reflected polynomial with initial value and final xor of all ones, as in IEEE
 // 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
 //
-// It uses slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in its own table,
-// and the look-ups are independent. The tables take kSlices KiB and are computed at compile time.
-// The Cortex-A9 has a faster method (checksum/product_crc32.hpp). With 4, 8 or 16 slices it takes
-// 4.2 to 4.3 instructions a byte (measured). For a tile of 1 KiB that is 3.5, 2.5 or 2.7 cycles a
-// byte (modelled as in docs/a9_model.md, with other tiles encoded in between).
+// It uses slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in its own table.
+// The look-ups do not depend on each other. The tables take up kSlices KiB and are computed at
+// compile time. The Cortex-A9 has a faster method (checksum/product_crc32.hpp). With 4, 8 or 16
+// slices it takes 4.2 to 4.3 instructions per byte (measured). For a tile of 1 KiB this is 3.5, 2.5
+// or 2.7 cycles per byte. These cycles are modelled as in docs/a9_model.md, with other tiles
+// encoded in between.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ class ReflectedCrc32 {
 
  public:
   constexpr void update(std::span<const std::byte> bytes) {
-    std::uint32_t state = state_;  // in a register, because `bytes` may alias the member
+    std::uint32_t state = state_;  // kept in a register, because `bytes` may alias the member
     if constexpr (kSlices > 1) {
       while (bytes.size() >= kSlices) {
         state = after_group(state, bytes.template first<kSlices>());
@@ -39,14 +40,15 @@ class ReflectedCrc32 {
     state_ = state;
   }
 
-  // The CRC of all bytes so far; more may follow.
+  // The CRC of all bytes so far. More bytes may follow.
   [[nodiscard]] constexpr std::uint32_t value() const { return ~state_; }
 
-  // The internal state, x^31 in bit 0, for code that advances it by other means.
+  // The internal state with x^31 in bit 0, for code that advances it by other means.
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // The state times x^8: the state after a zero byte, or after a byte that was added to it.
+  // The state times x^8. This is the state after a zero byte, or after a byte that was already
+  // added to it.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }

@@ -30,7 +30,8 @@ class ReflectedField {
     return sum;
   }
 
-  // Returns x^(8 exponent). A state times this is the state after `exponent` zero bytes.
+  // Returns x^(8 exponent). A state multiplied by this value is the state after `exponent` zero
+  // bytes.
   static consteval std::uint32_t power_of_x8(std::size_t exponent) {
     std::uint32_t power = kOne;
     for (std::uint32_t square = times_x8(kOne); exponent != 0; exponent /= 2) {

@@ -1,5 +1,5 @@
-// Limits answers to strangers with a token bucket. Each answered datagram takes one token, so a
-// flood of questions causes no flood of answers.
+// Limits answers to unknown senders with a token bucket. Each answer takes one token, so a flood of
+// requests does not cause a flood of answers.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ class AnswerBudget {
   static constexpr std::uint32_t kBurst = 8;
   static constexpr std::uint32_t kPerTokenUs = 100'000;
 
-  // Takes a token. Returns false if there is none. now_us never decreases.
+  // Takes a token. Returns false if there is none. now_us must not decrease.
   [[nodiscard]] constexpr bool take(std::uint64_t now_us) {
-    // Beyond this time the bucket is full, so a 32-bit division suffices.
+    // After this time the bucket is full, so a 32-bit division is sufficient.
     const auto elapsed_us = static_cast<std::uint32_t>(
         std::min<std::uint64_t>(now_us - since_us_, std::uint64_t{kBurst} * kPerTokenUs));
     const std::uint32_t gained = elapsed_us / kPerTokenUs;

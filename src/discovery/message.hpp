@@ -1,5 +1,6 @@
 // A message of SOME/IP service discovery (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "SOME/IP-SD
-// Message Format"): big endian, after a SOME/IP header of service 0xFFFF, event 0x8100.
+// Message Format"). It is big endian and follows a SOME/IP header with service 0xFFFF and event
+// 0x8100.
 //
 //   16  u8 flags: 0x80 reboot, 0x40 unicast, u24 0
 //   20  u32 bytes of the entries, 16 each
@@ -13,7 +14,7 @@
 //    .  options:  0  u16 bytes behind the type, u8 type, u8 0
 //                 4  of an IPv4 endpoint: u32 address, u8 0, u8 protocol, u16 port
 //
-// The sender is not trusted: all lengths are checked before any entry is read.
+// The sender is not trusted, so all lengths are checked before any entry is read.
 #pragma once
 
 #include <array>
@@ -33,8 +34,8 @@ inline constexpr protection::Event kDiscoveryEvent{
 inline constexpr std::uint8_t kFlagReboot = 0x80;
 inline constexpr std::uint8_t kFlagUnicast = 0x40;
 
-// A time to live of 0 turns an offer into its withdrawal, a subscription into its end, and an
-// acknowledgement into a refusal. The largest value never expires.
+// A time to live of 0 turns an offer into a stop-offer, a subscription into its end, and an
+// acknowledgement into a refusal. An entry with the maximum time to live never expires.
 inline constexpr std::uint32_t kForeverS = 0xFF'FFFF;
 
 // Wildcards for the instance and versions in a find entry.
@@ -47,21 +48,21 @@ inline constexpr std::size_t kEndpointBytes = 12;
 
 enum class EntryType : std::uint8_t { kFind = 0, kOffer = 1, kSubscribe = 6, kSubscribeAck = 7 };
 
-// A run of options: the number of the first, and how many.
+// A run of options, given by the index of the first option and their number.
 struct OptionRun {
   std::uint8_t first = 0;
   std::uint8_t count = 0;
 };
 
 struct Entry {
-  EntryType type = EntryType::kFind;  // may have another value
+  EntryType type = EntryType::kFind;  // may contain a value that is not in the enumeration
   std::array<OptionRun, 2> options{};
   std::uint16_t service = 0;
   std::uint16_t instance = 0;
   std::uint8_t major = 0;
-  std::uint32_t ttl_s = 0;  // 24 bits
-  std::uint32_t minor = 0;  // of a service
-  // For event groups: stored where services have their minor version.
+  std::uint32_t ttl_s = 0;  // 24-bit value
+  std::uint32_t minor = 0;  // minor version, only for services
+  // Only for event groups. It is stored where service entries have their minor version.
   [[nodiscard]] constexpr std::uint16_t event_group() const {
     return static_cast<std::uint16_t>(minor);
   }
@@ -74,7 +75,7 @@ struct Endpoint {
   friend constexpr bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-// A message with consistent lengths. Its members are views of the datagram.
+// A message whose lengths are consistent. Its members are views of the datagram.
 struct Message {
   std::uint16_t session_id = 0;
   std::uint8_t flags = 0;
@@ -86,16 +87,18 @@ struct Message {
   // number < entry_count()
   [[nodiscard]] Entry entry(std::size_t number) const;
 
-  // The IPv4 UDP endpoint that the entry refers to. Nothing if it refers to none, to several
-  // different ones, or to options that do not exist. Other kinds of options are ignored.
+  // The IPv4 UDP endpoint that the entry refers to. Returns nothing if it refers to no endpoint, to
+  // several different endpoints, or to options that do not exist. Options of other kinds are
+  // ignored.
   [[nodiscard]] std::optional<Endpoint> udp_endpoint_of(const Entry& entry) const;
 };
 
-// Returns nothing if the datagram is no such message, or if its lengths are inconsistent.
+// Returns nothing if the datagram is not a service discovery message, or if its lengths are
+// inconsistent.
 [[nodiscard]] std::optional<Message> read_message(std::span<const std::byte> datagram);
 
-// Writes a message with these entries. Its only option is `endpoint`. Returns the number of bytes
-// written; `buffer` must hold message_bytes(entries.size()).
+// Writes a message with these entries. `endpoint` is the only option. Returns the number of bytes
+// written. `buffer` must hold at least message_bytes(entries.size()).
 std::size_t write_message(std::uint16_t session_id, std::uint8_t flags,
                           std::span<const Entry> entries, const Endpoint& endpoint,
                           std::span<std::byte> buffer);

@@ -1,6 +1,7 @@
-// Schedules the offers of a service: the phases of a server (AUTOSAR
-// PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). The first offer follows a random delay.
-// Some more follow at intervals that double each time, then one a second.
+// Schedules the offers of a service according to the phases of a server (AUTOSAR
+// PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). The first offer is sent after a random
+// delay. The next few offers follow at intervals that double each time. After that, one offer is
+// sent per second.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +14,20 @@ inline constexpr std::uint32_t kRepetitionsBaseUs = 100'000;
 inline constexpr unsigned kRepetitionsMax = 3;
 inline constexpr std::uint32_t kCyclicOfferUs = 1'000'000;
 
-// The lifetime of an offer. A client that has missed two offers knows that the target is gone.
+// The lifetime of an offer. A client that has missed two consecutive offers considers the target
+// gone.
 inline constexpr std::uint32_t kOfferTtlS = 3;
 
-// Times passed to it never decrease.
+// The times passed to it must not decrease.
 class OfferSchedule {
  public:
-  // noise: the random value for the initial delay; it differs between targets.
+  // noise: a random value for the initial delay. It must differ between targets.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
-  // True in the initial wait phase, in which the server sends no offers and no answers.
+  // True in the initial wait phase. In this phase the server sends neither offers nor answers.
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
-  // Returns true if an offer is due, and counts it as sent. Time begins with the first call. Missed
+  // Returns true if an offer is due, and counts it as sent. Time starts with the first call. Missed
   // offers are not sent later.
   [[nodiscard]] constexpr bool take_due(std::uint64_t now_us) {
     if (!has_begun_) {
@@ -42,7 +44,7 @@ class OfferSchedule {
   }
 
  private:
-  // Scales the upper half of the noise to the bounds. 2^16 * 90,000 needs more than 32 bits.
+  // Scales the upper half of the noise to the delay bounds. 2^16 * 90,000 needs more than 32 bits.
   [[nodiscard]] constexpr std::uint32_t initial_delay_us() const {
     constexpr std::uint32_t kRangeUs = kInitialDelayMaxUs - kInitialDelayMinUs;
     return kInitialDelayMinUs +

@@ -1,9 +1,10 @@
 // The server of SOME/IP service discovery, for one service with one event group and one subscriber.
-// No I/O and no clock: datagrams and times go in, messages come out.
+// It performs no I/O and reads no clock: callers pass datagrams and times in and send the messages
+// that it returns.
 //
 // A subscriber must prove its address. Its endpoint must be the host that sent the subscription,
-// and ARP must give the station that sent it. Until ARP has answered, the host is a candidate: it
-// receives no acknowledgement and no messages.
+// and ARP must return the Ethernet address that sent it. Until ARP has answered, the host is a
+// candidate and receives neither an acknowledgement nor messages.
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@
 
 namespace iog::discovery {
 
-// The offered service. Its endpoint is our address and the source port of messages.
+// The offered service. Its endpoint consists of the target's address and the source port of the
+// messages.
 struct Service {
   std::uint16_t service = 0;
   std::uint8_t major = 0;
@@ -33,21 +35,22 @@ struct Service {
   std::uint16_t event_group = 0;
 };
 
-// Subscriptions handled per datagram. Further ones are refused without an answer.
+// The maximum number of subscriptions handled per datagram. Further subscriptions are refused
+// without an answer.
 inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 
-// The time that ARP has to find a candidate.
+// The time within which ARP must confirm a candidate.
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
-// A subscriber that has not answered ARP for this long has left. ARP requests go out after 30 s,
-// then every second (net/peer_resolver.hpp).
+// A subscriber that has not answered ARP for this long is considered gone. ARP requests go out
+// after 30 s, then every second (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 
 // A message to be sent.
 struct Outgoing {
   net::Destination to{};
   std::size_t bytes = 0;
-  // Room for an offer and the answers to subscriptions.
+  // Buffer for an offer and the answers to subscriptions.
   std::array<std::byte, message_bytes(1 + kMaxSubscriptionsPerMessage)> buffer{};
 
   [[nodiscard]] std::span<const std::byte> view() const { return std::span(buffer).first(bytes); }
@@ -55,7 +58,7 @@ struct Outgoing {
 
 class Server {
  public:
-  // noise: a random value of this run, for the first delay.
+  // noise: a random value of this run for the initial delay.
   Server(const net::Config& config, const Service& service, std::uint32_t noise)
       : config_(config), service_(service), schedule_(noise) {}
 
@@ -63,19 +66,19 @@ class Server {
   [[nodiscard]] std::optional<Outgoing> receive(const net::Datagram& datagram,
                                                 std::uint64_t now_us);
 
-  // Advances the time. Returns a message that is due, if any. told: what ARP knows of neighbour(),
-  // if anything.
+  // Advances the time. Returns a message that is due, if any. told: the ARP result for neighbour(),
+  // if any.
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
-  // Returns the withdrawal of the offer. Send it last.
+  // Returns the stop-offer message. Send it as the last message.
   [[nodiscard]] Outgoing withdraw();
 
-  // The host to be resolved by ARP.
+  // The host that ARP should resolve.
   [[nodiscard]] std::optional<net::Ipv4Address> neighbour() const;
 
-  // The host that receives a copy of each message. Empty if the subscriber is the peer, which
-  // receives them anyway.
+  // The host that receives a copy of each stream message. Empty if the subscriber is the peer,
+  // because the peer receives the messages anyway.
   [[nodiscard]] std::optional<net::Destination> subscriber() const;
 
   void count(Count what) { ++counts_[static_cast<std::size_t>(what)]; }
@@ -88,15 +91,15 @@ class Server {
 
  private:
   struct Subscription {
-    Endpoint endpoint{};         // destination of messages
-    net::Destination partner{};  // the subscriber: destination of answers
-    Entry entry{};               // of the latest subscription
-    std::uint64_t since_us = 0;  // time of the candidacy, or of the last renewal
+    Endpoint endpoint{};         // destination of stream messages
+    net::Destination partner{};  // the subscriber, which is the destination of answers
+    Entry entry{};               // entry of the latest subscription
+    std::uint64_t since_us = 0;  // time at which it became a candidate or last renewed
     bool is_confirmed = false;
     SessionWatch by_group{};
     SessionWatch by_unicast{};
   };
-  // The entries of an answer.
+  // The entries of an answer message.
   struct Answer {
     std::array<Entry, 1 + kMaxSubscriptionsPerMessage> entries{};
     std::size_t count = 0;
@@ -129,7 +132,7 @@ class Server {
   Service service_;
   OfferSchedule schedule_;
   SessionCounter to_all_;
-  SessionCounter to_one_;  // common to all receivers: each sees ascending ids
+  SessionCounter to_one_;  // shared by all unicast receivers: each receiver sees ascending ids
   AnswerBudget strangers_;
   AnswerBudget subscribers_;
   std::optional<Subscription> subscription_;

@@ -1,5 +1,5 @@
 // Session ids and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
-// "Reboot Detection"). Ids count from 1; the flag is set until they have wrapped.
+// "Reboot Detection"). Ids start at 1. The flag is set until the ids have wrapped.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 namespace iog::discovery {
 
 struct Session {
-  std::uint16_t id = 0;  // 0: none received
+  std::uint16_t id = 0;  // 0 if none was received
   bool reboot = false;
 };
 
-// Numbers the messages that we send to one kind of receiver.
+// Numbers the messages sent to one kind of receiver.
 class SessionCounter {
  public:
   [[nodiscard]] constexpr Session take() {
@@ -28,7 +28,7 @@ class SessionCounter {
   Session next_{.id = 1, .reboot = true};
 };
 
-// Watches the sessions that a partner uses on one path, unicast or multicast.
+// Monitors the sessions that a partner uses on one path, unicast or multicast.
 class SessionWatch {
  public:
   // True if the partner has rebooted since its last message on this path.

@@ -1,13 +1,13 @@
 // Consistent Overhead Byte Stuffing (Cheshire and Baker, IEEE/ACM Transactions on Networking 7,
-// 1999): separates messages on a serial link that carries only bytes.
+// 1999) separates messages on a serial link that transports only bytes.
 //
 // A framed message is a sequence of blocks. A block is a code byte c, 1 to 255, followed by c - 1
-// bytes that are not 0. It stands for its bytes and a 0 after them. The last block, and any block
-// with c = 255, stands for its bytes alone. A 0 ends the message.
+// bytes that are not 0. A block represents its bytes followed by a 0. The last block, and any block
+// with c = 255, represents its bytes without the 0. The byte 0 ends the message.
 //
-// A 0 occurs nowhere else, so a receiver that has lost synchronisation finds it again at the next
-// 0. An empty message is the code byte 1. Two adjacent zeros are neither a message nor an error, so
-// a sender may begin with a 0 to end whatever was on the link before.
+// The byte 0 occurs nowhere else, so a receiver that has lost synchronisation resynchronises at the
+// next 0. An empty message is encoded as the code byte 1. Two adjacent zeros are neither a message
+// nor an error. A sender may therefore begin with a 0 to end any bytes sent before.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,20 @@ namespace iog::framing {
 inline constexpr std::byte kDelimiter{0};
 inline constexpr std::size_t kMaxBlockBytes = 254;
 
-// The maximum length of a framed message of `bytes` bytes: the message, one code byte for each 254
-// bytes begun, at least one, and the delimiter.
+// The maximum length of a framed message of `bytes` bytes. It consists of the message, one code
+// byte for each started group of 254 bytes, at least one, and the delimiter.
 [[nodiscard]] constexpr std::size_t max_framed_bytes(std::size_t bytes) {
   return bytes + bytes / kMaxBlockBytes + 2;
 }
 
-// Frames the message, delimiter included. Returns the length of the frame, or 0 if the frame is too
-// small; max_framed_bytes() always suffice. The buffers must not overlap.
+// Frames the message, including the delimiter. Returns the length of the frame, or 0 if the frame
+// does not fit. A buffer of max_framed_bytes() is always large enough. The buffers must not
+// overlap.
 [[nodiscard]] std::size_t encode_cobs(std::span<const std::byte> message,
                                       std::span<std::byte> frame);
 
-// Decodes the bytes of a link one by one into messages. The caller owns the buffer, which holds the
-// last complete message until the next byte is decoded.
+// Decodes messages from the bytes of a link, one byte at a time. The caller owns the buffer. It
+// contains the last complete message until the next byte is decoded.
 class CobsDecoder {
  public:
   explicit constexpr CobsDecoder(std::span<std::byte> buffer) : buffer_{buffer} {}
@@ -40,7 +41,7 @@ class CobsDecoder {
   // Returns the message that this byte completes, if any.
   [[nodiscard]] std::optional<std::span<const std::byte>> decode(std::byte byte);
 
-  // Counts frames that ended within a block, or were longer than the buffer.
+  // The number of frames that ended within a block or were longer than the buffer.
   [[nodiscard]] std::uint32_t damaged() const { return damaged_; }
 
  private:
@@ -49,9 +50,9 @@ class CobsDecoder {
 
   std::span<std::byte> buffer_;
   std::size_t size_ = 0;
-  std::size_t block_left_ = 0;  // bytes left in this block
-  bool zero_is_due_ = false;    // before the next block
-  bool is_empty_ = true;        // no byte since the last delimiter
+  std::size_t block_left_ = 0;  // bytes left in the current block
+  bool zero_is_due_ = false;    // a zero must be inserted before the next block
+  bool is_empty_ = true;        // no byte received since the last delimiter
   bool is_too_long_ = false;
   std::uint32_t damaged_ = 0;
 };

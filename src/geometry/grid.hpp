@@ -1,5 +1,5 @@
-// The grid: its cells and tiles, their numbers, and the vehicle's place on it (docs/model.md
-// sections 5 and 8).
+// The grid: its cells and tiles, their numbering, and the vehicle's position on the grid
+// (docs/model.md sections 5 and 8).
 //
 // Cells and tiles are numbered in row-major order from the lowest y.
 #pragma once
@@ -38,7 +38,7 @@ static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
 }
 
 // The vehicle frame's origin is the corner at the centre of the grid. In metres, cell (x, y) of the
-// default grid covers [(x - 512) / 10, (x - 511) / 10) along x, and the same for y.
+// default grid covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the same.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;

@@ -1,4 +1,4 @@
-// Tiles: the squares of cells by which a grid is stored, encoded and sent.
+// Tiles are the squares of cells in which a grid is stored, encoded and sent.
 #pragma once
 
 #include <cstddef>

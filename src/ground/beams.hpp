@@ -1,10 +1,10 @@
-// Where the returns of a spinning sensor lie around it: their sector, their distance and their
+// Computes the position of a spinning sensor's returns: their sector, their distance and their
 // height.
 //
-// All layers of a level sensor share one line per azimuth and rise by the tangent of their
-// elevation (docs/model.md section 5). Bins of a tilted sensor lie in the plane in which it turns.
-// Their heights are over the car's plane, along the axis of the car, so straight ground stays
-// straight.
+// All layers of a level sensor share one line per azimuth. Their beams rise by the tangent of their
+// elevation (docs/model.md section 5). The bins of a tilted sensor lie in its plane of rotation.
+// Their heights are measured over the car's plane, along the vertical axis of the car, so straight
+// ground remains straight.
 #pragma once
 
 #include <array>
@@ -18,59 +18,61 @@
 
 namespace iog::ground {
 
-// Slope of a beam in 2^-24. The slope of 89 degrees still fits a word.
+// Slope of a beam in units of 2^-24. A slope of 89 degrees still fits in one word.
 using Slope = std::int32_t;
 inline constexpr int kSlopeFractionBits = 24;
 
 class Beams {
  public:
   Beams() = default;
-  // The sensor must spin.
+  // The sensor must be a spinning lidar.
   explicit Beams(const vehicle::Sensor& sensor);
 
   [[nodiscard]] Bins bins() const { return bins_; }
   [[nodiscard]] std::uint32_t sector_of(std::uint32_t azimuth_step) const {
     return azimuth_step >> sector_shift_;
   }
-  // Distance from the sensor in the plane in which it turns, rounded down. For a level sensor this
-  // is the distance along the line.
+  // Distance from the sensor in its plane of rotation, rounded down. For a level sensor this is the
+  // distance along the line.
   [[nodiscard]] std::uint32_t out_mm(std::size_t layer, std::uint32_t range_mm) const {
     return vehicle::along_line_mm(range_mm, shares_[layer]);
   }
 
-  // Slope of a beam along its line, rounded down. end_z is the height of the beam's end in
-  // subcells; the end is one sensor range along the line.
+  // Slope of a beam along its line, rounded down. end_z: the height of the beam's end in subcells.
+  // The end is one sensor range away along the line.
   [[nodiscard]] Slope slope_to(std::int32_t end_z) const;
-  // Height over the car's plane at a distance along a beam's line, rounded down. |rise| < 2^30.
+  // Height over the car's plane at a distance along a beam's line, rounded down. Requires |rise| <
+  // 2^30.
   [[nodiscard]] std::int32_t height_mm(Slope rise, std::uint32_t along_mm) const {
     const std::int64_t product =
         std::int64_t{rise} * (static_cast<std::int32_t>(along_mm) << (32 - kSlopeFractionBits));
     return origin_mm_ + static_cast<std::int32_t>(product >> 32);
   }
-  // Converts the slope of a beam along its line into its slope outward, rounded down.
+  // Converts a beam's slope along its line to its slope in the plane of rotation, rounded down.
   [[nodiscard]] Slope slope_out(std::size_t layer, Slope rise) const {
     return static_cast<Slope>((std::int64_t{rise} * along_of_out_[layer]) >> kAlongBits);
   }
-  // Converts a distance outward into the distance along the beam's line, rounded down.
+  // Converts a distance in the plane of rotation to the distance along the beam's line, rounded
+  // down.
   [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
     return static_cast<std::uint32_t>((std::uint64_t{out_mm} * along_of_out_[layer]) >> kAlongBits);
   }
-  // Slope of a layer. Valid for level sensors only.
+  // Slope of the beams of a layer. Valid for level sensors only.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
   [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
 
-  // Length of a line.
+  // The length of the sensor's lines.
   [[nodiscard]] std::uint32_t range_mm() const { return range_mm_; }
-  // All layers, lowest elevation first.
+  // All layers, sorted by ascending elevation.
   [[nodiscard]] std::span<const std::uint8_t> from_below() const {
     return std::span(from_below_).first(layer_count_);
   }
-  // The points of a packet from which the car's tilt is estimated: every second layer of the lower
-  // two thirds, in enough firings for kSamples points.
+  // The points of a packet from which the car's tilt is estimated. They come from every second
+  // layer of the lower two thirds, in enough firings for kSamples points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }
-  // A packet with fewer samples gives no tilt.
+  // The minimum number of samples in a packet from which a tilt can be estimated.
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:
@@ -83,10 +85,10 @@ class Beams {
   std::uint32_t range_mm_ = 0;
   int sector_shift_ = 0;
   std::int32_t origin_mm_ = 0;
-  std::int32_t origin_z_ = 0;           // in subcells
-  std::uint64_t slope_of_subcell_ = 0;  // slope per subcell of end height, in 2^-40
+  std::int32_t origin_z_ = 0;           // height in subcells
+  std::uint64_t slope_of_subcell_ = 0;  // slope per subcell of end height, in units of 2^-40
   std::array<std::uint32_t, vehicle::kMaxLayers> shares_{};
-  std::array<std::uint32_t, vehicle::kMaxLayers> along_of_out_{};  // 1 / shares_, in 2^-16
+  std::array<std::uint32_t, vehicle::kMaxLayers> along_of_out_{};  // 1 / shares_, in units of 2^-16
   std::array<Slope, vehicle::kMaxLayers> slopes_{};
   std::size_t layer_count_ = 0;
   std::array<std::uint8_t, vehicle::kMaxLayers> from_below_{};

@@ -1,11 +1,13 @@
-// Exit ranges of each sector and layer: how far a beam stays between the two height limits over the
-// ground. A beam can free cells only up to its exit (docs/ground.md, "What is freed").
+// The exit ranges of each sector and layer. They give the distance over which a beam stays between
+// the two height limits over the ground. A beam can free cells only up to its exit range
+// (docs/ground.md, "What is freed").
 //
-// A beam that starts between the limits leaves them either below, where the ground comes too near,
-// or above, where the beam is too high over the ground. Among beams that leave below, one that
-// points higher leaves later. Among beams that leave above, one that points higher leaves sooner.
-// So one sweep outward on each side finds the exits of all layers of a sector. Each sweep gives a
-// sorted list, and merging the two lists orders the layers by exit.
+// A beam that starts between the limits leaves them either below, where it comes too close to the
+// ground, or above, where it is too high over the ground. Among the beams that leave below, a
+// higher elevation means a later exit. Among the beams that leave above, a higher elevation means
+// an earlier exit. One outward sweep on each side is therefore enough to find the exits of all
+// layers of a sector. Each sweep produces a sorted list, and merging the two lists sorts the layers
+// by exit range.
 #pragma once
 
 #include <array>
@@ -22,15 +24,15 @@ namespace iog::ground {
 
 class Exits {
  public:
-  // For a level sensor whose lines are at most 131,070 mm long.
+  // Requires a level sensor whose lines are at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
-  // The exit of a beam: the distance along its line at which it leaves the limits. It is in steps
-  // of 2 mm, rounded down, and at most the line's length.
+  // The exit range of a beam: the distance along its line at which it leaves the limits. It is
+  // rounded down to a multiple of 2 mm and is at most the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
-  // The layers of a sector, farthest exit first.
+  // The layers of a sector, sorted by descending exit range.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }
@@ -39,8 +41,8 @@ class Exits {
   }
 
  private:
-  // Entry i holds the exit and the rank of layer i, because a return needs both. It also holds the
-  // layer with rank i.
+  // Entry i contains the exit range and the rank of layer i, because a return needs both. It also
+  // contains the layer whose rank is i.
   struct Exit {
     std::uint16_t to_2_mm = 0;
     std::uint8_t rank = 0;

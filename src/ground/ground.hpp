@@ -1,10 +1,10 @@
-// The ground around the sensors of a vehicle. It is frozen while the packets of a frame are
-// processed, and renewed between two frames.
+// The ground around the sensors of a vehicle that follow it. It is constant while the packets of a
+// frame are processed, and is updated between two frames.
 //
-// A frame may be shorter than a turn. At the end of a frame, a sensor's surface is renewed if the
-// sensor has swept at least as many ticks as a whole scan since the last renewal. So the time of
-// renewal depends only on the set of packets in each frame, not on their order or on the cores that
-// fuse them.
+// A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
+// sensor has swept at least as many ticks as a whole scan since the last update. The time of the
+// update therefore depends only on the set of packets in each frame. It does not depend on their
+// order or on the cores that fuse them.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,8 @@
 
 namespace iog::ground {
 
-// What a sample needs from its beam: the ranges that end on the car itself, and the slope.
+// The properties of a beam that a sample needs: the ranges at which it ends on the car itself, and
+// its slope.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -38,19 +39,19 @@ struct Ray {
 class Ground {
  public:
   Ground() = default;
-  // The sensor must be a spinning one that follows the ground, and must outlive this object. The
-  // ground starts flat.
+  // The sensor must be a spinning lidar that follows the ground, and it must outlive this object.
+  // The ground is flat at first.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // The exits of the beams. Valid for sensors whose layers share lines.
+  // The exit ranges of the beams. Valid only for sensors whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
-  // The part of a beam, by distance along its line, that is low enough to open ground. It is the
-  // whole line if beams of any height open ground. If the sensor's layers share lines, it ends at
-  // the beam's exit.
+  // The part of a beam that is low enough to open ground, given by distances along its line. It is
+  // the whole line if beams at any height open ground. If the sensor's layers share lines, the part
+  // ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -60,16 +61,17 @@ class Ground {
     const Stretch low = low_beams_.at(sector, layer);
     return {low.from_mm, std::min(exit_mm, low.to_mm)};
   }
-  // A beam is low only from this distance on.
+  // The distance from which on a beam is low.
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // A return is tall if it is at least this high over the highest ground nearby. So a bank that
-  // begins within a bin or two is not tall over the ground in front of it. 0: every return is tall.
+  // A return is tall if it is at least this high over the highest ground nearby. A bank that begins
+  // within one or two bins is therefore not tall over the ground in front of it. If it is 0, every
+  // return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
-  // Tilt of the car as seen by one packet of the sensor. Packet must have for_each_sample().
-  // ray_of(step, point) returns the Ray of a point in an azimuth step.
+  // The tilt of the car as measured by one packet of the sensor. Packet must have
+  // for_each_sample(). ray_of(step, point) returns the Ray of a point at an azimuth step.
   template <typename Packet, typename RayOf>
   [[nodiscard]] Tilt tilt_of(const vehicle::Sensor& sensor, const Packet& packet,
                              RayOf&& ray_of) const {
@@ -92,7 +94,7 @@ class Ground {
   }
 
   void close_turn(SurfaceWalk& walk, const Lows& lows);
-  // Makes the ground flat again.
+  // Resets the ground to flat.
   void forget();
 
  private:
@@ -106,18 +108,18 @@ class Ground {
   std::int32_t tall_mm_ = 0;
   Surface surface_;
   Exits exits_;
-  LowBeams low_beams_;  // unused if beams are always low
+  LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return farther above or below the car's plane is never tall. Its cell is its projection onto
-// that plane, and moves by more than a cell when the car tilts by 2 degrees. A static object would
-// then seem to approach.
+// A return farther above or below the car's plane than this is never tall. The cell of a return is
+// its projection onto that plane. For such a return, the cell moves by more than one cell if the
+// car tilts by 2 degrees. A static object would then appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.
 class PacketJudge {
  public:
-  // ground and lows must outlive it. tilt is that of the packet.
+  // ground and lows must outlive this object. tilt: the tilt of this packet.
   PacketJudge(const Ground& ground, Lows& lows, Tilt tilt)
       : beams_(&ground.beams()),
         surface_(&ground.surface()),
@@ -127,7 +129,7 @@ class PacketJudge {
         tilt_(tilt) {}
 
   // Adds a return to the lows and classifies it by its height over the ground. An obstacle has the
-  // outcome kUsed. z_mm is the height of the return over the car's plane.
+  // outcome kUsed. z_mm: the height of the return over the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
@@ -137,8 +139,8 @@ class PacketJudge {
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
-    // The ground at the return is never higher than the highest ground nearby. So this first test
-    // already rejects most returns.
+    // The ground at the return is never higher than the highest ground nearby. This first test
+    // therefore already rejects most returns.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,
@@ -161,30 +163,30 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each sensor of a vehicle that follows it. Each such sensor has an index, its
-// place. Takes 630 KB: keep it in static memory.
+// The ground around each sensor of a vehicle that follows the ground. Each such sensor has an
+// index, called its place. The object takes up 630 KB: make it static.
 class Grounds {
  public:
-  // vehicle must outlive it.
+  // The vehicle must outlive this object.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // The place of the vehicle's sensor with this number; none if it does not follow the ground.
+  // The place of the sensor with this number, or nothing if the sensor does not follow the ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
     return place == kNone ? std::nullopt : std::optional<std::size_t>(place);
   }
   [[nodiscard]] const Ground& at(std::size_t place) const { return grounds_[place]; }
 
-  // What happens to a sensor's lows at the end of a frame.
+  // The use of a sensor's lows at the end of a frame.
   enum class LowsAre : std::uint8_t {
-    kKept,       // the turn goes on
-    kOfTurn,     // the turn is over: pass them to close_turn(), then clear them
-    kForgotten,  // the sensor is silent and its ground is flat again: clear them
+    kKept,       // the turn is not complete yet: keep them
+    kOfTurn,     // the turn is complete: pass them to close_turn(), then clear them
+    kForgotten,  // the sensor sends nothing and its ground was reset to flat: clear them
   };
 
-  // Ends a frame in which the sensor swept this many ticks. The sensor must follow the ground.
+  // Ends a frame in which the sensor has swept this many ticks. The sensor must follow the ground.
   [[nodiscard]] LowsAre end_frame(std::size_t sensor, std::uint32_t swept_ticks);
-  // lows: the lowest returns of the turn, merged from all cores.
+  // lows: the lowest returns of the turn, merged over all cores.
   void close_turn(std::size_t sensor, const Lows& lows) {
     grounds_[places_[sensor]].close_turn(walk_, lows);
   }
@@ -195,7 +197,7 @@ class Grounds {
   }
 
  private:
-  // After this much silence, counted in frame periods, a sensor may be at another place.
+  // A sensor that sends nothing for this long, counted in frame periods, may be at another place.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

@@ -5,20 +5,20 @@
 
 namespace iog::ground {
 
-// A return between these heights over the ground, both included, is an obstacle.
+// A return between these heights over the ground is an obstacle. Both limits are included.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;
 };
 
-// A return farther below the surface is a mirror image, a hole or a drop.
+// A return farther below the surface than this is a mirror image, a hole or a drop.
 inline constexpr std::int32_t kUnderMm = 400;
 
 enum class Kind : std::uint8_t {
   kGround,
   kObstacle,
-  kOverhang,  // high enough over the ground to drive under it
-  kUnder,     // farther below the surface than kUnderMm
+  kOverhang,  // high enough over the ground that the car can drive under it
+  kUnder,     // below the surface by more than kUnderMm
 };
 
 [[nodiscard]] constexpr Kind judge(Limits limits, std::int32_t height_mm) {

@@ -1,8 +1,9 @@
-// The lowest return of each bin in one turn of a sensor, among the returns that can be ground.
+// The lowest return of each bin in one turn of a sensor. Only returns that can be ground are
+// included.
 //
-// A minimum depends neither on the order of its inputs nor on repetitions. So the order of packets,
-// duplicates and the split among cores do not change the lows. A forged return can only lower its
-// bin, and only to a plausible height: lower ones are left out.
+// A minimum depends neither on the order of its inputs nor on duplicates. The lows are therefore
+// independent of the order of packets, of duplicates and of the distribution over cores. A forged
+// return can only lower its bin, and only to a plausible height, because lower returns are ignored.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // Higher than any return that counts: the bin has no return.
+  // This value is higher than every valid return. It means that the bin has no return.
   static constexpr std::int16_t kNothing = 32767;
-  // One value per sector.
+  // A ring has one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;
 
   Lows() { clear(); }
@@ -29,12 +30,12 @@ class Lows {
     }
   }
 
-  // Adds a return: its sector (< kSectors), its distance along the line and its height over the
-  // car's plane. A return beyond the last bin is left out.
+  // Adds a return, given by its sector (< kSectors), its distance along the line and its height
+  // over the car's plane. A return beyond the last bin is ignored.
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {
-      // Few returns are lower than all before them, so plausibility is tested last.
+      // Few returns are lower than all previous ones, so their plausibility is checked last.
       std::int16_t& low = rings_[bin][sector];
       if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
         low = static_cast<std::int16_t>(z_mm);
@@ -42,7 +43,7 @@ class Lows {
     }
   }
 
-  // Keeps the lower of both, bin by bin.
+  // Keeps the lower value of each bin.
   void join(const Lows& other) {
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       for (std::size_t sector = 0; sector < kSectors; ++sector) {

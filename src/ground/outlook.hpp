@@ -1,11 +1,12 @@
-// Where the beams of a sector leave a height limit over the ground.
+// Computes where the beams of a sector exceed a height limit over the ground.
 //
-// Ranges. The room of a beam is the height between it and the limit. Heights are in units of 2^-14
-// mm, so a slope in 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is at most
-// 2^37: 64 bins of 2^31, plus 2^17 mm. Within a bin it changes by less than 2^32: 46,000 mm of
-// ground and 2 * 57.3 * 2^24 of slope. So the divisor has 32 bits, and the dividend is below 2^32
-// times half a bin. If a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins),
-// the room is at most 64 times 2^24 plus 2^16 mm, which fits a word.
+// Ranges: The room of a beam is its height difference from the limit. Heights are in units of 2^-14
+// mm, so a slope in units of 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is
+// at most 2^37: 64 bins of 2^31 each, plus 2^17 mm. Within a bin the room changes by less than
+// 2^32: 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. The divisor therefore has 32 bits, and
+// the dividend is below 2^32 times half a bin. Consider a beam that rises by at most 2^24 per bin,
+// which is a slope of 1, or 1/2 in long bins. Its room is at most 64 times 2^24 plus 2^16 mm, which
+// fits in one word.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +20,11 @@
 
 namespace iog::ground {
 
-// The side on which beams leave the limits.
+// The side on which beams exceed the limits.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// The ground of a sector for beams that leave on one side. leave() must be called for the beams in
-// the order in which they leave.
+// The ground of a sector for beams that leave on one side. Call leave() for the beams in the order
+// in which they leave.
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)
@@ -37,8 +38,8 @@ class Outlook {
                           : -1),
         is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
-  // How far a beam of this slope gets, in steps of 2 mm, rounded down; at most the line's length.
-  // The search starts in the bin in which the previous beam left.
+  // The distance that a beam of this slope reaches, rounded down to a multiple of 2 mm. It is at
+  // most the line's length. The search starts in the bin in which the previous beam left.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
     if (is_out_) {
       return 0;
@@ -55,7 +56,7 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // Room at the start of a bin. If it is negative, the beam has left.
+  // The room at the start of a bin. If the room is negative, the beam has left.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);
@@ -85,7 +86,7 @@ class Outlook {
   int sign_;
   std::uint32_t most_;
   std::int32_t start_mm_;
-  Slope most_of_word_;  // largest slope, up or down, whose room fits a word
+  Slope most_of_word_;  // maximum slope, up or down, for which the room fits in one word
   bool is_out_;         // beams start beyond the limit
   std::size_t bin_ = 0;
 };

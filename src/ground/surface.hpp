@@ -1,4 +1,5 @@
-// Height of the ground around a spinning sensor, used to classify the returns of one turn.
+// The height of the ground around a spinning sensor. It is used to classify the returns of one
+// turn.
 #pragma once
 
 #include <algorithm>
@@ -12,28 +13,28 @@ namespace iog::ground {
 
 class Surface {
  public:
-  // Heights over the car's plane in mm, at the start of each bin and at the end of the last one.
-  // Between two of them the ground is straight.
+  // Heights over the car's plane in mm, at the start of each bin and at the end of the last bin.
+  // Between two of these points the ground is straight.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
-  static constexpr std::int32_t kMost = 32'000;  // bound of any height, up or down
+  static constexpr std::int32_t kMost = 32'000;  // maximum magnitude of any height
   static constexpr std::size_t kNearBins = 2;
 
-  // A sector keeps its row for this many turns in a row without a return, then forgets it.
+  // A sector keeps its row for this many consecutive turns without a return, and then resets it.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
-  // Where a sector's row comes from.
+  // The source of a sector's row.
   enum class Source : std::uint8_t {
-    kFlat,  // no return: the car's plane
-    kOwn,   // the last turn
-    kKept,  // an earlier turn
+    kFlat,  // no returns: the car's plane
+    kOwn,   // returns of the last turn
+    kKept,  // returns of an earlier turn
   };
 
-  // Converts a return's height over the car's plane into its height over the ground. Beyond the
-  // last bin the ground continues with that bin's slope for kBeyondMm.
+  // Converts a return's height over the car's plane to its height over the ground. Beyond the last
+  // bin the ground continues with that bin's slope for kBeyondMm.
   //
-  // Range: two starts differ by at most 2^16 and the part of a bin is at most 2^14, so their
-  // product is at most 2^30. |z_mm| <= 2^20 keeps the result below 2^21.
+  // Range: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
+  // 2^14, so their product is at most 2^30. |z_mm| <= 2^20 keeps the result below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -41,8 +42,8 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // Height over the highest ground nearby: each start is raised to the highest one within kNearBins
-  // before and behind it.
+  // The height of a return over the highest ground nearby. For this, each start is raised to the
+  // highest start within kNearBins on either side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -56,9 +57,9 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // The lowest ground nearby: each start is lowered to the lowest one within kNearBins, except for
-  // differences that a continuing slope explains. So an even slope is not lowered. A start is never
-  // lowered below the lowest of those within kNearBins.
+  // The lowest ground nearby. Each start is lowered to the lowest start within kNearBins, except
+  // for height differences that are due to a constant slope. A constant slope is therefore not
+  // lowered. A start is never lowered below the lowest start within kNearBins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
@@ -68,12 +69,12 @@ class Surface {
   }
   [[nodiscard]] std::size_t count(Source source) const;
 
-  // The row of a sector that had returns in this turn. The caller rewrites it.
+  // Returns the row of a sector that had returns in this turn. The caller rewrites it.
   [[nodiscard]] Row& renew(std::size_t sector) {
     turns_kept_[sector] = 0;
     return rows_[sector];
   }
-  // Ends a turn in which the sector had no return.
+  // Ends a turn in which the sector had no returns.
   void keep(std::size_t sector);
   // Resets all rows to the car's plane.
   void forget();

@@ -1,19 +1,21 @@
-// Turns the lowest returns of one turn into the surface that classifies the next one.
+// Computes the surface from the lowest returns of one turn. The surface is used to classify the
+// next turn.
 //
-// In each sector a walk goes outward, bin by bin, and keeps the height and the slope of the ground
-// on which it stands (docs/ground.md). A bin's lowest return is ground unless it is much higher
-// than the slope predicts. A return far below the prediction is ground, too: what was taken for
-// ground before it was then an object. A lowest return is also ground if it is hardly higher than
-// that of the nearest sectors beside it. A bin without ground of its own takes the ground of the
-// sectors beside it, if that fits. Otherwise its ground is interpolated between the nearest bins
-// that have some.
+// In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
+// (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
+// the slope. A return far below the prediction is also ground. In that case, the supposed ground
+// before it was an object. A lowest return is also ground if it is hardly higher than the lowest
+// return in the nearest adjacent sectors. A bin without ground of its own uses the ground of the
+// adjacent sectors if their heights fit. Otherwise its ground is interpolated between the nearest
+// bins with ground.
 //
-// Each height is the median of three sectors, so a mirror image under the road is outvoted. In
-// addition, the surface is nowhere in a bin more than 150 mm over the bin's lowest return. So a
-// return that exceeds this by Limits::low_mm is never taken for ground, whatever else was received,
-// real or forged.
+// Each height is the median of three sectors, which suppresses a mirror image under the road. In
+// addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. A
+// return that is more than this plus Limits::low_mm above the lowest return is therefore never
+// classified as ground, whatever other returns were received, real or forged.
 //
-// All sectors walk at once, eight per register. A ring holds one bin of every sector.
+// All sectors are processed in parallel, eight per register. A ring contains one bin of every
+// sector.
 #pragma once
 
 #include <array>
@@ -26,12 +28,12 @@
 
 namespace iog::ground {
 
-// Maximum height of the surface over the lowest plausible return of a bin.
+// The maximum height of the surface over the lowest plausible return of a bin.
 inline constexpr std::int32_t kMostOverLowestMm = 150;
 
 class SurfaceWalk {
  public:
-  // Ends a turn: renews the rows of sectors that had returns, and keeps the others.
+  // Ends a turn. Updates the rows of sectors that had returns, and keeps the other rows.
   void close_turn(Bins bins, const Lows& lows, Surface& surface);
 
  private:
@@ -50,21 +52,21 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // Ground of each bin. find_starts() turns it into heights at the start of each bin and at the end
-  // of the last one.
+  // The ground of each bin. find_starts() converts it to heights at the start of each bin and at
+  // the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
-  // Where each sector's walk stands: its height, its slope in mm per bin, and its bin (-1 before
-  // the first ground).
+  // The current state of each sector's walk: its height, its slope in mm per bin, and its bin,
+  // which is -1 before the first ground.
   Ring height_{};
   Ring slope_{};
   Ring last_{};
-  // State of the current bin. Lows::kNothing means none.
+  // The state of the current bin. Lows::kNothing means that there is no value.
   Ring low_{};       // lowest plausible return
-  Ring expected_{};  // expected ground
-  Ring most_{};      // how far above it a return is still ground
-  Ring own_{};       // lowest return if it is ground by this rule
-  Ring stands_{};    // whether there is any ground: all ones or zeros
-  Ring found_{};     // height of that ground
+  Ring expected_{};  // expected height of the ground
+  Ring most_{};      // maximum height above the expected ground at which a return is still ground
+  Ring own_{};       // lowest return, if it is ground by this rule
+  Ring stands_{};    // all ones if there is any ground, otherwise zero
+  Ring found_{};     // height of this ground
 };
 
 }  // namespace iog::ground

@@ -1,8 +1,8 @@
-// Members that are set at start and then never change, although data around them does. Each is a
-// region of the memory check (health/memory_check.hpp).
+// Members that are set at start and then never change, although neighbouring data changes. Each is
+// a region of the memory check (health/memory_check.hpp).
 //
-// A class with such members has for_each_constant(visit), which calls visit(bytes) for each of
-// them, including those of its members.
+// A class with such members has for_each_constant(visit). It calls visit(bytes) for each constant,
+// including the constants of its members.
 #pragma once
 
 #include <cstddef>

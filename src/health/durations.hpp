@@ -1,5 +1,5 @@
-// Statistics of many durations: the maximum, the sum and a histogram. The words are those of the
-// stream (docs/spec.md 3.7).
+// Statistics of durations: the maximum, the sum and a histogram. The words have the layout that the
+// stream uses (docs/spec.md 3.7).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace iog::health {
 
 struct Durations {
   // The first bucket counts durations below 256 us. The upper limit doubles with each bucket. The
-  // last one counts all from 65,536 us on.
+  // last bucket counts all durations of at least 65,536 us.
   static constexpr std::size_t kBuckets = 10;
   static constexpr std::uint32_t kFirstBelowUs = 256;
 

@@ -1,9 +1,10 @@
-// Guard words around memory with many writers, such as grids or the rings of a DMA engine. Nothing
-// writes the words, so a changed value reveals an overrun. They protect neighbours between which no
-// page can be left unmapped. The memory check treats them as regions (health/memory_check.hpp).
+// Guard words around memory with many writers, such as grids or the rings of a DMA engine. No code
+// writes the words after start, so a changed value reveals an overrun. They protect adjacent memory
+// where no unmapped page can be placed in between. The memory check treats them as regions
+// (health/memory_check.hpp).
 //
-// A class with such members has for_each_guard(visit), which calls visit(guard) for each of them,
-// including those of its members, from low to high addresses.
+// A class with such members has for_each_guard(visit). It calls visit(guard) for each guard,
+// including the guards of its members, from low to high addresses.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@
 
 namespace iog::health {
 
-// Two cache lines long. Zero until it is set, so it may be in zero-initialised memory.
+// A guard is two cache lines long. It is zero until set() is called, so it can be placed in
+// zero-initialised memory.
 struct Guard {
   static constexpr std::uint32_t kWord = 0x6775'6172;  // not a plausible address, cell or count
 

@@ -1,9 +1,9 @@
-// Checks that constant memory has not changed. It reads the memory again and again in small slices
-// and compares the CRC-32 of every region once per round.
+// Checks that constant memory has not changed. It reads the memory cyclically in small slices and
+// compares the CRC-32 of every region once per round.
 //
-// A slice is 1,408 bytes, a block of checksum/crc32.hpp. Slices are spread evenly over a round, so
-// the load depends only on the number of bytes, not on the loop. A late loop catches up by a
-// bounded number of slices at a time.
+// A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
+// a round, so the load depends only on the number of bytes and not on the loop period. A late loop
+// catches up by a bounded number of slices per call.
 #pragma once
 
 #include <cstddef>
@@ -27,22 +27,23 @@ struct Region {
 class MemoryCheck {
  public:
   static constexpr std::size_t kSliceBytes = 1408;
-  // The duration of a round if the loop keeps up. It is longer if slices would be due more than
-  // once a millisecond. At 4 cycles a byte, all read from DDR, the load is 0.7 % of a core of 792
-  // MHz.
+  // The duration of a round if the loop runs on time. The round takes longer if more than one slice
+  // per millisecond would be due. If a byte takes 4 cycles because all bytes are read from DDR, the
+  // load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // Per step: 45 KB, a quarter of a millisecond at 4 cycles a byte and 792 MHz.
+  // The maximum per step is 45 KB, which takes a quarter of a millisecond at 4 cycles per byte and
+  // 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 
-  // The regions and their bytes must outlive the check. There may be none.
+  // The regions and their bytes must outlive the check. `regions` may be empty.
   explicit MemoryCheck(std::span<const Region> regions);
 
-  // Checks everything at once. Returns the number of the first changed region, if any.
+  // Checks all regions at once. Returns the index of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due by now. Returns the number of the region if a slice completes
-  // one that has changed. The first call only sets the start time.
+  // Checks the slices that are due by now. Returns the index of a region if a slice completes it
+  // and it has changed. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
   // The number of complete rounds, modulo 2^32.
@@ -52,7 +53,7 @@ class MemoryCheck {
   [[nodiscard]] std::size_t slices() const { return slices_; }
 
  private:
-  // Returns false if the slice completes a changed region.
+  // Returns false if the slice completes a region and the region has changed.
   bool look_at_next_slice();
 
   std::span<const Region> regions_;

@@ -1,21 +1,23 @@
-// Detects blocked sectors: sectors from which a sensor gets almost no returns although it should,
-// because a cap, ice or mud covers its window, or because it is broken. Open sky gives no returns
-// either. So each sector (watched_sectors.hpp) is judged by beams that must return:
+// Detects blocked sectors. In a blocked sector a sensor gets almost no returns although it should.
+// The reason may be a cap, ice or mud on its window, or a defect. Open sky causes no returns
+// either. Each sector (watched_sectors.hpp) is therefore judged only by beams that must cause a
+// return:
 //
-// - ground: sectors of a spinning unit in which beams meet the car's plane within 20 m and at 1 in
-//   16 or steeper (ground beams). A turn blocks the sector if both conditions hold. First, less
-//   than a sixteenth of its ground beams return. Second, less than a sixteenth of all its beams
-//   return, or at least a quarter of its ground beams used to (a running mean, 1/32 per turn). The
-//   sector opens after three turns in which an eighth of its ground beams, or else of all its
-//   beams, return.
-// - sky: the other sectors of such a unit. They are blocked while all its ground sectors are.
-// - level: sectors of a unit that does not spin or sees no ground, with a beam that rises by less
-//   than 1 in 32. 32 scans without a return block the sector, and two with a return open it. Three
-//   scans without any return block the whole unit.
+// - ground: sectors of a spinning lidar with ground beams. Ground beams meet the car's plane within
+//   20 m and with a slope of at least 1 in 16. A turn blocks the sector if both of these conditions
+//   hold. First, less than one sixteenth of its ground beams cause a return. Second, less than one
+//   sixteenth of all its beams cause a return, or at least one quarter of its ground beams
+//   previously did. The latter is a running mean, updated by 1/32 per turn. The sector opens after
+//   three turns in which one eighth of its ground beams, or else of all its beams, cause a return.
+// - sky: the other sectors of a spinning lidar. They are blocked while all its ground sectors are
+//   blocked.
+// - level: sectors of a unit that does not spin or sees no ground, if they have a beam that rises
+//   by less than 1 in 32. 32 scans without a return block the sector, and two scans with a return
+//   open it. Three scans without any return block all sectors of the unit.
 //
-// Returns nearer than the sensor's minimum do not count, nor do returns that it flags as dirt or
-// rain. Only whole turns and scans are judged, by sums over packets, so the order of packets does
-// not matter.
+// Returns closer than the sensor's minimum range are ignored. So are returns that the sensor flags
+// as dirt or rain. Only whole turns and scans are judged. They are sums over packets, so the order
+// of packets does not matter.
 #pragma once
 
 #include <array>
@@ -30,11 +32,11 @@ namespace iog::intake {
 
 inline constexpr std::size_t kSectors = 64;
 
-// The azimuths between which a sensor sees each sector. The width is 0 if it does not reach the
-// sector.
+// The azimuth interval in which a sensor sees each sector. The width is 0 if the sensor does not
+// reach the sector.
 using SectorView = std::array<lidar::Sector, kSectors>;
 
-// A set of azimuths, in 256 parts of a turn.
+// A set of azimuths, in units of 1/256 turn.
 class AzimuthParts {
  public:
   static constexpr std::size_t kParts = 256;
@@ -58,40 +60,41 @@ class AzimuthParts {
 // The blocked sectors of one sensor.
 class BlockedSectors {
  public:
-  // sensor and view must outlive it.
+  // The sensor and the view must outlive this object.
   BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view);
   BlockedSectors() = default;
 
   // Adds a packet of the current frame.
   void add(const Packet& packet);
 
-  // Whether the current frame has any return.
+  // True if the current frame has at least one return.
   [[nodiscard]] bool has_returns() const { return frame_returns_ > 0; }
 
   struct State {
     std::array<std::int16_t, kSectors> levels{};
-    std::array<std::uint16_t, kSectors> gave{};  // mean share of ground beams that return
+    std::array<std::uint16_t, kSectors> gave{};  // mean fraction of ground beams with a return
     std::uint8_t empty_turns = 0;
-    // Bit i of seen: the sensor has looked into sector i since start. Bit i of blocked: it is
-    // blocked there.
+    // Bit i of seen is set if the sensor has looked into sector i since start. Bit i of blocked is
+    // set if the sensor is blocked in sector i.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };
 
-  // The state after the current frame, if the sensor swept this many ticks and these sectors in it.
+  // The state after the current frame, given the number of ticks and the sectors that the sensor
+  // has swept in it.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
-  // Closes the frame.
+  // Ends the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // The azimuths of a packet in which a missing return is no evidence of free space: their sector
-  // was blocked in earlier frames, or less than a sixteenth of the judged beams return in this
-  // packet. The parts beside such azimuths count, too.
+  // The azimuths of a packet in which a missing return is no evidence of free space. Either their
+  // sector was blocked in earlier frames, or less than one sixteenth of the judged beams in this
+  // packet cause a return. The azimuth parts adjacent to such azimuths are also included.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
   enum class Kind : std::uint8_t { kUnseen, kGround, kLevel, kSky };
   static constexpr std::size_t kMaxSampled = 32;
-  static constexpr std::int16_t kFull = 96;  // highest level; a sector at level 0 is blocked
+  static constexpr std::int16_t kFull = 96;  // maximum level; a sector at level 0 is blocked
 
   struct Sums {
     std::uint16_t beams = 0;
@@ -122,13 +125,13 @@ class BlockedSectors {
 
   std::array<Sums, kSectors> sums_{};  // judged beams of the current turn
   std::array<Sums, kSectors> all_{};   // all beams of the current turn
-  std::uint32_t turn_ticks_ = 0;       // swept in this turn before the current frame
+  std::uint32_t turn_ticks_ = 0;       // ticks swept in this turn before the current frame
   std::uint32_t turn_returns_ = 0;
   std::uint32_t frame_returns_ = 0;
   State state_{};
 };
 
-// A packet as fusion sees it: missing returns in silent azimuths are no evidence.
+// A packet as used by fusion: a missing return at a silent azimuth is not treated as evidence.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)
@@ -138,7 +141,7 @@ class EvidentPacket {
   void for_each_point(Visit&& visit) const {
     packet_->for_each_point([&](lidar::ScanPoint point) {
       if (point.range_mm == 0 && silent_->contain(point.azimuth_ticks)) {
-        point.echo = 1;  // only the first echo of a beam carves
+        point.echo = 1;  // only the first echo of a beam carves the beam
       }
       visit(point);
     });

@@ -1,8 +1,8 @@
-// Turns datagrams into packets that belong to the frame.
+// Converts datagrams to packets and assigns them to frames.
 //
-// A datagram is decoded once, into a value: the sensor that sent it and its contents. So whether
-// the packet belongs to the open frame can be asked again after a frame was closed. Every drop is
-// counted by its cause.
+// A datagram is decoded only once. The result contains the sensor that sent it and the decoded
+// contents. After a frame has been closed, the caller can therefore ask again whether the packet
+// belongs to the open frame. Every dropped datagram is counted by cause.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace iog::intake {
 
-// A sound packet, the index of its sensor in Vehicle::sensors, and the bytes from which it was
+// A valid packet, the index of its sensor in Vehicle::sensors, and the bytes from which it was
 // decoded.
 struct SensorPacket {
   std::size_t sensor = 0;
@@ -35,45 +35,45 @@ struct SensorPacket {
 class Intake {
  public:
   enum class Outcome : std::uint8_t {
-    kDropped,    // counted; nothing else to do
-    kThisFrame,  // fuse it, and accept() it
-    kNextFrame,  // close the frame, then classify() it again
+    kDropped,    // dropped and counted; nothing else to do
+    kThisFrame,  // fuse it, then call accept()
+    kNextFrame,  // close the frame, then call classify() again
   };
 
-  // sensors must outlive the intake. replayer_ipv4 may send on behalf of every sensor; 0: no
-  // replayer.
+  // sensors must outlive the intake. replayer_ipv4 may send on behalf of every sensor; it is 0 if
+  // there is no replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
-  // Whether the datagram was sent to a sensor's port by a source that may send for this sensor.
+  // True if the datagram was sent to a sensor's port by a source that may send for this sensor.
   [[nodiscard]] bool listens_to(const Datagram& datagram) const {
     return sensor_of(datagram) != kNobody;
   }
 
-  // Finds the sensor of a datagram and decodes it. Empty if it was dropped. The payload must
-  // outlive the result.
+  // Finds the sensor of a datagram and decodes it. Returns nothing if the datagram was dropped. The
+  // payload must outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Decides whether the packet belongs to the open frame. A packet that repeats earlier ranges is
-  // dropped.
+  // Decides whether the packet belongs to the open frame. Drops a packet that repeats earlier
+  // ranges.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
-  // Adds the packet to the frame. Call only after classify() returned kThisFrame.
+  // Adds the packet to the open frame. Call it only after classify() returned kThisFrame.
   void accept(const SensorPacket& packet);
-  // Drops the packet, whatever frame it belongs to, because there is no time for it.
+  // Drops the packet because the target is too slow, whatever frame it belongs to.
   void leave(const SensorPacket& packet);
 
-  // Whether every sensor has delivered its scan.
+  // True if every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const;
 
-  // Closes the frame.
+  // Ends the frame and starts the next one.
   void start_frame();
 
-  // About the current frame.
+  // The report of a sensor for the current frame.
   [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // Ticks of a sector that the sensor has not swept.
+  // The number of ticks of a sector that the sensor has not swept in this frame.
   [[nodiscard]] std::uint32_t missing_ticks(std::size_t sensor, const lidar::Sector& sector) const {
     return trackers_[sensor].missing_ticks(sector);
   }
@@ -82,7 +82,7 @@ class Intake {
     return points_dropped_[static_cast<std::size_t>(fate)];
   }
 
-  // Counts since start.
+  // Numbers of dropped datagrams by cause since start.
   [[nodiscard]] const std::array<std::uint32_t, kPacketDropCount>& packet_drops() const {
     return packet_drops_;
   }
@@ -94,7 +94,7 @@ class Intake {
   }
 
  private:
-  // The sensor that may send from this source to this port, or kNobody.
+  // The sensor that may send from this source to this port, or kNobody if there is none.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
   [[nodiscard]] bool is_of_unit(std::size_t sensor, const Packet& packet);
   void drop(PacketDrop cause);

@@ -24,7 +24,7 @@ concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
   decoder.decode(std::span<const std::byte>(), unit.corrections);
 };
 
-// Passes to each decoder the properties of the unit that it needs.
+// Passes the unit properties that each decoder needs to it.
 template <typename Decoder>
 [[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
                                               const lidar::Unit& unit) {
@@ -51,18 +51,18 @@ class Packet {
     return packet;
   }
 
-  // If the packet is not sound, only status() and the number of points are valid.
+  // If the packet is not valid, only status() and the number of points may be used.
   [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
   [[nodiscard]] bool is_sound() const { return status_ == lidar::DecodeStatus::kOk; }
   [[nodiscard]] const lidar::PacketInfo& info() const { return info_; }
 
-  // Calls visit(const ScanPoint&) for each point of a sound packet, in wire order.
+  // Calls visit(const ScanPoint&) for each point of a valid packet, in wire order.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
   }
 
-  // The same for the points of a sampling of a spinning unit (lidar/sampling.hpp).
+  // Does the same for the points of a sampling of a spinning unit (lidar/sampling.hpp).
   template <typename Visit>
   void for_each_sample(const lidar::Sampling& sampling, Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -72,8 +72,8 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for ranges of a sound packet as on the wire, and returns visit. For
-  // a spinning unit these are the ranges of a sampling, for others all ranges.
+  // Calls visit(std::uint32_t) for raw ranges of a valid packet and returns visit. For a spinning
+  // unit these are the ranges of a sampling; for other units they are all ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -86,7 +86,8 @@ class Packet {
     return visit;
   }
 
-  // What a sound packet of a Velodyne reveals about its unit. Null for other packets.
+  // The properties of the unit that a valid Velodyne packet reveals. Returns null for other
+  // packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;
     with_decoder(*this, [&]<typename Decoder>(const Decoder& decoder) {
@@ -103,7 +104,7 @@ class Packet {
   }
 
  private:
-  // Calls visit(decoder) with the packet's decoder. std::visit() would need abort() of the C++
+  // Calls visit(decoder) with the packet's decoder. std::visit() would need abort() from the C++
   // library, which the target does not have.
   template <typename Self, typename Visit>
   static void with_decoder(Self& self, Visit&& visit) {

@@ -1,5 +1,5 @@
-// The azimuths of a turn that have been swept, one bit per tick. So a sector counts in full however
-// narrow it is, and the overlap of two sectors counts once.
+// The azimuths of a turn that have been swept. There is one bit per tick. A sector is therefore
+// counted completely however narrow it is, and the overlap of two sectors is counted once.
 #pragma once
 
 #include <array>
@@ -12,27 +12,28 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // Ticks of an Ouster, which has the most of all formats.
+  // The ticks of an Ouster, which has the most ticks of all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
-  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors must lie within such a turn.
+  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors must lie within one turn.
   explicit SweptSectors(std::uint32_t ticks_per_turn);
   SweptSectors() = default;
 
   void add(const lidar::Sector& sector);
   void clear();
 
-  // Ticks that have been swept.
+  // The number of ticks that have been swept.
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  // Ticks of the sector that have not been swept.
+  // The number of ticks of the sector that have not been swept.
   [[nodiscard]] std::uint32_t missing_of(const lidar::Sector& sector) const;
 
  private:
   static constexpr std::uint32_t kWordTicks = 32;
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
-  // Calls visit(word, bits) for each word that the sector touches, with the sector's bits in it.
+  // Calls visit(word, bits) for each word that the sector overlaps. bits: the sector's bits in that
+  // word.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
 

@@ -1,15 +1,17 @@
-// Decoder of the detection lists of a Continental ARS548 RDI radar: wire bytes to scan points.
+// Decoder of the detection lists of a Continental ARS548 RDI radar. It converts wire bytes to scan
+// points.
 //
-// One datagram is a whole list: a header of 101 bytes, 800 slots of 44 bytes for detections, and a
-// tail of 35 bytes that gives the number of slots in use, counted from the first. All numbers are
-// big-endian. Angles and distances are binary32 in radians and metres (docs/spec.md, section
-// 1.2.4). The maker's document is not public, so the layout comes from two drivers, tier4/nebula
-// and robotics-upo/ars548_ros.
+// One datagram contains a whole list: a header of 101 bytes, 800 slots of 44 bytes for detections,
+// and a tail of 35 bytes. The tail contains the number of slots in use, counted from the first
+// slot. All numbers are big-endian. Angles and distances are binary32 in radians and metres
+// (docs/spec.md, section 1.2.4). The manufacturer's document is not public. The layout is therefore
+// taken from two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
-// A detection is one reflection with its own direction. Its elevation is far less precise than its
-// azimuth, and the unit reports by how much. The decoder moves the elevation one standard deviation
-// towards the horizon, at most to the horizon, and rounds it to a layer. So the height band drops a
-// detection only if it is outside the band even with this tolerance. Speeds are not used.
+// A detection is a reflection with its own direction. Its elevation is far less accurate than its
+// azimuth, and the radar reports the standard deviation. The decoder moves the elevation towards
+// the horizon by one standard deviation, at most to the horizon, and rounds it to a layer. The
+// height band therefore drops a detection only if it is outside the band even with this tolerance.
+// Speeds are ignored.
 #pragma once
 
 #include <array>
@@ -27,19 +29,20 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // The unit reports a precision of 0.2 m and 0.5 degrees. 1D cells of twice the range precision
+  // The radar reports a precision of 0.2 m and 0.5 degrees. 1D cells with twice the range precision
   // give the strongest hit (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
                                         .sigma_m = 0.20,
-                                        .scan_width_ticks = 3840,  // 60 degrees to either side
+                                        .scan_width_ticks = 3840,  // 60 degrees to each side
                                         .max_points_per_scan = 800,
                                         .azimuth_sigma_deg = 0.5};
   static constexpr bool kIsRadar = true;
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
   static constexpr bool kTurns = false;
-  // Elevations in steps of a degree, from 30 degrees below the horizon to 30 above it.
+  // Elevations are in steps of one degree, from 30 degrees below the horizon to 30 degrees above
+  // it.
   static constexpr std::int32_t kSteepestDeg = 30;
   static constexpr auto kElevationsDeg = [] {
     std::array<double, 2 * kSteepestDeg + 1> elevations{};
@@ -58,16 +61,16 @@ class ContinentalArs548 {
   static constexpr std::size_t kTailBytes = 35;
   static constexpr std::size_t kBytes =
       kHeadBytes + kMostDetections * kDetectionBytes + kTailBytes;  // 35,336
-  static constexpr std::uint8_t kLeastExistence = 50;               // per cent
+  static constexpr std::uint8_t kLeastExistence = 50;               // percent
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kMostDetections;
   }
 
-  // Checks the whole list, every detection included, and keeps a view of it. The view lives as long
-  // as the datagram. Returns kOk; kWrongLength; kWrongType: another message of the unit, such as
-  // its objects or its status; kWrongPoint: more than 800 detections, or a valid detection at an
-  // impossible position.
+  // Checks the whole list, including every detection, and keeps a view of it. The view is valid as
+  // long as the datagram. Returns kOk, kWrongLength, kWrongType or kWrongPoint. kWrongType means
+  // another message of the radar, such as its objects or its status. kWrongPoint means more than
+  // 800 detections, or a valid detection at an impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -78,9 +81,9 @@ class ContinentalArs548 {
   }
 
   // Calls visit(const ScanPoint&) for each detection, in wire order. Requires decode() == kOk.
-  // Detections that are no targets are flagged as rain: those that the unit calls invalid, noise,
-  // less likely to exist than kLeastExistence or high enough to drive under, and those outside its
-  // field of view.
+  // Detections that are not targets are flagged as rain. These are detections outside the field of
+  // view, and detections that the radar reports as invalid, as noise, with an existence probability
+  // below kLeastExistence, or as high enough to drive under.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
@@ -89,8 +92,7 @@ class ContinentalArs548 {
     }
   }
 
-  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
-  // == kOk.
+  // Calls visit(std::uint32_t) for each raw range, and returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
@@ -106,7 +108,7 @@ class ContinentalArs548 {
   [[nodiscard]] static std::uint32_t range_at(DetectionBytes bytes) {
     return wire::load_be32(bytes.subspan<17, 4>());
   }
-  // An invalid detection gives a point without a range.
+  // An invalid detection results in a point without a range.
   [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
   [[nodiscard]] static bool is_place(DetectionBytes bytes);
 

@@ -1,4 +1,4 @@
-// Two returns of one beam, which a unit sends in two blocks.
+// Selects between two returns of one beam, which some units send in two blocks.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,9 @@
 
 namespace iog::lidar {
 
-// The nearer return is the first echo (0) and the farther one the second (1), whichever block they
-// are in. A beam with one return repeats it in both blocks; the second echo then has no return.
+// The nearer return is the first echo (0) and the farther return is the second echo (1), whichever
+// block they are in. A beam with one return repeats it in both blocks. In this case the second echo
+// has no return.
 [[nodiscard]] constexpr std::uint32_t range_of_echo(std::uint32_t one, std::uint32_t other,
                                                     std::uint8_t echo) {
   const std::uint32_t nearer = std::min(one, other);

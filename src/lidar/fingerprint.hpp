@@ -1,7 +1,7 @@
 // A hash of a packet, used to recognise duplicates.
 //
-// FNV-1a, 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few dozen bytes
-// per packet, chosen so that two packets of one sensor differ in them.
+// FNV-1a with 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few dozen
+// bytes per packet. They are chosen so that two packets of the same sensor differ in them.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // All wire formats and their decoders.
 //
-// A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if each unit has
-// its own), points_of_packet(), decode(), info(), move_to() and for_each_point().
-// lidar/ibeo_lux.hpp is an example (docs/sensors.md).
+// A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if the elevations
+// differ between units), points_of_packet(), decode(), info(), move_to() and for_each_point(). See
+// lidar/ibeo_lux.hpp for an example (docs/sensors.md).
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@
 
 namespace iog::lidar {
 
-// The supported wire formats (docs/spec.md). All other lists of formats follow from this one.
+// The supported wire formats (docs/spec.md). All other lists of formats are derived from this list.
 using AnyDecoder = std::variant<ContinentalArs548,  //
                                 HesaiPandar40p,     //
                                 HesaiPandar64,      //
@@ -60,7 +60,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
 
-// A wire format, by its index in the list.
+// A wire format, given by its index in the list.
 enum class Format : std::uint8_t {};
 
 namespace formats_detail {
@@ -89,7 +89,7 @@ inline constexpr auto kFormat =
     static_cast<Format>(formats_detail::place_in<Decoder>(std::type_identity<AnyDecoder>()));
 
 // Calls visit(std::type_identity<Decoder>()) with the decoder of the format. Does nothing if the
-// value is not a format.
+// value is not a valid format.
 template <typename Visit>
 constexpr void with_decoder(Format format, Visit&& visit) {
   formats_detail::visit_place(static_cast<std::size_t>(format), visit,
@@ -105,7 +105,7 @@ constexpr void for_each_format(Visit&& visit) {
   }
 }
 
-// "Velodyne VLP-16"
+// The name of the format, such as "Velodyne VLP-16".
 [[nodiscard]] constexpr std::string_view name_of(Format format) {
   std::string_view name;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
@@ -114,7 +114,7 @@ constexpr void for_each_format(Visit&& visit) {
   return name;
 }
 
-// Whether the scans of this format are turns of a spinning head.
+// True if the scans of this format are turns of a spinning lidar.
 [[nodiscard]] constexpr bool turns(Format format) {
   bool it_does = false;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -1,17 +1,17 @@
-// Hesai Pandar, PandarXT, PandarQT and QT128 data packets: what all units of the family share, and
-// one decoder for all of them.
+// Data packets of Hesai Pandar, PandarXT, PandarQT and QT128. This file contains the common
+// properties of these units and one decoder for all of them.
 //
-// One datagram, little endian: a header with the numbers of lasers and blocks; the blocks, each an
-// azimuth and a range for each laser; and a tail with time, return mode and the maker's byte
-// (docs/spec.md). A Pandar40P has no header; each of its blocks begins with a flag instead. The
-// azimuth is clockwise from forward. In dual return mode, blocks come in pairs with the same
-// azimuth. Units differ in which block of a pair has the nearer return, so the decoder compares the
-// ranges. All other differences between units are in HesaiUnit, from which the compiler makes a
-// decoder.
+// One datagram is little endian. It contains a header with the numbers of lasers and blocks, then
+// the blocks, each with an azimuth and a range for each laser, and a tail with time, return mode
+// and the manufacturer's byte (docs/spec.md). A Pandar40P has no header. Instead, each of its
+// blocks begins with a flag. The azimuth is clockwise from straight ahead. In dual return mode, the
+// blocks form pairs with the same azimuth. The position of the nearer return in a pair depends on
+// the unit, so the decoder compares the ranges. All other differences between units are described
+// by HesaiUnit, from which the compiler generates a decoder.
 //
-// The azimuth of a point is the azimuth of its block plus the offset of its laser. The head turns
-// by up to 0.2 degrees while the lasers of a block fire. This is ignored, as in the maker's own
-// conversion.
+// The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
+// turns by up to 0.2 degrees while the lasers of a block fire. This rotation is ignored, as in the
+// manufacturer's own conversion.
 #pragma once
 
 #include <array>
@@ -29,37 +29,37 @@
 
 namespace iog::lidar {
 
-// A unit. Offsets (*_at) count from the start of the packet. Times are in ns. stamped_block_ns runs
-// from the packet's stamp to the last block, or to the first one if is_first_stamped.
-// first_laser_ns and last_laser_ns run from the start of a block to its first and last laser.
-// firing_ns runs from one firing to the next.
+// Describes a unit. Offsets (*_at) are relative to the start of the packet. Times are in ns.
+// stamped_block_ns is the time from the packet's timestamp to the last block, or to the first block
+// if is_first_stamped is set. first_laser_ns and last_laser_ns are the times from the start of a
+// block to its first and last laser. firing_ns is the time between two firings.
 struct HesaiUnit {
   std::array<std::uint8_t, 2> model{};  // bytes 2 and 3 of the header
-  std::uint8_t flags = 0;               // byte 11 of a long header; the length shows it, too
-  std::size_t header_bytes = 0;         // 0: each block has a flag instead
-  std::size_t counts_at = 0;            // lasers and blocks in the header
-  std::size_t distance_unit_at = 0;     // in the header
+  std::uint8_t flags = 0;               // byte 11 of a long header; also implied by the length
+  std::size_t header_bytes = 0;         // 0 if each block has a flag instead of a header
+  std::size_t counts_at = 0;            // offset of the numbers of lasers and blocks in the header
+  std::size_t distance_unit_at = 0;     // offset in the header
   std::uint32_t distance_unit_mm = 4;
-  std::size_t flag_bytes = 0;  // before each azimuth
+  std::size_t flag_bytes = 0;  // number of bytes before each azimuth
   std::size_t blocks = 0;
   std::size_t lasers = 0;
-  std::size_t bank_lasers = 0;  // lasers of each of the first two banks, which alternate
+  std::size_t bank_lasers = 0;  // number of lasers in each of the first two banks, which alternate
   std::size_t channel_bytes = 0;
-  std::size_t bank_at = 0;   // in the tail, like those below: which bank fires first
-  std::size_t speed_at = 0;  // rpm; for units whose packets may hold a single firing
+  std::size_t bank_at = 0;   // offset in the tail, as below; tells which bank fires first
+  std::size_t speed_at = 0;  // offset of the rpm; used if a packet may contain a single firing
   std::size_t mode_at = 0;
   std::size_t utc_at = 0;
   std::size_t time_at = 0;
   std::size_t maker_at = 0;
-  std::size_t bytes = 0;             // without a trailing part
-  std::size_t may_follow_bytes = 0;  // trailing part: a sequence number, or a signature
-  bool is_first_stamped = false;     // the stamp counts to the first block, not to the last
+  std::size_t bytes = 0;             // without the trailing part
+  std::size_t may_follow_bytes = 0;  // trailing part: a sequence number or a signature
+  bool is_first_stamped = false;     // the timestamp refers to the first block, not to the last one
   std::int64_t stamped_block_ns = 0;
   std::int64_t first_laser_ns = 0;
   std::int64_t last_laser_ns = 0;
   std::int64_t firing_ns = 0;
 
-  // Offset of a block's azimuth.
+  // Offset of the azimuth of a block.
   [[nodiscard]] constexpr std::size_t block_at(std::size_t block) const {
     return header_bytes + flag_bytes + block * (flag_bytes + 2 + lasers * channel_bytes);
   }
@@ -67,12 +67,13 @@ struct HesaiUnit {
 
 class HesaiPacket {
  public:
-  static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degree
+  static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degrees
   static constexpr bool kTurns = true;
-  // At 20 Hz a firing covers at most 1.2 degrees. If two neighbouring blocks are more than 3
-  // degrees apart, the packet is not one sweep.
+  // At 20 Hz, a firing covers at most 1.2 degrees of azimuth. If two adjacent blocks are more than
+  // 3 degrees apart, the packet is not a single sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // The wire does not say how far the head turns in the last block; see VelodynePacket::kSeamTicks.
+  // Packets do not contain the rotation of the head during the last block; see
+  // VelodynePacket::kSeamTicks.
   static constexpr std::uint32_t kSeamTicks = 10;
   static constexpr std::size_t kMaxBlocks = 10;
 
@@ -88,7 +89,7 @@ class HesaiPacket {
 
   [[nodiscard]] bool is_dual() const { return is_dual_; }
 
-  // Inline because it is called for every point. If the unit is known at compile time, most of it
+  // Inlined because it is called for every point. If the unit is known at compile time, most of it
   // is optimised away.
   [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
                                 std::size_t channel) const {
@@ -106,15 +107,15 @@ class HesaiPacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // An azimuth in (0, one turn] plus a 16-bit offset of less than a turn is off by at most one
-    // turn.
+    // The azimuth is in (0, one turn] and the 16-bit offset is below one turn, so a single wrap is
+    // enough.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);
     return point;
   }
 
-  // A range as on the wire.
+  // A raw range.
   [[nodiscard]] std::uint32_t range_at(const HesaiUnit& unit, std::size_t block,
                                        std::size_t channel) const {
     const std::size_t at = unit.block_at(block) + 2 + channel * unit.channel_bytes;
@@ -141,7 +142,7 @@ class HesaiPacket {
   PacketInfo info_;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::array<std::uint16_t, kMaxBlocks> azimuths_{};  // clockwise from forward, as on the wire
+  std::array<std::uint16_t, kMaxBlocks> azimuths_{};  // raw azimuths, clockwise from straight ahead
   bool is_dual_ = false;
 };
 
@@ -155,8 +156,8 @@ class HesaiDecoder : public HesaiPacket {
     return kUnit.blocks * kUnit.lasers;
   }
 
-  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the
-  // corrections, of which there is one for each laser, or none. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
+  // corrections. There is one correction for each laser, or none. Returns kOk, kWrongLength,
   // kWrongType or kWrongAngle.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
@@ -181,8 +182,8 @@ class HesaiDecoder : public HesaiPacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of a sampling as on the wire, and returns visit.
-  // Requires decode() == kOk.
+  // Calls visit(std::uint32_t) for the raw ranges of a sampling, and returns visit. Requires
+  // decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {

@@ -1,5 +1,6 @@
-// Hesai Pandar40P data packets (Pandar40P User Manual, "Point Cloud UDP Data"): ten blocks, each
-// with a flag, and no header. Each unit has its own elevations, given in the car file.
+// Data packets of the Hesai Pandar40P (Pandar40P User Manual, "Point Cloud UDP Data"). They contain
+// ten blocks, each with a flag, and no header. The elevations differ between units and are given in
+// the car file.
 #pragma once
 
 #include <array>
@@ -9,8 +10,9 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 10 fires 28.58 us before the stamp, and each
-// block 55.56 us before the next. The lasers of a block fire 3.62 to 54.67 us before it.
+// Appendix "Absolute time of point cloud data": block 10 fires 28.58 us before the timestamp, and
+// each block fires 55.56 us before the next block. The lasers of a block fire 3.62 to 54.67 us
+// before that time.
 inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
                                           .blocks = 10,
                                           .lasers = 40,
@@ -29,7 +31,7 @@ inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
 class HesaiPandar40p : public HesaiDecoder<kPandar40pUnit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar40P";
-  // One turn is 180 packets of 400 points, or 360 packets with two returns.
+  // One turn takes 180 packets of 400 points, or 360 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar40p", .range_min_mm = 300, .max_points_per_scan = 370 * 400};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -1,5 +1,5 @@
-// Hesai Pandar64 data packets (Pandar64 User Manual, "Point Cloud Data Packet"). Each unit has its
-// own elevations, given in the car file.
+// Data packets of the Hesai Pandar64 (Pandar64 User Manual, "Point Cloud Data Packet"). The
+// elevations differ between units and are given in the car file.
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the stamp, and each
-// block 55.56 us before the next. The lasers of a block fire 3.62 to 54.67 us before it.
+// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the timestamp, and
+// each block fires 55.56 us before the next block. The lasers of a block fire 3.62 to 54.67 us
+// before that time.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,
@@ -32,8 +33,8 @@ inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
 class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
-  // One turn with one return is 300 packets of 384 points. With two returns it is more than a frame
-  // can mark.
+  // In single return mode, one turn takes 300 packets of 384 points. In dual return mode, one turn
+  // has more points than a frame can mark.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
   static constexpr std::array<double, 0> kElevationsDeg{};

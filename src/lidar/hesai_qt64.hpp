@@ -1,6 +1,6 @@
-// Hesai PandarQT-64 data packets (PandarQT User Manual, "Point Cloud Data Packet"). Its lasers look
-// up to 52 degrees up and down and up to 9 degrees to the sides. The angles differ from unit to
-// unit. They come from the maker's file and are given in the car file.
+// Data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data Packet"). The
+// lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The angles differ
+// between units. They come from the manufacturer's file and are given in the car file.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 1 fires 25.71 us after the stamp, and each
-// block 166.67 us before the next. The lasers of a block fire 12.31 to 146.45 us after it.
-// (HesaiLidar_SDK_2.0 has 2.31 to 136.45.)
+// Appendix "Absolute time of point cloud data": block 1 fires 25.71 us after the timestamp, and
+// each block fires 166.67 us before the next block. The lasers of a block fire 12.31 to 146.45 us
+// after that time. HesaiLidar_SDK_2.0 uses 2.31 to 136.45 us.
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .flags = 0x01,
                                      .header_bytes = 12,
@@ -36,7 +36,7 @@ inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
 class HesaiQt64 : public HesaiDecoder<kQt64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarQT-64";
-  // One turn is 150 packets of 256 points, or 300 packets with two returns.
+  // One turn takes 150 packets of 256 points, or 300 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt64", .range_min_mm = 100, .max_points_per_scan = 310 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -1,5 +1,6 @@
-// Hesai PandarXT-16, PandarXT-32 and PandarXT-32M data packets (PandarXT User Manual, "Point Cloud
-// Data Packet"). The units differ in the number of lasers and blocks and in the unit of distance.
+// Data packets of the Hesai PandarXT-16, PandarXT-32 and PandarXT-32M (PandarXT User Manual, "Point
+// Cloud Data Packet"). The units differ in the numbers of lasers and blocks and in the unit of
+// distance.
 #pragma once
 
 #include <array>
@@ -19,9 +20,9 @@ struct HesaiXtLayout {
   std::uint32_t distance_unit_mm = 4;
 };
 
-// Appendix "Absolute time of point cloud data": the last block fires 5.632 us after the stamp, and
-// each block 50 us before the next. The first laser of a block fires 0.368 us after it, and each
-// further laser laser_ns after the one before.
+// Appendix "Absolute time of point cloud data": the last block fires 5.632 us after the timestamp,
+// and each block fires 50 us before the next block. The first laser of a block fires 0.368 us after
+// that time, and each further laser fires laser_ns after the previous laser.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,
@@ -53,10 +54,10 @@ inline constexpr HesaiUnit kXt32mUnit = make_hesai_xt(
 class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-16";
-  // One turn is 250 packets of 128 points, or 500 packets with two returns.
+  // One turn takes 250 packets of 128 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt16", .range_min_mm = 500, .max_points_per_scan = 512 * 128};
-  // By channel, in wire order.
+  // Elevations by channel, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{15, 13, 11, 9,  7,  5,   3,   1,
                                                          -1, -3, -5, -7, -9, -11, -13, -15};
 };
@@ -64,16 +65,17 @@ class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
 class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32";
-  // One turn is 250 packets of 256 points, or 500 packets with two returns.
+  // One turn takes 250 packets of 256 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
-  // By channel, in wire order.
+  // Elevations by channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg{
       15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,
       -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
 };
 
-// Data sheet: 40.3 degrees from 19.5 down, 1.3 degrees apart.
+// The data sheet specifies a field of view of 40.3 degrees that starts 19.5 degrees below the
+// horizon, with a spacing of 1.3 degrees.
 consteval std::array<double, 32> elevations_of_xt32m() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < elevations.size(); ++channel) {
@@ -85,10 +87,10 @@ consteval std::array<double, 32> elevations_of_xt32m() {
 class HesaiXt32m : public HesaiDecoder<kXt32mUnit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32M";
-  // One turn is 334 packets of 192 points, or 667 packets with two returns.
+  // One turn takes 334 packets of 192 points, or 667 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32m", .range_min_mm = 500, .max_points_per_scan = 682 * 192};
-  // By channel, in wire order.
+  // Elevations by channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = elevations_of_xt32m();
 };
 

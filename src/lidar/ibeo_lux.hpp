@@ -1,8 +1,9 @@
-// Decoder of ibeo LUX scan messages, data type 0x2202: wire bytes to scan points.
+// Decoder of ibeo LUX scan messages, data type 0x2202. It converts wire bytes to scan points.
 //
-// One datagram is one whole message: a big-endian header of 24 bytes, then a little-endian body of
-// 44 bytes and 10 bytes per point (docs/spec.md; SICK "Ethernet data protocol LD-MRS"). A scan may
-// come as several messages with the same scan number, each with the sector that it covers.
+// One datagram contains one whole message: a big-endian header of 24 bytes, then a little-endian
+// body of 44 bytes plus 10 bytes per point (docs/spec.md; SICK "Ethernet data protocol LD-MRS"). A
+// scan may be split into several messages with the same scan number. Each message contains the
+// sector that it covers.
 #pragma once
 
 #include <array>
@@ -20,15 +21,16 @@ namespace iog::lidar {
 class IbeoLux {
  public:
   static constexpr std::string_view kName = "ibeo LUX";
-  // The values of docs/model.md section 8 (thesis section 4.1.4): 100 degrees, a precision of 10
-  // cm, up to 50 m. The maximum number of points per scan depends on the angular resolution.
+  // The values of docs/model.md section 8 (thesis section 4.1.4): a field of view of 100 degrees, a
+  // precision of 10 cm, and a range of up to 50 m. The maximum number of points per scan depends on
+  // the angular resolution.
   static constexpr DataSheet kDataSheet{.type = "ibeo_lux",
                                         .range_min_mm = 300,
                                         .range_max_mm = 50'000,
                                         .precision_mm = 100,
                                         .sigma_m = 0.10,
                                         .scan_width_ticks = 3200};
-  static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
+  static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degrees
   static constexpr bool kTurns = false;                 // each scan repeats the same azimuths
   static constexpr std::array<double, 4> kElevationsDeg{-1.2, -0.4, 0.4, 1.2};
   static constexpr std::uint32_t kMagic = 0xAFFEC0C2;
@@ -38,13 +40,13 @@ class IbeoLux {
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
 
-  // Points of one direction. The unit decides how many directions a message has.
+  // The points of one direction. The number of directions in a message depends on the unit.
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kElevationsDeg.size() * kMaxEchoes;
   }
 
-  // Checks the whole message, every point included, and keeps a view of it. The view lives as long
-  // as the datagram. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
+  // Checks the whole message, including every point, and keeps a view of it. The view is valid as
+  // long as the datagram. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -62,8 +64,7 @@ class IbeoLux {
     }
   }
 
-  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
-  // == kOk.
+  // Calls visit(std::uint32_t) for each raw range, and returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     for (auto rest = points_; rest.size() >= kPointBytes; rest = rest.subspan(kPointBytes)) {

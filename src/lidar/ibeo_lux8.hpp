@@ -1,10 +1,10 @@
-// Decoder of ibeo LUX and SICK LD-MRS with eight layers: wire bytes to scan points.
+// Decoder for ibeo LUX and SICK LD-MRS with eight layers. It converts wire bytes to scan points.
 //
-// Their messages are those of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
-// mirror are tilted against its axis, one down and one up, and scan alternately. Each message has
-// four layers, and a flag says which side scanned: the lower four or the upper four (SICK,
-// libsick_ldmrs, LuxBase). A unit with four layers sets that flag, too, so a message does not tell
-// the two units apart.
+// The messages have the format of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
+// mirror are tilted relative to its axis, one downwards and one upwards, and scan alternately. Each
+// message contains four layers. A flag tells which side of the mirror was used and thus whether
+// they are the lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). A unit with four
+// layers also sets this flag, so a message does not distinguish the two kinds of units.
 #pragma once
 
 #include <array>
@@ -30,10 +30,11 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // Elevations for a mirror without tilt; tools/car/tilted_mirror.hpp adds the unit's own tilt.
+  // Elevations for a mirror without tilt. tools/car/tilted_mirror.hpp adds the tilt of the mirror.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
-  // The field of view in the maker's manual: from 60 degrees on the right to 50 on the left.
+  // The field of view in the manufacturer's manual: from 60 degrees to the right to 50 degrees to
+  // the left.
   static constexpr std::int32_t kRightmostTicks = -1920;
   static constexpr std::int32_t kLeftmostTicks = 1600;
 
@@ -43,7 +44,7 @@ class IbeoLux8 {
   [[nodiscard]] static constexpr bool looks_up(std::size_t layer) { return layer >= kLayersOfSide; }
 
   // Like IbeoLux::decode(), but also returns kWrongAngle for a sector that the unit cannot see, and
-  // kOtherUnit if the unit hangs upside down: its beam directions are then unknown.
+  // kOtherUnit if the unit is mounted upside down. In that case its beam directions are unknown.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }
@@ -60,8 +61,7 @@ class IbeoLux8 {
     });
   }
 
-  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
-  // == kOk.
+  // Calls visit(std::uint32_t) for each raw range, and returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(Visit visit) const {
     return scan_.for_each_range(visit);

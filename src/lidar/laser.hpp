@@ -1,26 +1,26 @@
-// The maker's calibration of the lasers of one unit.
+// The manufacturer's calibration of the lasers of a unit.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::lidar {
 
-// A laser as described in the car file. docs/sensors.md says how a maker's file becomes a table of
-// these.
+// The calibration of one laser as given in the car file. docs/sensors.md describes how a
+// manufacturer's file is converted to a table of these.
 struct Laser {
-  double elevation_deg = 0;  // -90 ... 90, positive up
-  double azimuth_deg = 0;    // to the left of the direction that the packet gives, -30 ... 30
-  double height_m = 0;       // height of the beam's start over the unit's origin, across the beam
-  double range_m = 0;        // added to every range, -10 ... 10
+  double elevation_deg = 0;  // -90 to 90, positive up
+  double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 to 30
+  double height_m = 0;       // height of the beam's start over the origin, normal to the beam
+  double range_m = 0;        // offset added to every range, -10 to 10
 };
 
-// The part of a laser's calibration that changes a scan point, in integers.
+// The part of a laser's calibration that changes a scan point, as integers.
 struct LaserCorrection {
-  std::int16_t azimuth_ticks = 0;  // counter-clockwise, at most a twelfth of a turn
+  std::int16_t azimuth_ticks = 0;  // counter-clockwise; at most one twelfth of a turn
   std::int16_t range_mm = 0;
 };
 
-// Corrects a range. No return (0) stays 0, and a return stays above 0.
+// Corrects a range. No return (0) remains 0, and a return remains above 0.
 [[nodiscard]] constexpr std::uint32_t corrected_range_mm(std::uint32_t range_mm,
                                                          std::int32_t correction_mm) {
   if (range_mm == 0) {

@@ -1,14 +1,15 @@
-// Decoder of Ouster OS lidar packets: wire bytes to scan points.
+// Decoder of Ouster OS lidar packets. It converts wire bytes to scan points.
 //
-// One datagram, little endian: 16 columns, each a time, its number in the turn and a range for each
-// row of the unit (docs/spec.md; Ouster "Firmware User Manual", chapter "Lidar Data Packet
-// Format"). There are four profiles: the only one before firmware 2.0 (LEGACY), "low data rate"
-// (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A packet does not give its
-// profile, its number of rows or the columns per turn. The car file does.
+// One datagram is little endian and contains 16 columns. Each column contains a time, its number in
+// the turn and a range for each row of the unit (docs/spec.md; Ouster "Firmware User Manual",
+// chapter "Lidar Data Packet Format"). There are four profiles: the only profile before firmware
+// 2.0 (LEGACY), "low data rate" (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A
+// packet does not contain its profile, its number of rows or the number of columns per turn. They
+// are given in the car file.
 //
-// Column i of W is measured where the head has turned i / W of a turn clockwise, starting opposite
-// to x forward. The head is 16 mm wide. Beams are assumed to start in its middle, which moves a
-// point by less than 1 mm.
+// Column i of W is measured when the head has turned clockwise by i / W of a turn, starting in the
+// direction opposite to x. The head is 16 mm wide. Beams are assumed to start at its centre, which
+// moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +29,8 @@
 
 namespace iog::lidar {
 
-// What differs between profiles. A range in mm is a word of the pixel, masked and shifted left. It
-// is the first word, and a second one follows if each beam has two returns.
+// The differences between profiles. A range in mm is a word of the pixel that is masked and shifted
+// left. It is the first word. If each beam has two returns, a second such word follows.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -38,7 +39,7 @@ struct OusterProfile {
   std::size_t footer_bytes = 0;
   std::uint32_t range_mask = 0;
   std::uint32_t range_shift = 0;
-  std::size_t second_range_at = 0;  // 0: one return
+  std::size_t second_range_at = 0;  // 0 if there is only one return
 
   [[nodiscard]] constexpr std::uint8_t returns() const { return second_range_at == 0 ? 1 : 2; }
   [[nodiscard]] constexpr bool is_legacy() const { return header_bytes == 0; }
@@ -49,16 +50,16 @@ struct OusterProfile {
 
 class OusterPacket {
  public:
-  // A column of 512 or 1024 per turn is a whole number of ticks, one of 2048 is 22.5 ticks, and a
-  // degree is 128 ticks.
+  // A column is an integer number of ticks with 512 or 1024 columns per turn, and 22.5 ticks with
+  // 2048 columns per turn. One degree is 128 ticks.
   static constexpr std::int32_t kTicksPerTurn = 46'080;
   static constexpr bool kTurns = true;
   static constexpr bool kHasModes = true;
-  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit has its own
+  static constexpr std::array<double, 0> kElevationsDeg{};  // empty; the elevations vary by unit
   static constexpr std::size_t kColumns = 16;
   static constexpr std::uint32_t kEncoderPerTurn = 90'112;
 
-  // Existing units have one of these numbers of rows.
+  // True if units with this number of rows exist.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
   }
@@ -73,7 +74,7 @@ class OusterPacket {
     std::uint64_t time_ns = 0;
     std::uint32_t number = 0;
     std::uint16_t frame = 0;
-    std::uint32_t encoder = 0;  // LEGACY only
+    std::uint32_t encoder = 0;  // only for LEGACY
     bool is_measured = false;
   };
 
@@ -103,7 +104,8 @@ class OusterPacket {
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
-    // An azimuth within a turn plus a 16-bit offset of less than a turn is off by at most one turn.
+    // The azimuth is within a turn and the 16-bit offset is below one turn, so a single wrap is
+    // enough.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
@@ -140,15 +142,15 @@ class OusterPacket {
   std::uint32_t column_ns_ = 0;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::size_t first_ = 0;  // first measured column; end_ is behind the last one
+  std::size_t first_ = 0;  // first measured column; end_ is one past the last measured column
   std::size_t end_ = 0;
-  std::array<std::int32_t, kColumns> azimuths_{};  // counter-clockwise from forward
+  std::array<std::int32_t, kColumns> azimuths_{};  // counter-clockwise from straight ahead
 };
 
 template <const OusterProfile& kProfile>
 class OusterDecoder : public OusterPacket {
  public:
-  // Bytes of a packet of a unit with this many rows.
+  // The packet size in bytes of a unit with this many rows.
   [[nodiscard]] static constexpr std::size_t packet_bytes(std::size_t rows) {
     return kProfile.header_bytes + kProfile.footer_bytes + kColumns * kProfile.column_bytes(rows);
   }
@@ -159,17 +161,18 @@ class OusterDecoder : public OusterPacket {
 
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
-  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the unit's
-  // corrections, one for each row. Returns kOk; kWrongLength; kWrongType: another type of packet,
-  // or times between columns that do not fit the unit's mode; kWrongAngle: a column that the turn
-  // does not have, one that contradicts its encoder, or columns that are not consecutive;
-  // kWrongPoint: nothing measured; kOtherUnit: the pixels are those of another profile.
+  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
+  // unit's corrections. There is one correction for each row. Returns kOk, kWrongLength,
+  // kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType: another type of packet, or the
+  // times between columns do not match the unit's mode. kWrongAngle: a column number is too high or
+  // contradicts its encoder, or the columns are not consecutive. kWrongPoint: nothing was measured.
+  // kOtherUnit: the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }
 
   // Calls visit(const ScanPoint&) for each return of each row of each measured column, in wire
-  // order, the nearer return first. Requires decode() == kOk.
+  // order. The nearer return comes first. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (std::size_t column = first_column(); column < end_column(); ++column) {
@@ -187,7 +190,7 @@ class OusterDecoder : public OusterPacket {
                    });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of a sampling, before the unit's corrections, and
+  // Calls visit(std::uint32_t) for the ranges of a sampling before the unit's corrections, and
   // returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
@@ -210,7 +213,7 @@ class OusterDecoder : public OusterPacket {
   }
 };
 
-// Old firmware sets other bits above the 20 bits of a LEGACY range.
+// Old firmware sets additional bits above the 20 bits of a LEGACY range.
 inline constexpr OusterProfile kOusterLegacyProfile{.column_header_bytes = 16,
                                                     .pixel_bytes = 12,
                                                     .column_tail_bytes = 4,
@@ -233,7 +236,8 @@ inline constexpr OusterProfile kOusterRng19DualProfile{.header_bytes = 32,
                                                        .range_mask = 0x0007'FFFF,
                                                        .second_range_at = 4};
 
-// The units see from 0.3 m (Hardware User Manual). The points per turn depend on rows and mode.
+// The minimum range of the units is 0.3 m (Hardware User Manual). The number of points per turn
+// depends on the rows and the mode.
 constexpr DataSheet data_sheet_of_ouster(std::string_view type) {
   return {.type = type, .range_min_mm = 300};
 }

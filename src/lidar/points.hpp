@@ -1,13 +1,14 @@
-// Decoder of scan points of any lidar in iogrid's own datagrams: wire bytes to scan points
-// (docs/spec.md, section 1.2.6).
+// Decoder for scan points of any lidar in iogrid's own datagram format. It converts wire bytes to
+// scan points (docs/spec.md, section 1.2.6).
 //
-// One datagram, little endian: a header, and up to 85 points of a scan. A point is a direction and
-// a range, or x, y and z, in the frame of its sensor. Angles are in steps of 1/3,200 degree, so the
-// steps of a LUX, a Velodyne, a Hesai and an Ouster are whole numbers. The car file gives the
-// elevations of the layers; a point belongs to the nearest one.
+// One datagram is little endian and contains a header and up to 85 points of a scan. A point
+// consists of a direction and a range, or of x, y and z, in the sensor frame. Angles are in units
+// of 1/3,200 degree. In these units, the angle steps of a LUX, a Velodyne, a Hesai and an Ouster
+// are integers. The car file specifies the elevations of the layers, and a point belongs to the
+// layer nearest to it.
 //
-// Two formats share this layout: one for spinning units (kTurns is true, as in their own decoders)
-// and one for all others.
+// Two formats use this layout: one for spinning units, in which kTurns is true as in their own
+// decoders, and one for all other units.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,7 @@ namespace iog::lidar {
 class PointsPacket {
  public:
   static constexpr bool kIsPoints = true;
-  static constexpr std::array<double, 0> kElevationsDeg{};  // each unit has its own
+  static constexpr std::array<double, 0> kElevationsDeg{};  // empty; the elevations vary by unit
   static constexpr std::int32_t kPartsPerDegree = 3'200;
   static constexpr std::uint32_t kPartsPerTurn = 1'152'000;
   static constexpr std::uint32_t kMagic = 0x54'50'47'49;  // "IGPT"
@@ -38,11 +39,11 @@ class PointsPacket {
   static constexpr std::size_t kHeadBytes = 32;
   static constexpr std::size_t kPointBytes = 16;
   static constexpr std::size_t kMostPoints = 85;
-  static constexpr std::uint32_t kOffsetUs = 10;  // the unit of a point's time
+  static constexpr std::uint32_t kOffsetUs = 10;  // time unit of a point's time
 
-  // Flags of the header.
-  static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z; otherwise directions and ranges
-  static constexpr std::uint8_t kIsShare = 0x02;    // the sector is that of the whole scan
+  // Flags in the header.
+  static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z instead of directions and ranges
+  static constexpr std::uint8_t kIsShare = 0x02;    // the sector describes the whole scan
   // Flags of a point.
   static constexpr std::uint8_t kEcho = 0x03;
   static constexpr std::uint8_t kNothing = 0x04;  // no return from this direction
@@ -67,9 +68,9 @@ class PointsPacket {
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
-  // Azimuths of spinning units are later rounded to at most 16,384 steps per turn. Rounding an
-  // azimuth down to a tick never changes its step, because half a step is a whole number of ticks.
-  // Other units have the ticks of a LUX.
+  // The azimuths of spinning units are later rounded to at most 16,384 steps per turn. Rounding an
+  // azimuth down to a tick never changes its step, because half a step is an integer number of
+  // ticks. Other units use the ticks of a LUX.
   [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
     return turns ? 32'768 : 11'520;
   }
@@ -78,11 +79,11 @@ class PointsPacket {
     return turns ? angle * 32 / 1'125 : (angle + 50) / 100;
   }
 
-  // Checks the whole datagram, every point included, and keeps a view of it.
+  // Checks the whole datagram, including every point, and keeps a view of it.
   [[nodiscard]] DecodeStatus read(std::span<const std::byte> datagram, const Unit& unit,
                                   bool turns);
 
-  // The range as on the wire. For x, y and z it is a hash of all three.
+  // The raw range. If the point has x, y and z, it is a hash of all three.
   [[nodiscard]] std::uint32_t range_at(PointBytes bytes) const {
     if ((flags_at(bytes) & kNothing) != 0) {
       return 0;
@@ -131,7 +132,7 @@ class PointsPacket {
   LayerSearch layers_;
   bool are_places_ = false;
   std::uint32_t sector_begin_ = 0;
-  std::uint32_t sector_width_ = 0;  // all directions lie within it; 0: they may be anywhere
+  std::uint32_t sector_width_ = 0;  // all directions lie within it; 0 means any direction
 };
 
 template <bool kHeadTurns>
@@ -140,11 +141,12 @@ class PointsDecoder : public PointsPacket {
   static constexpr bool kTurns = kHeadTurns;
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
-  // Checks the datagram and keeps a view of it. The view lives as long as the datagram and the
-  // unit's elevations, one for each layer. Returns kOk; kWrongLength: not as long as its header
-  // says, longer than a datagram may be, or from a unit without layers; kWrongType: another magic
-  // number or version, or unknown flags; kWrongAngle: a sector beyond a turn, or a datagram that
-  // its scan does not have; kWrongPoint: an impossible point, or one outside the sector of its
+  // Checks the datagram and keeps a view of it. The view is valid as long as the datagram and the
+  // unit's elevations. There is one elevation for each layer. Returns kOk, kWrongLength,
+  // kWrongType, kWrongAngle or kWrongPoint. kWrongLength: the length differs from the length in the
+  // header or exceeds the maximum, or the unit has no layers. kWrongType: another magic number or
+  // version, or unknown flags. kWrongAngle: a sector of more than a turn, or a datagram number that
+  // its scan does not have. kWrongPoint: an impossible point, or a point outside the sector of its
   // datagram.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
@@ -161,8 +163,8 @@ class PointsDecoder : public PointsPacket {
   }
 
   // Calls visit(const ScanPoint&) for each first echo in the layers of a sampling. It uses all
-  // firings, because a datagram has few. It reads only every third point of a datagram with x, y
-  // and z, because each direction has to be computed. Requires decode() == kOk.
+  // firings, because a datagram contains only a few. In a datagram with x, y and z, it reads only
+  // every third point, because each direction has to be computed. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};
@@ -178,8 +180,7 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(std::uint32_t) for each range as on the wire, and returns visit. Requires decode()
-  // == kOk.
+  // Calls visit(std::uint32_t) for each raw range, and returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& /*sampling*/, Visit visit) const {
     for (std::size_t i = 0; i < count(); ++i) {
@@ -189,10 +190,10 @@ class PointsDecoder : public PointsPacket {
   }
 
  private:
-  // For spinning units, echo 1 stands for all later echoes.
+  // For spinning units, echo 1 represents all later echoes.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
-  // Points beyond the layers are flagged as rain, because the car file has no such beams.
+  // Points outside the layers are flagged as rain, because the car file defines no such beams.
   template <bool kArePlacesHere>
   [[nodiscard]] ScanPoint point(PointBytes bytes) const {
     const std::uint8_t flags = flags_at(bytes);
@@ -215,7 +216,7 @@ class PointsDecoder : public PointsPacket {
   }
 };
 
-// Range and precision depend on the unit, so the car file gives them.
+// Range and precision depend on the unit and are given in the car file.
 class Points : public PointsDecoder<false> {
  public:
   static constexpr std::string_view kName = "points";

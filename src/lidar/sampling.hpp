@@ -1,5 +1,6 @@
-// A sample of the points of a packet: some layers, in some of its firings, which are spread evenly
-// over the packet. A firing is one measurement by all layers of a unit in one direction.
+// A sample of the points of a packet. It consists of some layers in some of the packet's firings,
+// which are spread evenly over the packet. A firing is one measurement by all layers of a unit in
+// one direction.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@ struct Sampling {
   std::span<const std::uint8_t> layers{};
   int log2_firings = 0;  // log2 of the number of firings; all firings if the packet has no more
 
-  // Calls visit(firing) with the number of each sampled firing, in rising order.
+  // Calls visit(firing) with the number of each sampled firing, in ascending order.
   template <typename Visit>
   void for_each_firing(std::size_t firings, Visit&& visit) const {
     const std::size_t wanted = std::size_t{1} << log2_firings;

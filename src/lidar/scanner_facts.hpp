@@ -1,4 +1,4 @@
-// Properties of a scanner that follow from its format, taken from its decoder.
+// Properties of a scanner that follow from its format. They are taken from its decoder.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 namespace iog::lidar {
 
 struct ScannerFacts {
-  std::size_t layers = 0;  // 0: packets do not determine it
+  std::size_t layers = 0;  // 0 if the packets do not determine it
   std::uint32_t ticks_per_turn = 0;
   bool turns = false;
-  bool has_elevations = false;  // the format fixes them; otherwise each unit has its own
-  bool has_modes = false;       // packets do not say how fast the unit turns
-  bool has_beam_tilt = false;   // the mirror is tilted
-  bool is_points = false;       // points carry their directions, the car file those of the layers
-  bool is_radar = false;        // it reports objects, but no free space
+  bool has_elevations = false;  // the format defines the elevations; otherwise they vary by unit
+  bool has_modes = false;       // packets do not contain the rotation speed of the unit
+  bool has_beam_tilt = false;   // the mirror of the unit is tilted
+  bool is_points = false;       // points contain directions; the car file contains layer elevations
+  bool is_radar = false;        // it reports objects but no free space
   bool is_ultrasonic = false;   // it reports the distance of the nearest object in a cone
 
-  // Whether its detections have no sharp direction.
+  // True if its detections have no sharp direction.
   [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
@@ -96,8 +96,8 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
   return can;
 }
 
-// Number of points in a packet of a unit with this many layers. For a LUX, the number of points in
-// one direction.
+// The number of points in a packet of a unit with this many layers. For a LUX, this is the number
+// of points in one direction.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -1,9 +1,10 @@
-// Velodyne data packets: what all units of the family share, and one decoder for all of them.
+// Data packets of Velodyne lidars. This file contains the common properties of these units and one
+// decoder for all of them.
 //
-// One datagram of 1206 bytes, little endian: 12 blocks of a flag, an azimuth and 32 ranges, then
-// time, return mode and product (docs/spec.md). Units differ in the lasers of a block, in the
-// firing time of each laser and in the unit of range. These are in VelodyneUnit, from which the
-// compiler makes a decoder.
+// One datagram has 1206 bytes and is little endian. It contains 12 blocks, each with a flag, an
+// azimuth and 32 ranges, and then time, return mode and product (docs/spec.md). Units differ in the
+// lasers of a block, in the firing time of each laser and in the unit of range. These properties
+// are described by VelodyneUnit, from which the compiler generates a decoder.
 #pragma once
 
 #include <array>
@@ -24,34 +25,35 @@ namespace iog::lidar {
 
 struct VelodyneUnit {
   std::uint8_t layers = 0;
-  // Blocks that share one azimuth when each beam has one return: 2 or 4 if a block is too short for
-  // all lasers.
+  // The number of blocks that share one azimuth if each beam has one return. It is 2 or 4 if a
+  // block is too short for all lasers.
   std::uint8_t banks = 1;
-  std::uint8_t product = 0;      // byte 1205; with two banks, that byte has another meaning
-  std::uint8_t old_product = 0;  // the same byte in old firmware
+  std::uint8_t product = 0;      // byte 1205; if there are two banks, this byte has another meaning
+  std::uint8_t old_product = 0;  // value of the same byte in old firmware
   std::uint8_t range_unit_mm = 0;
-  bool has_two_returns = true;  // if the unit is set up so
-  std::uint32_t block_ns = 0;   // from one azimuth to the next
-  // A channel fires fires_at / block_parts * block_ns after the azimuth of its block was taken.
+  bool has_two_returns = true;  // if the unit is configured for it
+  std::uint32_t block_ns = 0;   // time from one azimuth to the next
+  // A channel fires fires_at / block_parts * block_ns after the azimuth of its block was measured.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
-  // Offset of each channel from the unit's direction, clockwise, in 0.01 degrees.
+  // The azimuth offset of each channel from the unit's direction, clockwise, in units of 0.01
+  // degrees.
   std::array<std::int16_t, 32> azimuth_offsets{};
-  // When each bank begins to fire, in the same parts of block_ns. All zero: all banks fire at the
-  // same time.
+  // The time at which each bank begins to fire, in units of block_ns / block_parts. If all values
+  // are zero, all banks fire at the same time.
   std::array<std::uint8_t, 4> bank_fires_at{};
 
-  // When a channel of a bank fires, in the same parts of block_ns.
+  // The time at which a channel of a bank fires, in units of block_ns / block_parts.
   [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
     return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
   }
-  // Number of banks that fire at different times.
+  // The number of banks that fire at different times.
   [[nodiscard]] constexpr std::size_t bank_times() const {
     return bank_fires_at == std::array<std::uint8_t, 4>{} ? 1 : banks;
   }
 };
 
-// packets: packets per turn. The units see from 1 m.
+// packets: the number of packets per turn. The minimum range of the units is 1 m.
 constexpr DataSheet data_sheet_of_velodyne(std::string_view type, std::uint32_t packets) {
   return {.type = type, .range_min_mm = 1'000, .max_points_per_scan = packets * 384};
 }
@@ -65,12 +67,12 @@ class VelodynePacket {
   static constexpr std::size_t kPointsPerPacket = kBlocks * kPointsPerBlock;
   static constexpr std::int32_t kTicksPerTurn = velodyne::kTurn;
   static constexpr bool kTurns = true;
-  // A block lasts at most 110.592 us, which is 0.8 degrees at the fastest rotation of 20 Hz. If two
-  // neighbouring blocks are more than 3 degrees apart, the packet is not one sweep.
+  // A block takes at most 110.592 us, which is 0.8 degrees at the maximum rotation rate of 20 Hz.
+  // If two adjacent blocks are more than 3 degrees apart, the packet is not a single sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // The wire does not say how far the head turns in the last block, and its speed varies by a
-  // tenth. So the sector of a packet is widened by this much: neighbouring sectors then overlap
-  // instead of leaving a gap.
+  // Packets do not contain the rotation of the head during the last block, and the rotation speed
+  // varies by up to a tenth. The sector of a packet is therefore widened by this value, so that
+  // adjacent sectors overlap instead of leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
@@ -79,7 +81,7 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // What a sound packet reveals about its unit.
+  // The properties of its unit that a valid packet reveals.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
   // Moves the view to this copy of the datagram.
@@ -90,10 +92,10 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // For each channel of a block: how far the unit has turned when it fires, plus the channel's own
-  // offset.
+  // For each channel of a block: the rotation of the unit until the channel fires, plus the
+  // channel's own offset.
   struct Firing {
-    std::uint32_t step = 0xFFFF;  // azimuth gained in the block; no packet has 0xFFFF
+    std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
   };
   static void turn(const VelodyneUnit& unit, std::size_t bank, std::uint32_t step, Firing& firing) {
@@ -106,7 +108,7 @@ class VelodynePacket {
     }
   }
 
-  // A range of a block as on the wire.
+  // A raw range of a block.
   [[nodiscard]] static std::uint32_t range_at(std::span<const std::byte, kBlockBytes> block,
                                               std::size_t channel) {
     return wire::load_le16(block.subspan(4 + 3 * channel).first<2>());
@@ -116,11 +118,11 @@ class VelodynePacket {
     return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
   }
 
-  // What the points of a block have in common, computed once.
+  // The common properties of all points of a block, computed once.
   struct Block {
     std::span<const std::byte, kBlockBytes> bytes;
-    std::span<const std::byte, kBlockBytes> other;  // has the other echo of each point
-    std::span<const LaserCorrection> corrections;   // of the channels; may be empty
+    std::span<const std::byte, kBlockBytes> other;  // contains the other echo of each point
+    std::span<const LaserCorrection> corrections;   // corrections of the channels; may be empty
     std::int32_t azimuth;
     std::uint8_t first_layer;
     std::uint8_t echo;
@@ -128,7 +130,8 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // Number of blocks with the same azimuth: the banks of each echo.
+  // The number of blocks with the same azimuth, which is the number of banks times the number of
+  // echoes.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }
@@ -152,8 +155,8 @@ class VelodynePacket {
   VelodyneLook look_;
   std::span<const std::byte> packet_;
   std::span<const LaserCorrection> corrections_;
-  std::array<std::uint16_t, kBlocks> azimuths_{};  // clockwise from forward, as on the wire
-  std::array<std::uint16_t, kBlocks> steps_{};     // azimuth gained until the next one
+  std::array<std::uint16_t, kBlocks> azimuths_{};  // raw azimuths, clockwise from straight ahead
+  std::array<std::uint16_t, kBlocks> steps_{};     // azimuth increment to the next azimuth
 };
 
 template <const VelodyneUnit& kUnit>
@@ -163,8 +166,8 @@ class VelodyneDecoder : public VelodynePacket {
 
   [[nodiscard]] static constexpr const VelodyneUnit& unit() { return kUnit; }
 
-  // Checks the packet and keeps a view of it. The view lives as long as the datagram and the
-  // corrections, of which there is one for each layer, or none. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
+  // corrections. There is one correction for each layer, or none. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle or kOtherUnit.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
@@ -194,8 +197,8 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of a sampling as on the wire, and returns visit, as
-  // std::for_each() does. Counters inside visit then stay in registers. Requires decode() == kOk.
+  // Calls visit(std::uint32_t) for the raw ranges of a sampling, and returns visit as
+  // std::for_each() does. This keeps counters inside visit in registers. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
@@ -206,7 +209,7 @@ class VelodyneDecoder : public VelodynePacket {
 
  private:
   // Calls visit(first block of the firing, bank, channel) for each point of a sampling. A block
-  // holds one firing, a part of one, or several. Each echo has blocks of its own.
+  // contains one firing, a part of a firing, or several firings. Each echo has its own blocks.
   template <typename Visit>
   void for_each_place(const Sampling& sampling, Visit&& visit) const {
     constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;
@@ -219,8 +222,8 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Cache of the latest firings. If a head turns evenly, its steps from block to block have only
-  // two values, which differ by one.
+  // A cache of the latest firings. If the head rotates at a constant speed, the azimuth steps
+  // between blocks have only two values, which differ by one.
   class Turns {
    public:
     [[nodiscard]] const Firing& of(std::size_t bank, std::uint32_t step) {
@@ -253,8 +256,8 @@ class VelodyneDecoder : public VelodynePacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // At most a turn of azimuth, 3 degrees of turning and 34.2 degrees of offset: off by at most
-    // one turn.
+    // The azimuth is at most one turn, the rotation 3 degrees and the offset 34.2 degrees, so a
+    // single wrap is enough.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

@@ -1,4 +1,4 @@
-// Offsets and values of the bytes of a Velodyne data packet (docs/spec.md).
+// Byte offsets and byte values of a Velodyne data packet (docs/spec.md).
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace iog::lidar::velodyne {
 inline constexpr std::size_t kPacketBytes = 1206;
 inline constexpr std::size_t kBlocks = 12;
 inline constexpr std::size_t kBlockBytes = 100;
-inline constexpr std::uint32_t kTurn = 36'000;  // 0.01 degree
+inline constexpr std::uint32_t kTurn = 36'000;  // 0.01 degrees
 inline constexpr std::uint32_t kHourUs = 3'600'000'000U;
 inline constexpr std::size_t kTimeOffset = 1200;
 inline constexpr std::size_t kModeOffset = 1204;
@@ -24,7 +24,7 @@ inline constexpr std::array<std::uint16_t, 4> kBankFlags{kBlockFlag, 0xDDFF, 0xC
 inline constexpr std::uint8_t kModeStrongest = 0x37;
 inline constexpr std::uint8_t kModeLast = 0x38;
 inline constexpr std::uint8_t kModeDual = 0x39;
-inline constexpr std::uint8_t kProductHdl32e = 0x21;  // also a VLP-16 before firmware 3.0.29
+inline constexpr std::uint8_t kProductHdl32e = 0x21;  // also a VLP-16 with firmware before 3.0.29
 inline constexpr std::uint8_t kProductVlp16 = 0x22;
 inline constexpr std::uint8_t kProductPuckHires = 0x24;
 inline constexpr std::uint8_t kProductVlp32c = 0x28;
@@ -39,7 +39,7 @@ inline std::uint8_t byte_at(std::span<const std::byte> packet, std::size_t offse
   return wire::load_u8(packet.subspan(offset).first<1>());
 }
 
-// Angle from one azimuth to another, clockwise, as the heads turn.
+// The clockwise angle from one azimuth to another. The heads rotate clockwise.
 constexpr std::uint32_t gained(std::uint32_t from, std::uint32_t to) {
   return (to + kTurn - from) % kTurn;
 }

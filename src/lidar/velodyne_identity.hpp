@@ -1,11 +1,12 @@
-// Identifies the unit that sends Velodyne packets. Packets do not always name it, and packets of
-// one unit decoded as those of another give a plausible wrong picture.
+// Identifies the unit that sends Velodyne packets. Packets do not always identify their unit. If
+// packets of one unit are decoded as packets of another, the result looks plausible but is wrong.
 //
-// Byte 1205 names the unit, but 0x21 is both an HDL-32E and a VLP-16 with firmware before 3.0.29,
-// and an HDL-64E has no such byte. The duration of a block tells them apart. Any two packets give
-// it, whatever was lost between them: multiply the azimuth gained per block of a packet by the time
-// between the packets, and divide by the azimuth gained in that time. A single packet is enough
-// only if its gain is too small or too large for one of the two at 5 to 20 turns per second.
+// Byte 1205 identifies the unit. However, 0x21 is used by both an HDL-32E and a VLP-16 with
+// firmware before 3.0.29, and an HDL-64E has no such byte. The duration of a block distinguishes
+// these units. It can be computed from any two packets, however many packets were lost between
+// them: multiply the azimuth increment per block of a packet by the time between the two packets,
+// and divide by the azimuth increment in that time. A single packet is enough only if its azimuth
+// increment is too small or too large for one of the two units at 5 to 20 turns per second.
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@ class FormatSet {
   [[nodiscard]] constexpr bool has(Format format) const {
     return (bits_ >> static_cast<unsigned>(format) & 1U) != 0;
   }
-  // The first format in the order of the enum. The set must not be empty.
+  // The first format of the set in the order of the enum. The set must not be empty.
   [[nodiscard]] constexpr Format first() const {
     return static_cast<Format>(std::countr_zero(bits_));
   }
@@ -41,14 +42,14 @@ class FormatSet {
   std::uint32_t bits_ = 0;
 };
 
-// A format that the bytes of a packet allow, and the duration of its blocks.
+// A format that is consistent with the bytes of a packet, and the duration of its blocks.
 struct VelodyneCandidate {
   Format format{};
   std::uint32_t block_ns = 0;
   friend constexpr bool operator==(const VelodyneCandidate&, const VelodyneCandidate&) = default;
 };
 
-// The formats that a packet allows. There are never more than four.
+// The formats that are consistent with a packet. There are at most four.
 struct VelodyneCandidates {
   std::size_t count = 0;
   std::array<VelodyneCandidate, 4> list{};
@@ -61,11 +62,12 @@ struct VelodyneCandidates {
 
 class VelodyneIdentity {
  public:
-  // The formats that the sender can have, judged by this packet and those before it: one if it is
-  // certain, none if the packet is not from a Velodyne. Accepts any bytes. It looks only at flags,
-  // azimuths and time; the decoder finds other faults.
+  // The formats that the sender can have according to this packet and the previous packets. It
+  // contains one format if the result is certain, and no format if the packet is not from a
+  // Velodyne. Accepts any bytes. It checks only flags, azimuths and time; the decoder detects other
+  // faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
-  // The same for a packet that its decoder has accepted.
+  // Does the same for a packet that its decoder has accepted.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);
 
  private:
@@ -77,7 +79,7 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // Sums over the pairs of packets since the last decision.
+  // Sums over the pairs of packets since the last result.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

@@ -1,5 +1,6 @@
-// What a Velodyne data packet reveals about the unit that sent it: the bytes that name the unit,
-// and how far the head turned during the packet. lidar/velodyne.hpp decodes its points.
+// The properties of its unit that a Velodyne data packet reveals: the bytes that identify the unit,
+// and the rotation of the head during the packet. lidar/velodyne.hpp decodes the points of the
+// packet.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +12,13 @@
 namespace iog::lidar {
 
 struct VelodyneLook {
-  std::uint8_t banks = 1;     // blocks that share an azimuth when each beam has one return
-  std::uint8_t mode = 0;      // with two banks, this byte and the next have other meanings
-  std::uint8_t product = 0;   // names the unit
+  std::uint8_t banks = 1;     // number of blocks that share an azimuth if each beam has one return
+  std::uint8_t mode = 0;      // with two banks, this byte and the next byte have other meanings
+  std::uint8_t product = 0;   // identifies the unit
   bool is_dual = false;       // each beam has two returns
-  std::uint32_t time_us = 0;  // since the hour
-  std::uint32_t azimuth = 0;  // of the first block, 0.01 degrees
-  std::uint32_t gain = 0;     // from the first to the last azimuth
+  std::uint32_t time_us = 0;  // time since the full hour
+  std::uint32_t azimuth = 0;  // azimuth of the first block, in units of 0.01 degrees
+  std::uint32_t gain = 0;     // azimuth increment from the first to the last azimuth
   std::uint32_t steps = 0;    // number of azimuth steps in gain
 };
 

@@ -1,5 +1,5 @@
-// Velodyne Puck Hi-Res data packets (VLP-16 User Manual 63-9243, chapter 9 and appendix on the Puck
-// Hi-Res): like those of a VLP-16, but with lasers 1.33 degrees apart.
+// Data packets of the Velodyne Puck Hi-Res (VLP-16 User Manual 63-9243, chapter 9 and appendix on
+// the Puck Hi-Res). They have the format of VLP-16 packets, but the lasers are 1.33 degrees apart.
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@ inline constexpr VelodyneUnit kPuckHiresUnit = make_puck_hires();
 class VelodynePuckHires : public VelodyneDecoder<kPuckHiresUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne Puck Hi-Res";
-  // The precision is 3 cm. One turn at 10 Hz in dual return mode is 151 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_puck_hires", 160);
-  // By laser id, in wire order.
+  // Elevations by laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{
       -10,    0.667, -8.667, 2,     -7.333, 3.333, -6,     4.667,  //
       -4.667, 6,     -3.333, 7.333, -2,     8.667, -0.667, 10};

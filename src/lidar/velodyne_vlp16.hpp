@@ -1,5 +1,5 @@
-// Velodyne VLP-16 data packets (VLP-16 User Manual 63-9243, chapter 9). A block holds two firings
-// of the 16 lasers, and only the first has an azimuth.
+// Data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block contains two
+// firings of the 16 lasers, but only the azimuth of the first firing.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace iog::lidar {
 
-// A block lasts 110.592 us. Laser j of firing s fires 2.304 j + 55.296 s us into it, at (j + 24 s)
-// / 48 of the block.
+// A block takes 110.592 us. Laser j of firing s fires 2.304 j + 55.296 s us after the start of the
+// block, at (j + 24 s) / 48 of the block.
 consteval VelodyneUnit make_vlp16() {
   VelodyneUnit unit{.layers = 16,
                     .product = velodyne::kProductVlp16,
@@ -30,9 +30,9 @@ inline constexpr VelodyneUnit kVlp16Unit = make_vlp16();
 class VelodyneVlp16 : public VelodyneDecoder<kVlp16Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-16";
-  // The precision is 3 cm. One turn at 10 Hz in dual return mode is 151 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp16", 160);
-  // By laser id, in wire order.
+  // Elevations by laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{-15, 1, -13, 3,  -11, 5,  -9, 7,
                                                          -7,  9, -5,  11, -3,  13, -1, 15};
 };

@@ -1,4 +1,4 @@
-// Ethernet and IPv4 addresses as values.
+// Value types for Ethernet and IPv4 addresses.
 #pragma once
 
 #include <array>
@@ -6,13 +6,14 @@
 
 namespace iog::net {
 
-// A 48-bit Ethernet address, octets in wire order.
+// A 48-bit Ethernet address with its octets in wire order.
 struct MacAddress {
   std::array<std::uint8_t, 6> octets{};
 
   friend constexpr bool operator==(const MacAddress&, const MacAddress&) = default;
 
-  // False for group addresses (lowest bit of the first octet set) and for all zeros.
+  // False for group addresses, in which the lowest bit of the first octet is set, and for the
+  // all-zero address.
   [[nodiscard]] constexpr bool is_unicast() const {
     return (octets[0] & 1U) == 0 && *this != MacAddress{};
   }
@@ -34,7 +35,7 @@ struct Ipv4Address {
 
 inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
 
-// Mask of the host bits. prefix_bits is 1 to 32.
+// The mask of the host bits. Requires prefix_bits from 1 to 32.
 [[nodiscard]] constexpr std::uint32_t host_mask(std::uint8_t prefix_bits) {
   return (std::uint32_t{1} << (32 - prefix_bits)) - 1;
 }
@@ -44,13 +45,14 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return ((left.value ^ right.value) & ~host_mask(prefix_bits)) == 0;
 }
 
-// The broadcast address of the subnet of `address`, such as 10.0.2.255 (RFC 919).
+// The broadcast address of the subnet that contains `address`, such as 10.0.2.255 (RFC 919).
 [[nodiscard]] constexpr Ipv4Address directed_broadcast(Ipv4Address address,
                                                        std::uint8_t prefix_bits) {
   return {address.value | host_mask(prefix_bits)};
 }
 
-// True for multicast addresses. group_mac() gives their Ethernet address (RFC 1112, section 6.4).
+// True for multicast addresses. group_mac() returns the corresponding Ethernet address (RFC 1112,
+// section 6.4).
 [[nodiscard]] constexpr bool is_group(Ipv4Address address) { return address.value >> 28 == 0xE; }
 
 [[nodiscard]] constexpr MacAddress group_mac(Ipv4Address group) {
@@ -58,15 +60,16 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
            static_cast<std::uint8_t>(group.value >> 8), static_cast<std::uint8_t>(group.value)}};
 }
 
-// True if a single host can have this address. Excluded are 0/8 ("this network"), 127/8 (loopback)
-// and 224/3 (multicast, reserved, limited broadcast). RFC 1122, section 3.2.1.3.
+// True if the address can belong to a single host. The ranges 0/8 ("this network"), 127/8
+// (loopback) and 224/3 (multicast, reserved, limited broadcast) are excluded. See RFC 1122, section
+// 3.2.1.3.
 [[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {
   const std::uint32_t network = address.value >> 24;
   return network != 0 && network != 127 && network < 224;
 }
 
-// True if `address` is a host address in the subnet of `member`. The subnet's network address and
-// broadcast address are no host addresses.
+// True if `address` is a host address in the same subnet as `member`. The network address and the
+// broadcast address of the subnet are not host addresses.
 [[nodiscard]] constexpr bool is_host_in_subnet(Ipv4Address address, Ipv4Address member,
                                                std::uint8_t prefix_bits) {
   const std::uint32_t host = address.value & host_mask(prefix_bits);

@@ -24,8 +24,8 @@ struct ArpPacket {
   Ipv4Address target_address{};
 };
 
-// Returns nothing if the payload is too short, not for Ethernet and IPv4, or neither request nor
-// reply.
+// Returns nothing if the payload is too short, is not for Ethernet and IPv4, or is neither a
+// request nor a reply.
 [[nodiscard]] std::optional<ArpPacket> parse_arp(std::span<const std::byte> payload);
 
 void write_arp(wire::ByteWriter& writer, const ArpPacket& packet);

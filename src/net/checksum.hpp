@@ -1,7 +1,9 @@
-// The Internet checksum (RFC 1071): the complement of the one's complement sum of 16-bit words.
+// The Internet checksum (RFC 1071): the one's complement of the one's complement sum of 16-bit
+// words.
 //
-// Ranges: 2^16 = 1 modulo 2^16 - 1, so carries can be folded at the end. A sum of n words is below
-// 2^16 n, so 32 bits hold 2^16 words. No caller sums more than two datagrams of 2^15 words.
+// Ranges: 2^16 = 1 modulo 2^16 - 1, so the carries can be added back at the end. A sum of n words
+// is below 2^16 n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
+// 2^15 words.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +12,8 @@
 
 namespace iog::net {
 
-// Sums pieces as if they were contiguous in memory. A piece may have an odd number of bytes. Data
-// that contains its own correct checksum sums to 0.
+// Sums several pieces as if they were contiguous in memory. Each piece may have an odd number of
+// bytes. The sum of data that contains its own correct checksum is 0.
 class Checksum {
  public:
   void add(std::span<const std::byte> bytes);
@@ -21,11 +23,11 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies `bytes` to the front of `to` and sums them. The two must not overlap. `to` is written
-  // once, in order, and never read, so it may be uncached memory.
+  // Copies `bytes` to the front of `to` and sums them. `bytes` and `to` must not overlap. `to` is
+  // written sequentially, exactly once, and never read, so it may be uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // The value for the checksum field. That field must have been summed as 0.
+  // The value for the checksum field. The field itself must have been summed as 0.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }
@@ -42,15 +44,15 @@ class Checksum {
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));
   }
 
-  // After an odd number of bytes, each byte of this piece belongs to the other half of its word.
-  // The sum of byte-swapped words is the byte-swapped sum.
+  // After an odd number of bytes, each byte of this piece belongs to the other half of its 16-bit
+  // word. The sum of byte-swapped words is the byte-swapped sum.
   constexpr void add_sum(std::uint16_t sum, std::size_t size) {
     sum_ += odd_ ? swapped(sum) : sum;
     odd_ ^= (size % 2 != 0);
   }
   void add_little_endian(std::uint32_t sum, std::size_t size);
 
-  std::uint32_t sum_ = 0;  // of 16-bit words, carries included
+  std::uint32_t sum_ = 0;  // sum of 16-bit words, including carries
   bool odd_ = false;       // an odd number of bytes precedes the next piece
 };
 

@@ -1,4 +1,4 @@
-// Network addresses of the target and its peer, from the car block of the image.
+// Network addresses of the target and its peer. They come from the car block of the image.
 #pragma once
 
 #include <cstdint>
@@ -7,40 +7,41 @@
 
 namespace iog::net {
 
-// Multicast group and port of service discovery. AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol calls
-// them SD_MULTICAST_IP and SD_PORT; these are their usual values.
+// The multicast group and port of service discovery. AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol
+// calls them SD_MULTICAST_IP and SD_PORT. These are the usual values.
 inline constexpr Ipv4Address kDiscoveryGroup = ipv4(224, 244, 224, 245);
 inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
 inline constexpr std::uint16_t kDiscoveryPort = 30490;
 
 struct Config {
-  // Our Ethernet address: unicast, unique on the segment.
+  // The target's Ethernet address. It must be unicast and unique on the segment.
   MacAddress mac;
 
-  // Our IPv4 address: a host address of the subnet.
+  // The target's IPv4 address. It must be a host address in the subnet.
   Ipv4Address address;
 
-  // Length of the subnet prefix, 8 to 30. There is no router: hosts outside the subnet are
+  // Length of the subnet prefix, 8 to 30. There is no router, so hosts outside the subnet are
   // unreachable.
   std::uint8_t prefix_bits;
 
-  // The only host that receives messages and ping replies: another host of the subnet.
+  // The only host that receives messages and ping replies. It must be another host in the subnet.
   Ipv4Address peer;
 
-  // The peer's UDP port for messages, 1 to 65535.
+  // The UDP port of the peer for messages, 1 to 65535.
   std::uint16_t peer_port;
 
-  // Our UDP source port for messages, 1 to 65535.
+  // The target's UDP source port for messages, 1 to 65535.
   std::uint16_t source_port;
 
-  // Instance ID of the service offered through SOME/IP service discovery. If it is not 0, the
-  // target also listens to the discovery port and group. 0 disables service discovery.
+  // The instance ID of the service that is offered through SOME/IP service discovery. If it is not
+  // 0, the target also listens on the discovery port and group. 0 disables service discovery.
   std::uint8_t service_instance = 0;
 };
 
-// The preconditions of Host. Use it in a static_assert next to the configuration.
+// True if the configuration meets the preconditions of Host. Use it in a static_assert next to the
+// configuration.
 [[nodiscard]] constexpr bool is_valid(const Config& config) {
-  // Check the prefix first: the other checks shift by it.
+  // The prefix must be checked first, because the other checks use it as a shift count.
   return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&
          is_host_in_subnet(config.address, config.address, config.prefix_bits) &&
          is_host_in_subnet(config.peer, config.address, config.prefix_bits) &&

@@ -1,6 +1,6 @@
-// Counts the outcome of every received frame and of every message to be sent.
+// Counts the outcome of every received frame and of every outgoing message.
 //
-// Two invariants hold at any moment, modulo 2^32 (every counter wraps):
+// Two invariants always hold modulo 2^32, because every counter wraps:
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
 //     + fragments.joined
 //   failed calls of send_message() = the sum of refusals
@@ -13,31 +13,32 @@
 
 namespace iog::net {
 
-// Why a received frame was dropped. Each frame is counted under the first cause that applies.
+// The reason for which a received frame was dropped. If several reasons apply to a frame, only the
+// first one is counted.
 enum class Drop : std::uint8_t {
   kShort,            // shorter than an Ethernet header
-  kNotForUsMac,      // destination is not our Ethernet address, broadcast or our group
-  kVlanTagged,       // 802.1Q or 802.1ad tag; the sensors' network is untagged
-  kNotIpv4OrArp,     // another EtherType, or an 802.3 length
+  kNotForUsMac,      // destination is neither our Ethernet address nor broadcast nor our group
+  kVlanTagged,       // 802.1Q or 802.1ad tag; the sensor network is untagged
+  kNotIpv4OrArp,     // another EtherType, or a length as in 802.3
   kBadIpHeader,      // version, header length or total length inconsistent with the frame
-  kBadIpChecksum,    // header checksum wrong
-  kFragment,         // unusable fragment (FragmentCounters says why), or not UDP
-  kNotForUsIp,       // destination is not our address, nor a broadcast or group that we receive
-  kBadSource,        // source cannot be another host: 0/8, 127/8, 224/3, broadcast, our own
+  kBadIpChecksum,    // wrong header checksum
+  kFragment,         // unusable fragment, counted in detail by FragmentCounters, or not UDP
+  kNotForUsIp,       // destination is neither our address nor a broadcast or group that we receive
+  kBadSource,        // source cannot be another host: 0/8, 127/8, 224/3, broadcast, our address
   kNotUdpOrIcmp,     // another IP protocol
-  kBadUdpLength,     // UDP length below its header or beyond the datagram
-  kBadUdpChecksum,   // UDP checksum present and wrong
-  kBadIcmp,          // ICMP message too short or checksum wrong
-  kPingIgnored,      // echo request not from the peer or to a broadcast, or peer unresolved
+  kBadUdpLength,     // UDP length below the header length or beyond the end of the datagram
+  kBadUdpChecksum,   // UDP checksum present but wrong
+  kBadIcmp,          // ICMP message too short, or its checksum is wrong
+  kPingIgnored,      // echo request to a broadcast or not from the peer, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
   kBadArp,           // ARP packet too short, or not for Ethernet and IPv4
-  kArpIgnored,       // ARP packet that neither asks for our address nor gives one that we need
-  kAddressConflict,  // another station claims our address in its ARP packet
+  kArpIgnored,       // ARP packet without a request for our address or an address that we need
+  kAddressConflict,  // another station uses our address in its ARP packet
   kReplyRingFull,    // no transmit buffer for an ARP or ping reply
 };
 inline constexpr std::size_t kDropCauses = 19;
 
-// Why a message was not sent.
+// The reason for which a message was not sent.
 enum class Refusal : std::uint8_t {
   kUnresolved,  // the peer's Ethernet address is not known yet
   kRingFull,    // no transmit buffer is free
@@ -45,34 +46,34 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t kRefusalCauses = 3;
 
-// Outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames; the
-// others count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are also counted
-// as Drop::kFragment.
+// Outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames. The
+// other counters count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are also
+// counted as Drop::kFragment.
 struct FragmentCounters {
-  std::uint32_t joined = 0;      // added to a datagram that is still incomplete
-  std::uint32_t duplicates = 0;  // same bytes at the same place as an earlier fragment
-  std::uint32_t overlaps = 0;  // contradict an earlier fragment: the datagram is refused (RFC 5722)
-  std::uint32_t bad = 0;       // impossible length or end: the datagram is refused
-  std::uint32_t refused = 0;   // belong to a refused datagram or to an unlisted sender
+  std::uint32_t joined = 0;      // stored; the datagram is still incomplete
+  std::uint32_t duplicates = 0;  // same bytes at the same offset as an earlier fragment
+  std::uint32_t overlaps = 0;    // contradicts an earlier fragment; datagram refused (RFC 5722)
+  std::uint32_t bad = 0;         // invalid length or end, so the datagram is refused
+  std::uint32_t refused = 0;     // belongs to a refused datagram or comes from an unlisted sender
   std::uint32_t completed = 0;
-  std::uint32_t expired = 0;    // incomplete at the timeout
-  std::uint32_t displaced = 0;  // replaced by a newer datagram
+  std::uint32_t expired = 0;    // incomplete when the timeout expired
+  std::uint32_t displaced = 0;  // evicted by a newer datagram
 };
 
 struct Counters {
-  std::uint32_t received = 0;       // frames taken from the port
+  std::uint32_t received = 0;       // frames received from the port
   std::uint32_t delivered = 0;      // datagrams returned by poll()
-  std::uint32_t arp_answered = 0;   // requests for our address that we answered
-  std::uint32_t arp_learned = 0;    // other packets that gave an Ethernet address we need
-  std::uint32_t ping_answered = 0;  // echo requests from the peer that we answered
+  std::uint32_t arp_answered = 0;   // ARP requests for our address that were answered
+  std::uint32_t arp_learned = 0;    // other ARP packets with an Ethernet address that we need
+  std::uint32_t ping_answered = 0;  // echo requests from the peer that were answered
   std::uint32_t sent = 0;           // messages committed to the port
   std::uint32_t arp_requested = 0;  // ARP requests committed to the port
   std::array<std::uint32_t, kDropCauses> drops{};
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};
 
-  // Names in the stream (stream/target_table.hpp), in the order of the members and their
-  // enumerators.
+  // Names of the counters in the stream (stream/target_table.hpp), in the order of the members and
+  // their enumerators.
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
        "messages sent", "ARP requested",

@@ -1,4 +1,5 @@
-// Ethernet II framing: destination, source, type and payload, without preamble and FCS.
+// Ethernet II framing: a frame consists of destination, source, type and payload, without preamble
+// and FCS.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace iog::net {
 inline constexpr std::size_t kEthernetHeaderBytes = 14;
 inline constexpr std::size_t kMtuBytes = 1500;
 inline constexpr std::size_t kMaxFrameBytes = kEthernetHeaderBytes + kMtuBytes;
-inline constexpr std::size_t kMinFrameBytes = 60;  // IEEE 802.3: 64 including the FCS
+inline constexpr std::size_t kMinFrameBytes = 60;  // 64 bytes including the FCS (IEEE 802.3)
 
 inline constexpr std::uint16_t kEtherTypeIpv4 = 0x0800;
 inline constexpr std::uint16_t kEtherTypeArp = 0x0806;
@@ -26,7 +27,7 @@ struct EthernetFrame {
   MacAddress destination;
   MacAddress source;
   std::uint16_t type;
-  std::span<const std::byte> payload;  // may end in padding
+  std::span<const std::byte> payload;  // may include padding at the end
 };
 
 // Returns nothing if `frame` is shorter than a header. Frames below kMinFrameBytes are accepted,
@@ -37,7 +38,7 @@ void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,
                            const MacAddress& destination, const MacAddress& source,
                            std::uint16_t type);
 
-// All zero if the reader has run out.
+// Returns the all-zero address if the reader reaches the end.
 [[nodiscard]] MacAddress read_mac(wire::ByteReader& reader);
 
 void write_mac(wire::ByteWriter& writer, const MacAddress& mac);

@@ -1,14 +1,16 @@
-// A small network host on one Ethernet port: receives datagrams and sends messages to one peer.
+// A small network host on one Ethernet port. It receives datagrams and sends messages to one peer.
 //
-// It answers ARP requests from every host of its subnet, so sensors can reach it. It answers pings
+// It answers ARP requests from every host in its subnet, so sensors can reach it. It answers pings
 // only from the peer. send_message() sends only to the peer; send_to() sends to any given
-// destination. Besides the peer, the host can resolve one more address by ARP: the neighbour.
+// destination. The host can also resolve one more address by ARP, the neighbour.
 //
-// The host has no clock, and no memory but the port's buffers. The caller lends it the memory for
-// reassembly. Received data is copied only for reassembly. Sent data is copied once and summed
-// during the copy: the port's memory is uncached, so reading it for the checksum would be slow.
+// The host reads no clock and owns no memory except the port's buffers. The caller provides the
+// memory for reassembly. Received data is copied only during reassembly. Sent data is copied once,
+// and its checksum is computed during the copy. The port's memory is uncached, so reading the data
+// back would be slow.
 //
-// The loop calls poll() until it returns nothing, sends its messages, and calls the port's pump().
+// In each iteration, the loop calls poll() until it returns nothing, sends its messages, and then
+// calls the port's pump().
 #pragma once
 
 #include <cstddef>
@@ -27,40 +29,42 @@
 
 namespace iog::net {
 
-// poll() returns after this many frames without a datagram, so a flood of foreign frames cannot
-// block the loop. At 100 Mbit/s, 32 of the smallest frames arrive in 215 us.
+// poll() returns after this many frames without a datagram, so a flood of unrelated frames cannot
+// block the loop. At 100 Mbit/s, 32 frames of the minimum size arrive in 215 us.
 inline constexpr int kMaxFramesPerPoll = 32;
 
 template <hal::EthernetPort Port>
 class Host {
  public:
-  // `config` satisfies is_valid(). The port must outlive the host, which has exclusive use of it.
+  // is_valid(config) must be true. The host has exclusive use of the port, which must outlive the
+  // host.
   Host(Port& port, const Config& config) : port_{port}, config_{config} {}
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // Returns the next datagram addressed to us, valid until the next poll(). Returns nothing if none
-  // has arrived, or after kMaxFramesPerPoll other frames. `now_us` never decreases.
+  // Returns the next datagram addressed to us. The datagram is valid until the next poll(). Returns
+  // nothing if no datagram has arrived, or after kMaxFramesPerPoll other frames. `now_us` must not
+  // decrease.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // Fragments are reassembled in this memory from now on. Before this call they are dropped.
+  // From now on, fragments are reassembled in this memory. Before this call they are dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
-  // True from the moment the peer's Ethernet address is learnt.
+  // True once the peer's Ethernet address has been learnt.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
   // Sends a copy of `payload` to the peer. Returns false, sends nothing and counts the cause if the
-  // payload is longer than kMaxUdpPayloadBytes, the peer is unresolved or the transmit ring is
+  // payload is longer than kMaxUdpPayloadBytes, the peer is unresolved, or the transmit ring is
   // full.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
-  // Sends a copy of `payload` to any destination whose Ethernet address the caller knows.
+  // Sends a copy of `payload` to a destination whose Ethernet address is known to the caller.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Sets the neighbour, another host of the subnet to resolve by ARP, or clears it.
+  // Sets the neighbour, which is another host in the subnet to be resolved by ARP, or clears it.
   void know(std::optional<Ipv4Address> neighbour);
 
-  // The neighbour's Ethernet address and the time when ARP last confirmed it.
+  // The neighbour's Ethernet address and the time of its last confirmation by ARP.
   [[nodiscard]] std::optional<Told> neighbour() const;
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
@@ -71,12 +75,13 @@ class Host {
   }
 
  private:
-  // Returns the front of a free transmit buffer, or nothing if the ring is full.
+  // Returns the first bytes of a free transmit buffer, or nothing if the ring is full.
   [[nodiscard]] std::optional<FrameBuffer> acquire();
 
   void release_frame();
   void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
-  // Returns the datagram that this fragment completes. Otherwise the fragment is stored or dropped.
+  // Returns the datagram if this fragment completes it. Otherwise the fragment is stored or
+  // dropped.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
   [[nodiscard]] bool learn(const ArpPacket& packet, std::uint64_t now_us);
@@ -88,11 +93,11 @@ class Host {
   Config config_;
   PeerResolver resolver_;
   std::optional<Ipv4Address> neighbour_;
-  PeerResolver neighbour_resolver_;  // for neighbour_, if set
+  PeerResolver neighbour_resolver_;  // resolver for neighbour_, if that is set
   Counters counters_;
   Reassembly* reassembly_ = nullptr;
-  std::uint16_t identification_ = 0;  // for the next IPv4 packet
-  bool holds_frame_ = false;          // the last datagram returned still occupies the port's buffer
+  std::uint16_t identification_ = 0;  // identification of the next IPv4 packet
+  bool holds_frame_ = false;          // the port's buffer still contains the last datagram returned
 };
 
 template <hal::EthernetPort Port>
@@ -227,9 +232,9 @@ void Host<Port>::release_frame() {
   }
 }
 
-// The first poll() sends a request at once. This also announces us to the network: QEMU's user
-// network passes us nothing before that. A request that finds the ring full is not stored; the next
-// one is due a second later.
+// The first poll() sends an ARP request immediately. This request also announces the target to the
+// network, because QEMU's user network forwards nothing to the target before it. If the ring is
+// full, the request is not stored. The next request is due one second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
   const std::optional<MacAddress> whom = resolver.request_due(now_us);
@@ -256,8 +261,8 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// RFC 826, "Packet Reception": first learn the sender, then answer the request. A request from the
-// peer does both and is counted as answered.
+// RFC 826, "Packet Reception": learn the sender first, then answer the request. A request from the
+// peer is both learnt and answered, but it is counted only as answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {
@@ -282,7 +287,7 @@ void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   ++counters_.arp_answered;
 }
 
-// The reply goes to the address learnt by ARP, not to the source address of the request.
+// The reply is sent to the address learnt by ARP, not to the source address of the request.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_ping(std::span<const std::byte> request) {
   if (!resolver_.known()) {

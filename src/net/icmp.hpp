@@ -1,4 +1,4 @@
-// ICMP echo (RFC 792), the only ICMP messages that we answer.
+// ICMP echo (RFC 792). We answer no other ICMP messages.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@ inline constexpr std::size_t kIcmpHeaderBytes = 8;
 
 enum class IcmpStatus : std::uint8_t { kEchoRequest, kOther, kBad };
 
-// kBad: shorter than a header, or the checksum over all of `message` is wrong.
+// kBad: the message is shorter than a header, or the checksum over all of `message` is wrong.
 [[nodiscard]] IcmpStatus classify_icmp(std::span<const std::byte> message);
 
 // Writes the reply to `request`, which classify_icmp() classified as an echo request. Identifier,
-// sequence number and data are copied. `target` has the length of `request` and must not overlap
+// sequence number and data are copied. `target` must be as long as `request` and must not overlap
 // it.
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request);
 

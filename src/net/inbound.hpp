@@ -1,5 +1,5 @@
-// Classifies a received frame: its kind, or why it is dropped. Accepts any bytes and keeps no
-// state.
+// Classifies a received frame. The result is its kind or the reason for dropping it. Accepts any
+// bytes and is stateless.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ namespace iog::net {
 
 enum class InboundKind : std::uint8_t { kDropped, kDatagram, kFragment, kArp, kEchoRequest };
 
-// Only the member that `kind` names is meaningful. Spans point into the frame.
+// Only the member that corresponds to `kind` is valid. Spans point into the frame.
 struct [[nodiscard]] Inbound {
   InboundKind kind = InboundKind::kDropped;
   Drop drop = Drop::kShort;
   Datagram datagram{};
-  Ipv4Packet fragment{};  // part of a UDP datagram addressed to us
+  Ipv4Packet fragment{};  // fragment of a UDP datagram addressed to us
   ArpPacket arp{};
-  std::span<const std::byte> echo_request{};  // the whole ICMP message, from the peer to us
-  std::optional<MacAddress> peer_mac{};  // frame source of a valid datagram or ping from the peer
+  std::span<const std::byte> echo_request{};  // the whole ICMP message from the peer to us
+  std::optional<MacAddress> peer_mac{};  // frame source, if the peer sent a valid datagram or ping
 };
 
-// Classifies a reassembled packet: kDatagram or kDropped.
+// Classifies a reassembled packet as kDatagram or kDropped.
 Inbound classify_joined(const Ipv4Packet& packet);
 
 Inbound classify_frame(std::span<const std::byte> frame, const Config& config);

@@ -1,4 +1,4 @@
-// The IPv4 header (RFC 791). Sent headers have no options.
+// The IPv4 header (RFC 791). The headers that we send have no options.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,16 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // Offset of the payload in its datagram, in bytes: a multiple of 8 below 2^16. has_more_fragments
-  // is true if this is not the last fragment.
+  // Offset of the payload in its datagram, in bytes. It is a multiple of 8 below 2^16.
+  // has_more_fragments is true unless this is the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
-  std::span<const std::byte> payload{};  // length from the header; options and padding removed
+  std::span<const std::byte> payload{};  // length from the header; without options and padding
 };
 
 struct [[nodiscard]] Ipv4Result {
   Ipv4Status status = Ipv4Status::kBadHeader;
-  Ipv4Packet packet{};  // meaningful only with kOk and kFragment
+  Ipv4Packet packet{};  // valid only for kOk and kFragment
 };
 
 // kBadHeader: version, header length or total length is inconsistent with the others or with the
@@ -40,18 +40,18 @@ struct [[nodiscard]] Ipv4Result {
 // is part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
-// The fields that vary between our packets.
+// The fields that differ between our packets.
 struct Ipv4Header {
   Ipv4Address source{};
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
   std::size_t payload_bytes = 0;      // at most kMaxIpv4PayloadBytes
-  std::uint16_t fragment_offset = 0;  // bytes, a multiple of 8
+  std::uint16_t fragment_offset = 0;  // in bytes; a multiple of 8
   bool has_more_fragments = false;
 };
 
-// Sets Don't Fragment unless the packet is a fragment, sets time to live 64 (RFC 1700), and
+// Sets Don't Fragment unless the packet is a fragment, sets the time to live to 64 (RFC 1700), and
 // computes the checksum.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
 

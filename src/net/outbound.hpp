@@ -1,6 +1,6 @@
-// Builds the frames that we send: ARP, echo replies and datagrams. Each function fills the front of
-// a buffer for the largest frame, pads with zeros to the minimum length, and returns the length to
-// commit.
+// Builds outgoing frames: ARP packets, echo replies and datagrams. Each function writes to the
+// front of a buffer for the largest frame, pads with zeros to the minimum length, and returns the
+// length to commit.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace iog::net {
 
 using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 
-// Offset of a message's payload in its frame.
+// Offset of the message payload in the frame.
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
 
-// Destination of a datagram, and our source port.
+// The destination of a datagram, and our source port.
 struct Destination {
   MacAddress mac{};
   Ipv4Address address{};
@@ -32,21 +32,22 @@ struct Destination {
   friend constexpr bool operator==(const Destination&, const Destination&) = default;
 };
 
-// Asks one station or, by broadcast, all of them for the Ethernet address of `host`.
+// Requests the Ethernet address of `host` from one station or, by broadcast, from all stations.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Sends our Ethernet address to the sender of `request` alone.
+// Sends our Ethernet address only to the sender of `request`.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 
-// Answers an ICMP echo request from the peer, at most kMaxIpv4PayloadBytes long.
+// Answers an ICMP echo request from the peer. The request must be at most kMaxIpv4PayloadBytes
+// long.
 [[nodiscard]] std::size_t build_echo_reply(FrameBuffer frame, const Config& config,
                                            const MacAddress& peer_mac, std::uint16_t identification,
                                            std::span<const std::byte> request);
 
-// Builds a datagram with a copy of the payload, at most kMaxUdpPayloadBytes long. The frame is
-// written and never read: on the target it is in uncached memory.
+// Builds a datagram with a copy of the payload. The payload must be at most kMaxUdpPayloadBytes
+// long. The frame is written but never read, because it is in uncached memory on the target.
 [[nodiscard]] std::size_t build_datagram(FrameBuffer frame, const Config& config,
                                          const Destination& to, std::uint16_t identification,
                                          std::span<const std::byte> payload);

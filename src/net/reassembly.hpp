@@ -1,17 +1,18 @@
 // Reassembles fragmented UDP datagrams (RFC 791, section 3.2) in bounded memory.
 //
-// Some lidars send packets that do not fit into one frame, so they arrive as fragments. Source,
-// destination, protocol and identification identify a datagram. It is complete when its fragments,
-// which must not overlap, cover the length given by the last fragment. A fragment that contradicts
-// another one invalidates its datagram, and all further fragments of that datagram are dropped (RFC
-// 5722, section 4). A fragment that repeats another one byte for byte is a harmless duplicate.
+// Some lidars send packets that do not fit in one frame and therefore arrive as fragments. A
+// datagram is identified by source, destination, protocol and identification. Its fragments must
+// not overlap. It is complete when they cover the length given by the last fragment. A fragment
+// that contradicts another fragment invalidates its datagram. All further fragments of that
+// datagram are dropped (RFC 5722, section 4). A fragment that repeats another fragment byte for
+// byte is ignored as a duplicate.
 //
-// Only fragments of listed senders are stored. Each listed sender may have as many incomplete
-// datagrams as it has streams, and their slots are reserved. A sender that starts too many loses
-// its own oldest. If unlisted senders are allowed, they share the remaining slots. When those are
-// full, the address with the most datagrams loses the one with the fewest fragments, the oldest of
-// these if several are equal. A flood of orphaned fragments is therefore evicted before a sensor's
-// datagram.
+// Only fragments from listed senders are stored. Each listed sender may have as many incomplete
+// datagrams as it has streams. Slots are reserved for them. If a sender starts too many datagrams,
+// its own oldest datagram is evicted. If unlisted senders are allowed, they share the remaining
+// slots. If these slots are full, a datagram of the unlisted address with the most datagrams is
+// evicted. It is the datagram with the fewest fragments, or the oldest such datagram. A flood of
+// orphaned fragments is therefore evicted before the datagram of a sensor.
 #pragma once
 
 #include <array>
@@ -24,20 +25,21 @@
 
 namespace iog::net {
 
-// The senders whose fragments are stored: at most kMostSenders addresses with kMostDatagrams in
-// total.
+// The senders whose fragments are stored. There are at most kMostSenders addresses, which have at
+// most kMostDatagrams in total.
 class FragmentSenders {
  public:
-  // A car has eight sensors, each sending one datagram at a time, a pose source, a map source, and
+  // A car has eight sensors that each send one datagram at a time, a pose source, a map source, and
   // one replayer of all eight sensors.
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // Allows this sender `datagrams` more incomplete datagrams at a time. 0.0.0.0 stands for each
-  // unlisted sender; these use the slots that the listed ones leave.
+  // Allows this sender `datagrams` more incomplete datagrams at the same time. 0.0.0.0 stands for
+  // every unlisted sender. Unlisted senders use the slots that are not reserved for listed senders.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
-  // The allowed number of incomplete datagrams (0: none), and whether slots are reserved for them.
+  // The number of incomplete datagrams allowed for a sender (0 if none), and whether slots are
+  // reserved for them.
   [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
     return of(address).datagrams;
   }
@@ -55,42 +57,43 @@ class FragmentSenders {
   Sender others_{};
   std::array<Sender, kMostSenders> senders_{};
   std::size_t count_ = 0;
-  std::size_t datagrams_ = 0;  // sum over the listed senders
+  std::size_t datagrams_ = 0;  // sum over all listed senders
 };
 
-// 642 KB: 35.7 KB for each datagram.
+// The object takes up 642 KB, which is 35.7 KB for each datagram.
 class Reassembly {
  public:
   static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
-  // The UDP header and the longest payload of a sensor: 35,336 bytes from a Continental ARS548. An
-  // Ouster with 128 rows and two returns sends 33,024 bytes.
+  // The UDP header and the longest payload of any sensor. The longest payload is 35,336 bytes, from
+  // a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024 bytes per packet.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // 35,344 bytes take 24 fragments of 1480 bytes. No sender uses fragments below 984 bytes.
+  // 35,344 bytes take 24 fragments of 1480 bytes. No sender uses fragments of less than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
-  // Counted from the first fragment received. At 100 Mbit/s the fragments of a datagram arrive
-  // within 3 ms. At 1,280 datagrams a second a lidar's identification repeats after 51 s.
+  // The timeout starts when the first fragment is received. At 100 Mbit/s the fragments of a
+  // datagram arrive within 3 ms. A lidar that sends 1,280 datagrams per second repeats an
+  // identification after 51 s.
   static constexpr std::uint64_t kTimeoutUs = 100'000;
 
   enum class Fate : std::uint8_t {
     kJoined,     // stored; the datagram is incomplete
-    kCompleted,  // `packet` is the whole datagram
+    kCompleted,  // `packet` contains the whole datagram
     kDropped,
   };
   struct [[nodiscard]] Result {
     Fate fate = Fate::kDropped;
-    // Meaningful only with kCompleted. The payload is valid until the next add(). `pieces` is the
-    // number of fragments.
+    // Valid only for kCompleted. The payload is valid until the next add(). `pieces` is the number
+    // of fragments.
     Ipv4Packet packet{};
     std::size_t pieces = 0;
   };
 
   explicit Reassembly(const FragmentSenders& senders) : senders_(senders) {}
-  // Accepts every sender, for reading captures.
+  // This constructor accepts every sender. It is used to read captures.
   Reassembly() { senders_.add({}, kDatagrams); }
 
-  // `piece` is a packet with Ipv4Status::kFragment. now_us never decreases. Each call increments
-  // one of joined, completed, duplicates, overlaps, bad and refused, and also counts displaced and
-  // expired datagrams.
+  // `piece` must be a packet with Ipv4Status::kFragment. now_us must not decrease. Each call
+  // increments one of `joined`, `completed`, `duplicates`, `overlaps`, `bad` and `refused`. It also
+  // counts displaced and expired datagrams.
   Result add(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
 
  private:
@@ -99,25 +102,25 @@ class Reassembly {
     std::uint32_t end = 0;
   };
   struct Joining {
-    bool is_refused = false;  // the datagram's key is kept until it expires
+    bool is_refused = false;  // the datagram's key is kept until the timeout expires
     Ipv4Packet name;
     std::uint64_t first_us = 0;
-    std::uint32_t total_bytes = 0;  // 0: the last fragment has not arrived
+    std::uint32_t total_bytes = 0;  // 0 until the last fragment has arrived
     std::uint32_t joined_bytes = 0;
     std::size_t pieces = 0;
-    std::array<Extent, kMaxPieces> extents{};  // of the fragments, disjoint, in order of arrival
+    std::array<Extent, kMaxPieces> extents{};  // disjoint extents of the fragments in arrival order
     std::array<std::byte, kMaxBytes> bytes{};
   };
 
   void expire(std::uint64_t now_us, FragmentCounters& counters);
-  // Null if the sender may not send fragments.
+  // Returns null if the sender may not send fragments.
   [[nodiscard]] Joining* joining_of(const Ipv4Packet& piece, std::uint64_t now_us,
                                     FragmentCounters& counters);
   [[nodiscard]] Joining& displaced_by(Ipv4Address sender, bool is_its_own);
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
-  // The open flags are kept apart so that scans skip the memory of unused slots.
+  // The open flags are stored separately so that scans do not touch the memory of unused slots.
   [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
     return std::uint32_t{1} << (&joining - joinings_.data());
   }

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxUdpPayloadBytes = kMaxIpv4PayloadBytes - kUdpHe
 // A UDP datagram addressed to us. The payload is a view of the received frame.
 struct Datagram {
   Ipv4Address source{};
-  Ipv4Address destination{};  // our address, a broadcast that reaches us, or our group
+  Ipv4Address destination{};  // our address, a broadcast address that includes us, or our group
   std::uint16_t source_port = 0;
   std::uint16_t destination_port = 0;
   std::span<const std::byte> payload{};
@@ -26,11 +26,11 @@ enum class UdpStatus : std::uint8_t { kOk, kBadLength, kBadChecksum };
 
 struct [[nodiscard]] UdpResult {
   UdpStatus status = UdpStatus::kBadLength;
-  Datagram datagram{};  // meaningful only with kOk
+  Datagram datagram{};  // valid only for kOk
 };
 
-// kBadLength: the UDP length is below its header or beyond the packet's payload. Bytes after the
-// UDP length are ignored. kBadChecksum: a checksum is present (not 0) and wrong.
+// kBadLength: the UDP length is less than a header or extends beyond the packet's payload. Bytes
+// after the UDP length are ignored. kBadChecksum: a checksum is present (not 0) but wrong.
 UdpResult parse_udp(const Ipv4Packet& packet);
 
 struct UdpHeader {
@@ -40,9 +40,9 @@ struct UdpHeader {
   std::uint16_t destination_port = 0;
 };
 
-// Writes the header and a copy of the payload, at most kMaxUdpPayloadBytes, to the front of
-// `target`. `target` must have room for both and is never read. The checksum is always computed and
-// never 0. Returns the number of bytes written.
+// Writes the header and a copy of the payload to the front of `target`. The payload must be at most
+// kMaxUdpPayloadBytes long. `target` must have enough room for both and is never read. The checksum
+// is always computed and is never 0. Returns the number of bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

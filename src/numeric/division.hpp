@@ -12,8 +12,8 @@ constexpr T div_floor(T dividend, T divisor) {
   return (dividend % divisor != 0 && dividend < 0) ? quotient - 1 : quotient;
 }
 
-// The integer nearest to dividend / divisor, a tie towards plus infinity. Requires divisor > 0, and
-// that |dividend| + divisor / 2 fits T.
+// The integer nearest to dividend / divisor; ties are rounded towards plus infinity. Requires
+// divisor > 0, and |dividend| + divisor / 2 must fit in T.
 template <std::signed_integral T>
 constexpr T div_nearest(T dividend, T divisor) {
   return div_floor<T>(dividend + divisor / 2, divisor);

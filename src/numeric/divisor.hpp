@@ -1,13 +1,13 @@
 // Exact division by a divisor known only at run time, without a divide instruction.
 //
-// The Cortex-A9 has no integer divide, and the compiler's own routine takes some 400 instructions
-// for 64 bits. This follows Moeller and Granlund, "Improved division by invariant integers" (IEEE
-// Transactions on Computers 60, 2011). With d shifted until its top bit is set, algorithm 2
-// computes
+// The Cortex-A9 has no integer divide instruction, and the compiler's routine takes about 400
+// instructions for 64 bits. This follows Moeller and Granlund, "Improved division by invariant
+// integers" (IEEE Transactions on Computers 60, 2011). The divisor d is first shifted until its top
+// bit is set. Algorithm 2 then computes
 //     inverse = floor((2^64 - 1) / d) - 2^32
 // from a table of 512 entries and two Newton steps. Algorithm 4 divides 64 bits by d with one
-// product by the inverse and two corrections. All words may wrap; the paper proves that this is
-// correct.
+// multiplication by the inverse and two corrections. All words may wrap; the paper proves that the
+// result is still correct.
 #pragma once
 
 #include <array>
@@ -29,8 +29,9 @@ consteval Inverses make_inverses() {
   return inverses;
 }
 
-// floor((2^24 - 2^14 + 2^9) / u) for the upper ten bits u of the divisor; the index is u without
-// its top bit. The table is global because each call would copy a local one to the stack.
+// floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor. The index is u
+// without its top bit. The table is global because a local table would be copied to the stack in
+// each call.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail
@@ -43,7 +44,7 @@ class Divisor {
         divisor_(divisor << shift_),
         inverse_(inverse_of(divisor_)) {}
 
-  // floor(dividend / divisor), which must be below 2^32.
+  // floor(dividend / divisor). The quotient must be below 2^32.
   [[nodiscard]] constexpr std::uint32_t divide(std::uint64_t dividend) const {
     const std::uint64_t shifted = dividend << shift_;
     const std::uint64_t estimate = (shifted >> 32) * inverse_ + shifted;

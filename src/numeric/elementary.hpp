@@ -1,10 +1,10 @@
 // exp, log, sin and cos for tables computed at compile time.
 //
-// The target's code calls them only from consteval functions, and a check at link time ensures that
-// the image contains no floating-point instruction. The PC's references also call them at run time.
-// They use only +, -, * and / of IEEE doubles, each correctly rounded, so every compiler computes
-// the same table. The relative error is below 1e-14 in the stated ranges (tests/host/numeric/
-// compares with the C library).
+// On the target they are called only from consteval functions, and a check at link time ensures
+// that the image contains no floating-point instruction. The reference implementations on the PC
+// also call them at run time. They use only +, -, * and / of IEEE doubles, each correctly rounded,
+// so every compiler computes the same table. The relative error is below 1e-14 in the stated
+// ranges. tests/host/numeric/ compares the results with the C library.
 #pragma once
 
 namespace iog::numeric {
@@ -12,7 +12,7 @@ namespace iog::numeric {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kLn2 = 0.69314718055994530942;
 
-// 2^n for |n| <= 1022, exact. Uses squaring, because the compiler computes every table many times.
+// 2^n for |n| <= 1022, exact. Uses squaring, because the compiler evaluates it for many tables.
 constexpr double power_of_two(int n) {
   double square = n < 0 ? 0.5 : 2;
   double result = 1;
@@ -27,7 +27,8 @@ constexpr double power_of_two(int n) {
   return result;
 }
 
-// e^x for -700 < x < 700: x = n ln 2 + f with |f| <= ln 2 / 2, then the Taylor series of e^f.
+// e^x for -700 < x < 700. Reduces x to n ln 2 + f with |f| <= ln 2 / 2, then uses the Taylor series
+// of e^f.
 constexpr double exp(double x) {
   const double scaled = x / kLn2;
   const int n = static_cast<int>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
@@ -41,8 +42,8 @@ constexpr double exp(double x) {
   return sum * power_of_two(n);
 }
 
-// The natural logarithm of 1e-300 < x < 1e300: x = m 2^n with m near 1, then the series of
-// atanh((m - 1) / (m + 1)).
+// The natural logarithm of x for 1e-300 < x < 1e300. Reduces x to m 2^n with m near 1, then uses
+// the series of atanh((m - 1) / (m + 1)).
 constexpr double log(double x) {
   int n = 0;
   while (x > 1.5) {
@@ -63,7 +64,8 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// Sum of (-1)^i x^(2i + first) / (2i + first)!, the Taylor series for |x| <= pi / 4.
+// Sum of (-1)^i x^(2i + first) / (2i + first)!, the Taylor series of sine or cosine for |x| <= pi /
+// 4.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;
@@ -94,7 +96,7 @@ constexpr double sin(double x) {
 
 constexpr double cos(double x) { return sin(x + kPi / 2); }
 
-// The nearest integer, a tie away from zero; |x| < 2^62.
+// The nearest integer; ties are rounded away from zero. Requires |x| < 2^62.
 constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric

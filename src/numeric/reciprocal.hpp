@@ -1,12 +1,15 @@
-// Exact division by a divisor known long before the dividend, without a divide instruction.
+// Exact division without a divide instruction, for a divisor that is known long before the
+// dividend.
 //
-// The Cortex-A9 has no integer divide, and every beam divides several times by its sensor's range.
-// Granlund and Montgomery, "Division by invariant integers using multiplication" (PLDI 1994),
-// theorem 4.2: with l = ceil(log2 d), s = N + l and m = ceil(2^s / d), the error m*d - 2^s is in
-// [0, 2^l). Therefore floor(n * m / 2^s) = floor(n / d) for every 0 <= n < 2^N.
+// The Cortex-A9 has no integer divide instruction, and every beam needs several divisions by the
+// range of its sensor. Granlund and Montgomery, "Division by invariant integers using
+// multiplication" (PLDI 1994), theorem 4.2: let l = ceil(log2 d), s = N + l and m = ceil(2^s / d).
+// Then the error m*d - 2^s is in [0, 2^l). Therefore floor(n * m / 2^s) = floor(n / d) for every 0
+// <= n < 2^N.
 //
-// Here N = 31. As d > 2^(l - 1), m < 2^32 (m = 2^31 if d is a power of two), so n * m < 2^63: one
-// product of two words does not overflow. n * m / 2^31 fits a word: it is the upper word of 2n * m.
+// Here N = 31. Because d > 2^(l - 1), m < 2^32. If d is a power of two, m = 2^31. Therefore n * m <
+// 2^63, and the 32 x 32-bit product does not overflow. n * m / 2^31 fits in one word: it is the
+// upper word of 2n * m.
 #pragma once
 
 #include <bit>
@@ -20,7 +23,7 @@ class Reciprocal {
 
   constexpr Reciprocal() = default;
 
-  // divisor: 1 ... 2^31 - 1.
+  // divisor: from 1 to 2^31 - 1.
   explicit constexpr Reciprocal(std::uint32_t divisor)
       : log2_(static_cast<int>(std::bit_width(divisor - 1))),
         multiplier_(static_cast<std::uint32_t>(

@@ -1,9 +1,9 @@
-// Sine and cosine of an angle in 2^-32 turns, which wraps as its integer does.
+// Sine and cosine of an angle in units of 2^-32 turns. The angle wraps with its integer type.
 //
-// They use linear interpolation in a table of 4096 values a turn, each rounded to the nearest
-// 2^-30. With h = 2 pi / 4096 the interpolation error is at most h^2 / 8 < 2.95e-7. The rounding of
-// table and result adds at most 2^-30. The error is therefore below 2^-21, or 0.03 mm at a distance
-// of 50 m. At the table's own angles the value is the table's.
+// They are interpolated linearly in a table of 4096 values per turn, each rounded to the nearest
+// 2^-30. With h = 2 pi / 4096 the interpolation error is at most h^2 / 8 < 2.95e-7. Rounding the
+// table and the result adds at most 2^-30. The error is therefore below 2^-21, or 0.03 mm at a
+// distance of 50 m. At the angles of the table, the result equals the table value.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Rotation {
   std::int32_t sin_q30 = 0;
 };
 
-// Sine of angle / 2^32 turns, -2^30 ... 2^30.
+// Sine of angle / 2^32 turns, from -2^30 to 2^30.
 [[nodiscard]] std::int32_t sine_of(std::uint32_t angle);
 
 [[nodiscard]] Rotation rotation_of(std::uint32_t angle);

@@ -1,4 +1,4 @@
-// Sine and cosine of an integer angle by exact table look-up.
+// Sine and cosine of an integer angle by table look-up.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ consteval auto make_sine_quadrant() {
 template <std::int32_t kTicksPerTurn>
 inline constexpr auto kSineQuadrant = make_sine_quadrant<kTicksPerTurn>();
 
-// Covers a whole turn with a view of one quadrant.
+// Computes a whole turn from a table of one quadrant.
 class SineTable {
  public:
   constexpr SineTable() = default;
@@ -39,7 +39,7 @@ class SineTable {
     return static_cast<std::uint32_t>(quadrant_.size() - 1) * 4;
   }
 
-  // ticks: 0 ... ticks_per_turn() - 1.
+  // ticks: 0 to ticks_per_turn() - 1.
   [[nodiscard]] constexpr std::int32_t sine(std::uint32_t ticks) const {
     const std::uint32_t quarter = ticks_per_turn() / 4;
     if (ticks <= quarter) {

@@ -1,7 +1,7 @@
 // The square root of an integer, rounded down, without a divide instruction.
 //
-// Computes the root bit by bit from the highest. Each bit costs one comparison and one subtraction,
-// in single words if the argument fits one.
+// Computes the root bit by bit from the highest. Each bit takes one comparison and one subtraction.
+// They use 32-bit words if the argument fits in 32 bits.
 #pragma once
 
 #include <bit>

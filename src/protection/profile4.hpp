@@ -1,13 +1,13 @@
 // AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"): a 12-byte
-// header within the data that it protects, big endian.
+// big-endian header within the data that it protects.
 //
 //    0  u16 length of the data, this header included
 //    2  u16 counter, + 1 for each message, wraps from 0xFFFF to 0
 //    4  u32 data id: unique in the vehicle, against messages that went astray
 //    8  u32 CRC-32/P4 over all the data but these four bytes
 //
-// The counter starts at 0, which a receiver expects in the first message. A receiver that joins
-// later reports one wrong sequence.
+// The counter starts at 0, because receivers expect 0 in the first message. A receiver that joins
+// later reports a wrong sequence once.
 #pragma once
 
 #include <cstddef>
@@ -20,18 +20,18 @@ inline constexpr std::size_t kProfile4HeaderBytes = 12;
 
 struct Profile4 {
   std::uint32_t data_id;
-  std::size_t offset_bytes;         // of the header within the data; 8 for SOME/IP
-  std::uint16_t max_delta_counter;  // the largest counter step that counts as "some lost"
+  std::size_t offset_bytes;         // offset of the header within the data; 8 for SOME/IP
+  std::uint16_t max_delta_counter;  // the maximum counter step that is reported as kOkSomeLost
 };
 
-// The values are those of E2E_P04CheckStatusType.
+// The values are the same as in E2E_P04CheckStatusType.
 enum class CheckStatus : std::uint8_t {
-  kOk = 0x00,             // valid, the next of its sender
-  kNoNewData = 0x01,      // nothing received
+  kOk = 0x00,             // valid; next message of its sender
+  kNoNewData = 0x01,      // no message received
   kError = 0x07,          // invalid: wrong CRC, length or data id
-  kRepeated = 0x08,       // valid, same counter as before
-  kOkSomeLost = 0x20,     // valid, at most max_delta_counter ahead
-  kWrongSequence = 0x40,  // valid, farther ahead or behind
+  kRepeated = 0x08,       // valid; same counter as the previous message
+  kOkSomeLost = 0x20,     // valid; counter at most max_delta_counter ahead
+  kWrongSequence = 0x40,  // valid; counter farther ahead or behind
 };
 
 // True if the data may be used.
@@ -43,8 +43,8 @@ class Profile4Protector {
  public:
   constexpr explicit Profile4Protector(const Profile4& profile) : profile_{profile} {}
 
-  // Fills in the header. `data` includes it at the profile's offset and is at most 0xFFFF bytes
-  // long.
+  // Fills in the header. `data` includes the header at the profile's offset and is at most 0xFFFF
+  // bytes long.
   void protect(std::span<std::byte> data);
 
  private:
@@ -56,13 +56,12 @@ class Profile4Checker {
  public:
   constexpr explicit Profile4Checker(const Profile4& profile) : profile_{profile} {}
 
-  // Accepts any bytes. As in the standard, every valid message updates the counter. After a wrong
-  // sequence the next message is therefore accepted again, so the caller must also recognise old
-  // messages by their content.
+  // Accepts any bytes. As in the standard, every valid message updates the counter. The next
+  // message after a wrong sequence is therefore accepted again. For this reason the caller must
+  // also detect old messages by their content.
   [[nodiscard]] CheckStatus check(std::span<const std::byte> data);
 
-  // The counter step from the previous valid message to the last one. The number of lost messages
-  // is one less.
+  // The counter step between the last two valid messages. The number of lost messages is one less.
   [[nodiscard]] std::uint16_t delta_counter() const { return delta_counter_; }
 
  private:

@@ -1,15 +1,16 @@
-// A message on the wire: SOME/IP header, E2E header, content.
+// A message on the wire: SOME/IP header, E2E header and content.
 //
 //    0  SOME/IP header, 16 bytes (protection/some_ip.hpp)
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
 //   28  content
 //
-// AUTOSAR combines the two headers in this way (PRS_SOMEIPProtocol: the E2E header follows the
-// return code, at an offset of 64 bits; PRS_E2EProtocol: the example with that offset). Protection
-// begins after the length field of the SOME/IP header. The CRC covers bytes 8 to 23, which are
-// request id, versions, message type, return code, E2E length, counter and data id, and the content
-// from byte 28. It does not cover bytes 0 to 7, the message id and the SOME/IP length: the data id
-// and the E2E length stand for them. Both lengths count the same bytes.
+// AUTOSAR combines the two headers in this way. In PRS_SOMEIPProtocol the E2E header follows the
+// return code at an offset of 64 bits, and PRS_E2EProtocol has an example with that offset.
+// Protection starts after the length field of the SOME/IP header. The CRC covers bytes 8 to 23 and
+// the content from byte 28. Bytes 8 to 23 are the request id, versions, message type, return code,
+// E2E length, counter and data id. The CRC does not cover bytes 0 to 7, which are the message id
+// and the SOME/IP length. The data id and the E2E length protect them indirectly. The SOME/IP
+// length and the E2E length count the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +24,16 @@ namespace iog::protection {
 
 inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
 
-// A whole message. Its SOME/IP payload, to which automotive tools count the E2E header, stays below
-// 1392 bytes, the largest that SOME/IP segmentation (TP) puts into one datagram.
+// The maximum length of a whole message. Automotive tools count the E2E header as part of the
+// SOME/IP payload. That payload stays below 1392 bytes, the maximum that SOME/IP segmentation (TP)
+// puts into one datagram.
 inline constexpr std::size_t kMaxMessageBytes = 1392;
 inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
 
 struct Channel {
   Event event;
   std::uint32_t data_id;
-  std::uint16_t max_delta_counter;  // the largest counter step that raises no alarm
+  std::uint16_t max_delta_counter;  // the maximum counter step that raises no alarm
 
   [[nodiscard]] constexpr Profile4 profile() const {
     return {.data_id = data_id,
@@ -45,8 +47,8 @@ class Sender {
   constexpr explicit Sender(const Channel& channel)
       : event_{channel.event}, protector_{channel.profile()} {}
 
-  // Fills in both headers; the content must already follow them. kProtectionBytes <= message.size()
-  // <= kMaxMessageBytes
+  // Fills in both headers. The content must already be in place after the headers. Requires
+  // kProtectionBytes <= message.size() <= kMaxMessageBytes.
   void protect(std::span<std::byte> message);
 
  private:
@@ -56,8 +58,8 @@ class Sender {
 };
 
 struct Received {
-  SomeIpStatus header = SomeIpStatus::kTooShort;  // unless kOk, only the version is valid
-  std::uint8_t interface_version = 0;             // the sender's version, with kWrongVersion
+  SomeIpStatus header = SomeIpStatus::kTooShort;  // unless kOk, only the interface version is valid
+  std::uint8_t interface_version = 0;             // the sender's version, set for kWrongVersion
   CheckStatus check = CheckStatus::kError;
   std::uint16_t delta_counter = 0;       // counter step from the previous message; 0 after an error
   std::span<const std::byte> content{};  // empty unless the message is valid
@@ -68,7 +70,7 @@ class Receiver {
   constexpr explicit Receiver(const Channel& channel)
       : event_{channel.event}, checker_{channel.profile()} {}
 
-  // Accepts any datagram. One with a foreign header does not change the state.
+  // Accepts any datagram. A datagram with a foreign header does not change the state.
   [[nodiscard]] Received receive(std::span<const std::byte> datagram);
 
  private:

@@ -1,5 +1,5 @@
 // The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"): 16
-// bytes, big endian.
+// bytes in big-endian order.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
 //    4  u32 length: bytes behind this field, 8 of header included
@@ -9,8 +9,8 @@
 //   14  u8 message type: 0x02 notification
 //   15  u8 return code: 0
 //
-// A sender numbers its notifications with session ids from 1 to 0xFFFF, then 1 again. 0 would mean
-// that sessions are not counted.
+// A sender numbers its notifications with session ids from 1 to 0xFFFF and then starts again at 1.
+// A session id of 0 would mean that the sender does not use session handling.
 #pragma once
 
 #include <cstddef>
@@ -20,9 +20,9 @@
 namespace iog::protection {
 
 inline constexpr std::size_t kSomeIpHeaderBytes = 16;
-inline constexpr std::size_t kSomeIpLengthOffset = 8;  // of the first byte that the length counts
+inline constexpr std::size_t kSomeIpLengthOffset = 8;  // offset of the first byte that it counts
 
-// Identifies the notifications. `event_id` has its highest bit set.
+// Identifies the notifications of one event. The highest bit of `event_id` is set.
 struct Event {
   std::uint16_t service_id;
   std::uint16_t event_id;
@@ -33,22 +33,22 @@ struct Event {
 
 enum class SomeIpStatus : std::uint8_t {
   kOk,
-  kTooShort,      // shorter than a header or than its length field says
-  kTooLong,       // longer than its length field says: we send one message per datagram
+  kTooShort,      // shorter than a header or than its length field
+  kTooLong,       // longer than its length field; we send one message per datagram
   kNotOurs,       // another protocol version, service or event
   kWrongVersion,  // another interface version; see interface_version_of()
-  kWrongType,     // no notification, or its return code is an error
+  kWrongType,     // not a notification, or its return code is an error
 };
 
-// Writes the header of a whole message; message.size() >= 16.
+// Writes the header of a whole message. Requires message.size() >= 16.
 void write_some_ip_header(const Event& event, std::uint16_t session_id,
                           std::span<std::byte> message);
 
-// Checks that the datagram is exactly one message of this event.
+// Checks that the datagram contains exactly one message of this event.
 [[nodiscard]] SomeIpStatus check_some_ip_header(const Event& event,
                                                 std::span<const std::byte> datagram);
 
-// The interface version of a datagram with a SOME/IP header; 0 if it is too short.
+// The interface version in the SOME/IP header of a datagram; 0 if the datagram is too short.
 [[nodiscard]] std::uint8_t interface_version_of(std::span<const std::byte> datagram);
 
 [[nodiscard]] constexpr std::uint16_t session_after(std::uint16_t session_id) {

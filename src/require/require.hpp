@@ -1,9 +1,9 @@
-// Programmer errors: conditions that can only fail if the program itself is wrong.
+// Checks for programmer errors: conditions that can fail only if the program itself is wrong.
 //
-// They are separate from operating errors, which have a status. A failed requirement stops the
-// program with its source location. The board prints it as a last word and lets the watchdog reset;
-// the PC aborts. The program that links the core defines programmer_error(): board/imx6/, tools/ or
-// tests/.
+// Operating errors are reported with a status instead. A failed requirement stops the program and
+// reports the source location. The board prints it as its last word and lets the watchdog reset the
+// machine; the PC aborts. programmer_error() is defined by the program that links the core:
+// board/imx6/, tools/ or tests/.
 #pragma once
 
 namespace iog {

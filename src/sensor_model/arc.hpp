@@ -1,24 +1,25 @@
-// The inverse sensor model across a wide beam, such as that of a radar: the occupancy indexes that
-// a detection gives to the cells beside it.
+// The inverse sensor model across a wide beam, such as a radar beam. It determines the occupancy
+// indexes that a detection gives to the cells on both sides of it.
 //
-// Along the beam, single_target.hpp applies: if the target is in this direction, its 1D cell k is
-// occupied with P(o_k | z). The direction of the target is Gaussian. Directions are cut into
-// angular cells, as the beam is cut into 1D cells. An angular cell is as long as the standard
-// deviation, and the detection is in the middle of angular cell 0. The target is in angular cell a
-// with the weight
+// Along the beam, single_target.hpp applies. If the target is in this direction, its 1D cell k is
+// occupied with probability P(o_k | z). The direction of the target has a Gaussian distribution.
+// Directions are divided into angular cells, just as the beam is divided into 1D cells. The width
+// of an angular cell equals the standard deviation, and the detection is at the centre of angular
+// cell 0. The target is in angular cell a with weight
 //
 //   w_a = exp(-a^2 / 2) / sum_b exp(-b^2 / 2).
 //
-// With the weight 1 - w_a it is elsewhere, and then nothing is known about cell a:
+// With weight 1 - w_a the target is elsewhere, and nothing is known about cell a:
 //
 //   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2
 //
-// Cells before and behind the target get no index. A radar sees past objects and round corners, and
-// does not report everything that is there (docs/model.md, section 10).
+// Cells in front of and behind the target get no index. A radar detects objects behind other
+// objects and around corners, and it does not report every object (docs/model.md, section 10).
 //
-// An ultrasonic unit gives no direction, so the Gaussian is its cone. It reports the first echo. It
-// hears an object in its cone with probability h. With a prior of 1/2, a cell before the target,
-// from which nothing was heard, is therefore occupied with
+// An ultrasonic sensor measures no direction, so the Gaussian represents its cone. The sensor
+// reports only the first echo. It detects an object in its cone with probability h. Consider a cell
+// in front of the target from which no echo was received. With a prior of 1/2 it is therefore
+// occupied with
 //
 //   P(o | z) = (1 - h) / (2 - h)
 //
@@ -36,27 +37,33 @@
 
 namespace iog::sensor_model {
 
-// At the smallest epsilon of a car, 0.01, cell 3 would need a weight of 0.01. It has 0.004.
+// With 0.01, the smallest epsilon of a car, cell 3 would need a weight of 0.01. Its weight is only
+// 0.004.
 inline constexpr std::size_t kMaxArcCells = 3;
 
-// h of an ultrasonic unit. It often does not hear cloth, foam, thin poles, and planes that reflect
-// the sound away. The value is low on purpose, so that a detection outweighs silence.
+// h of an ultrasonic sensor. The sensor often misses cloth, foam, thin poles, and planes that
+// reflect the sound away. The value is deliberately low, so that a detection outweighs a missing
+// echo.
 inline constexpr double kHeard = 0.2;
 
 struct Arc {
-  std::uint16_t cell_ticks = 0;  // length of an angular cell, in ticks of the sensor
-  std::uint8_t count = 0;        // cells to each side that get an index, cell 0 included
-  std::array<index::OccupancyIndex, kMaxArcCells> marks{};  // by distance; above 0, not increasing
-  index::OccupancyIndex free = 0;  // of the cone before the target; at most 0, and 0 for a radar
+  std::uint16_t cell_ticks = 0;  // width of an angular cell in ticks of the sensor
+  std::uint8_t count = 0;        // number of cells per side that get an index, including cell 0
+  std::array<index::OccupancyIndex, kMaxArcCells> marks{};  // indexes from the centre outward;
+                                                            // above 0 and never increasing
+  index::OccupancyIndex free = 0;  // index of the cone in front of the target; at most 0, and
+                                   // always 0 for a radar
 
-  // Whether the sensor is a radar or an ultrasonic unit.
+  // True if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // The largest offset in whole ticks from the detection's azimuth that lies in one of these cells.
+  // The maximum offset from the detection's azimuth, in whole ticks, that lies in one of these
+  // cells.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
-  // The index at this offset, which is at most reach_ticks(). A border belongs to the outer cell.
+  // The index at this offset. Requires an offset of at most reach_ticks(). A border belongs to the
+  // outer cell.
   [[nodiscard]] constexpr index::OccupancyIndex at(std::int32_t off_ticks) const {
     const std::int32_t off = off_ticks < 0 ? -off_ticks : off_ticks;
     return marks[static_cast<std::size_t>((2 * off + cell_ticks) / (2 * std::int32_t{cell_ticks}))];
@@ -73,7 +80,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-// The count is 0 if not even cell 0 can be marked.
+// The count is 0 if not even cell 0 can get an index.
 constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   const double hit = SingleTarget{config.sigma_m, config.cell_length_m}.probability(0);
   const index::RecursiveSet set(config.epsilon);
@@ -95,8 +102,8 @@ constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   return arc;
 }
 
-// The index of a cell from which an ultrasonic unit heard nothing. 0 if even the weakest index of
-// the set would say more.
+// The index of a cell from which an ultrasonic sensor received no echo. It is 0 if even the weakest
+// index of the set would be too strong.
 constexpr index::OccupancyIndex unheard(const ProfileConfig& config) {
   const index::RecursiveSet set(config.epsilon);
   return static_cast<index::OccupancyIndex>(

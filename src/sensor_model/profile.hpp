@@ -2,8 +2,8 @@
 // scan point.
 //
 // See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the whole local grid
-// of a beam by three things: the index of all cells well before the scan point, the indexes of the
-// few cells around it, and 0 beyond.
+// of a beam by the index of all cells well before the scan point, the indexes of the few cells
+// around the scan point, and the index 0 for all cells beyond them.
 #pragma once
 
 #include <array>
@@ -19,23 +19,24 @@ namespace iog::sensor_model {
 
 struct ProfileConfig {
   double sigma_m = 0.10;        // standard deviation of the range
-  double cell_length_m = 0.10;  // Delta, the length of a 1D cell: the sensor's precision
-  double epsilon = 0.05;        // of the recursive set
-  double floor = 0.05;          // smaller ISM values are raised to this (thesis section 4.3.1.1)
+  double cell_length_m = 0.10;  // Delta, the length of a 1D cell, which is the sensor's precision
+  double epsilon = 0.05;        // epsilon of the recursive set
+  double floor = 0.05;          // lower limit of the ISM values (thesis section 4.3.1.1)
   index::Quantisation quantisation = index::Quantisation::kBlurring;
 };
 
-// Maximum number of cells on one side of the scan point whose index is neither the free one nor 0.
+// The maximum number of cells on one side of the scan point whose index is neither the free index
+// nor 0.
 inline constexpr std::size_t kMaxNearCells = 8;
 
 template <typename Cell>
 struct BasicProfile {
-  Cell free = 0;                                  // 1D cells before the near ones; below 0
-  std::uint8_t near_before_count = 0;             // how many of near_before are in use
-  std::array<Cell, kMaxNearCells> near_before{};  // [j]: 1D cell k - 1 - j; at most 0
-  Cell hit = 0;                                   // 1D cell k; above 0
-  std::uint8_t near_after_count = 0;              // how many of near_after are in use
-  std::array<Cell, kMaxNearCells> near_after{};   // [j]: 1D cell k + 1 + j; at least 0
+  Cell free = 0;                                  // index of 1D cells before the near ones; below 0
+  std::uint8_t near_before_count = 0;             // number of entries of near_before in use
+  std::array<Cell, kMaxNearCells> near_before{};  // entry j is for 1D cell k - 1 - j; at most 0
+  Cell hit = 0;                                   // index of 1D cell k; above 0
+  std::uint8_t near_after_count = 0;              // number of entries of near_after in use
+  std::array<Cell, kMaxNearCells> near_after{};   // entry j is for 1D cell k + 1 + j; at least 0
 
   // The index of the 1D cell at this offset from k.
   [[nodiscard]] constexpr Cell at(int offset) const {
@@ -49,9 +50,9 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // Whether a frame can be fused with this profile: it carves before the scan point, marks at it,
-  // and clears nothing behind it. A 1D cell much shorter than sigma cannot mark (thesis section
-  // 4.2.1.2, figure 4.6d); such a sensor needs a longer one.
+  // True if a frame can be fused with this profile: it carves before the scan point, marks at the
+  // scan point, and clears nothing behind it. A 1D cell much shorter than sigma cannot be marked
+  // (thesis section 4.2.1.2, figure 4.6d). Such a sensor needs longer 1D cells.
   [[nodiscard]] constexpr bool is_valid() const {
     bool valid = free < 0 && hit > 0;
     for (std::size_t j = 0; j < kMaxNearCells; ++j) {
@@ -65,8 +66,8 @@ struct BasicProfile {
 
 using Profile = BasicProfile<index::OccupancyIndex>;
 
-// No value if a near zone needs more than kMaxNearCells cells, or if an index does not fit its
-// type.
+// Returns nothing if a near zone needs more than kMaxNearCells cells, or if an index does not fit
+// in its type.
 template <typename Cell = index::OccupancyIndex>
 constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& config) {
   const SingleTarget model{config.sigma_m, config.cell_length_m};
@@ -98,10 +99,11 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// Neither constexpr nor defined: calling it stops the compilation with its name in the message.
+// Neither constexpr nor defined, so calling it stops the compilation with an error message that
+// contains its name.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// Like profile_of(), for a profile that is known to fit. If it does not fit, the code does not
+// Like profile_of(), but for a profile that is known to fit. If it does not fit, the code does not
 // compile.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {

@@ -3,10 +3,11 @@
 //   P(o_i | z) = ( sum_{h<i} p(z|d_h) 2^-h  +  p(z|d_i) 2^-(i-1) ) / alpha
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
-// p(z|d) is a Gaussian of standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent. (Equation 4.1 omits it, but Table 4.3 needs it: docs/model.md section 4.) Distances are
-// those of cell centres, and z is the centre of its own cell k. So only i - k and the ratio of cell
-// length to sigma matter, as long as k is not within a few cells of either end of the grid.
+// p(z|d) is a Gaussian with standard deviation sigma around d, with the usual factor 1/2 in the
+// exponent. Equation 4.1 omits this factor, but Table 4.3 needs it (docs/model.md section 4).
+// Distances are measured to the centres of cells, and z is the centre of its own cell k. Therefore
+// only i - k and the ratio of cell length to sigma matter, unless k is within a few cells of an end
+// of the grid.
 #pragma once
 
 #include "numeric/elementary.hpp"
@@ -15,9 +16,9 @@ namespace iog::sensor_model {
 
 struct SingleTarget {
   double sigma_m;        // standard deviation of the range, > 0
-  double cell_length_m;  // length of a 1D cell, > 0, not above 4 sigma
+  double cell_length_m;  // length of a 1D cell, > 0 and at most 4 sigma
 
-  // P(o_(k + offset) | z in cell k). |offset| <= 32.
+  // P(o_(k + offset) | z in cell k). Requires |offset| <= 32.
   [[nodiscard]] constexpr double probability(int offset) const {
     double before = 0;
     double alpha = 0;
@@ -33,8 +34,8 @@ struct SingleTarget {
   }
 
  private:
-  // Number of cells to sum on each side. The powers of two shift the largest term by sigma^2 ln 2 /
-  // cell^2 cells. 12 sigma beyond it, a term is below 1e-30 of the largest.
+  // The number of cells to sum on each side. The powers of two shift the maximum term by sigma^2 ln
+  // 2 / cell^2 cells. At 12 sigma beyond this maximum, a term is below 1e-30 of the maximum.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);

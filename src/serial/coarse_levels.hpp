@@ -1,9 +1,9 @@
-// The coarse grids of a frame, two levels of its quadtree: a fine one of 128 x 128 cells and a
-// rough one of 32 x 32. With 1024 x 1024 cells of 0.1 m they are levels 3 and 5, with cells of 0.8
-// m and 3.2 m.
+// The coarse grids of a frame. They are two levels of its quadtree: a fine grid of 128 x 128 cells
+// and a rough grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are levels 3
+// and 5 with cells of 0.8 m and 3.2 m.
 //
-// A coarse cell has the highest index of the cells below it. It is occupied if any of them is, free
-// if all of them are, and otherwise unknown.
+// The index of a coarse cell is the highest index of the cells in it. The coarse cell is occupied
+// if any of these cells is occupied, free if all of them are free, and otherwise unknown.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace iog::serial {
 
 class CoarseLevels {
  public:
-  // The rough grid is one tile, the fine one 4 by 4.
+  // The rough grid consists of one tile, the fine grid of 4 by 4 tiles.
   static constexpr unsigned kRoughLevel = std::countr_zero(geometry::kTilesPerSide);
   static constexpr unsigned kFineLevel = kRoughLevel - 2;
   static constexpr std::size_t kFineTilesPerSide = 4;
@@ -28,10 +28,10 @@ class CoarseLevels {
   // Sets all cells to unknown.
   void clear();
 
-  // Adds a tile of the grid by its number.
+  // Adds the grid's tile with this number.
   void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
-  // The tiles of the fine grid. All cells of a tile that is not known are unknown.
+  // The tiles of the fine grid. If a tile is not known, all its cells are unknown.
   [[nodiscard]] bool is_fine_known(std::size_t fine_tile) const {
     return (known_fine_tiles_ >> fine_tile & 1U) != 0;
   }

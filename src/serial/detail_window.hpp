@@ -1,6 +1,6 @@
-// Copies of a few known tiles of a frame, from a given number on: as many as the serial link can
-// carry before the next frame. A new frame therefore costs only a few copies, however many tiles it
-// has.
+// Copies of a few known tiles of a frame, starting at a given tile number. It holds as many tiles
+// as the serial link can transmit before the next frame. A new frame therefore takes only a few
+// copies, however many tiles it has.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,11 @@ namespace iog::serial {
 
 class DetailWindow {
  public:
-  // At 115200 baud the link carries 460 bytes per frame; a known tile takes more than 14.
+  // At 115200 baud the link transmits 460 bytes per frame, and a known tile takes more than 14
+  // bytes.
   static constexpr std::size_t kTiles = 32;
 
-  // Empties the window. Tiles below `first_tile` will be ignored.
+  // Empties the window. Tiles below `first_tile` are ignored from now on.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
@@ -40,11 +41,12 @@ class DetailWindow {
     ++count_;
   }
 
-  // One past the last tile that the window covers. A covered tile that find() does not find is
-  // unknown.
+  // One past the last tile that the window covers. If find() does not find a covered tile, the tile
+  // is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
-  // The place of the first known tile with a number of at least `tile`; count() if there is none.
+  // The position of the first known tile with a number of at least `tile`, or count() if there is
+  // none.
   [[nodiscard]] std::size_t find(std::size_t tile) const {
     const auto numbers = std::span(numbers_).first(count_);
     return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());

@@ -1,6 +1,7 @@
-// Chooses which flow sends next on a link that is too slow for all of them: the one with the least
-// service relative to its weight (start-time fair queueing: Goyal, Vin and Cheng, IEEE/ACM
-// Transactions on Networking 5, 1997). A flow neither loses nor gains by being idle.
+// Chooses the flow that sends next on a link that is too slow for all flows. This is the flow that
+// has received the least service relative to its weight (start-time fair queueing: Goyal, Vin and
+// Cheng, IEEE/ACM Transactions on Networking 5, 1997). Being idle is neither an advantage nor a
+// disadvantage for a flow.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,15 @@ namespace iog::serial {
 template <std::size_t kFlows>
 class FairQueue {
  public:
-  // weights: the flows' shares of the link, each a divisor of kUnit.
+  // weights: the flows' fractions of the link. Each weight must divide kUnit.
   static constexpr std::uint32_t kUnit = 24;
 
   constexpr explicit FairQueue(const std::array<std::uint32_t, kFlows>& weights)
       : weights_{weights} {}
 
-  // Chooses among the waiting flows, the first one if several are equal. Idle flows are raised to
-  // the service of the chosen one, so that they cannot claim service for their idle time.
+  // Chooses one of the waiting flows. If several have the same service, it chooses the first of
+  // them. Idle flows are raised to the service of the chosen flow, so they cannot claim service for
+  // their idle time.
   [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
     std::optional<std::size_t> chosen;
     for (std::size_t flow = 0; flow < kFlows; ++flow) {
@@ -41,7 +43,7 @@ class FairQueue {
     service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
     const std::uint32_t least = *std::ranges::min_element(service_);
     for (std::uint32_t& service : service_) {
-      service -= least;  // only differences count, so there is no overflow
+      service -= least;  // only differences matter, so subtracting avoids overflow
     }
   }
 

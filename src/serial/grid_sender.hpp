@@ -1,14 +1,14 @@
-// Sends the grid over a serial link that is far too slow for it (docs/spec.md 3.8). Every tile is
-// taken from the newest frame.
+// Sends the grid over a serial link that is far too slow for it (docs/spec.md 3.8). Every tile
+// comes from the newest frame.
 //
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
-// Three flows share the link: the rough grid of 3.2 m, the fine one of 0.8 m, and the cells
-// themselves. A flow sends the tiles of its grid in rounds. It sends at most one round per frame,
-// and continues in the next frame where it stopped. A message gives the cells of every tile that it
-// covers, or leaves the whole tile unknown, so no tile of a receiver is older than one round. A
-// frame without any sensor has no known cells. Only an empty rough grid is sent for it, as a sign
-// of life.
+// Three flows share the link: the rough grid of 3.2 m, the fine grid of 0.8 m, and the
+// full-resolution cells. A flow sends the tiles of its grid in rounds. It sends at most one round
+// per frame, and continues in the next frame where it stopped. A message contains the cells of
+// every known tile in its tile range; all other tiles in the range are unknown. No tile of a
+// receiver is therefore older than one round. A frame without any sensor has no known cells. For
+// such a frame, only an empty rough grid is sent as a heartbeat.
 #pragma once
 
 #include <algorithm>
@@ -30,23 +30,24 @@
 
 namespace iog::serial {
 
-// Holds 64 KB: make it static.
+// The object takes up 64 KB: make it static.
 class GridSender {
  public:
-  // The most tiles that one pump() encodes.
+  // The maximum number of tiles that one pump() encodes.
   static constexpr std::size_t kTilesPerPump = 2;
 
-  // Not constexpr: the object is initialised at start-up and takes no space in the image.
+  // Not constexpr, so the object is initialised at start-up and takes up no space in the image.
   GridSender();
 
-  // Takes a closed frame: its header, its known tiles in ascending order, then its end. This reads
-  // each cell once and copies at most DetailWindow::kTiles tiles. Do not call pump() in between.
+  // Adds a complete frame: its header, then its known tiles in ascending order, then its end. This
+  // reads each cell once and copies at most DetailWindow::kTiles tiles. Do not call pump() between
+  // these calls.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Call it once per pass of the loop. It encodes at most kTilesPerPump tiles, protects and frames
-  // at most one message, and passes at most 40 ms worth of bytes to the port. now_us must not
+  // Call it once per loop iteration. It encodes at most kTilesPerPump tiles, protects and frames at
+  // most one message, and passes at most 40 ms worth of bytes to the port. now_us must not
   // decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
@@ -58,27 +59,28 @@ class GridSender {
     port.pump();
   }
 
-  // Messages composed since start.
+  // The number of messages composed since start.
   [[nodiscard]] std::uint32_t messages() const { return sequence_; }
 
  private:
   enum Flow : std::size_t { kRough, kFine, kCells };
   static constexpr std::size_t kFlows = 3;
-  // Twelfths of the link. At 115200 baud the link then sends each coarse grid about four times a
-  // second. The rest is for the cells, which always need more than the link can carry.
+  // The weights are twelfths of the link's capacity. At 115200 baud each coarse grid is sent about
+  // four times per second. The remaining capacity is used for the cells, which always need more
+  // than the link can transmit.
   static constexpr std::array<std::uint32_t, kFlows> kWeights{1, 3, 8};
 
   // The part of a flow's grid that is still to be sent from this frame.
   struct Round {
-    std::size_t next = 0;  // tile
-    std::size_t left = 0;  // number of tiles from there on, wrapping at the end of the grid
+    std::size_t next = 0;  // number of the next tile
+    std::size_t left = 0;  // number of remaining tiles from `next` on, modulo the grid
   };
 
-  // Continues a message while the link is busy with the previous one for some 40 ms. Returns true
-  // when the message is complete and in frame_left_.
+  // Continues composing a message while the link sends the previous one, which takes about 40 ms.
+  // Returns true if the message is complete and stored in frame_left_.
   [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
-  // Returns false when the message is complete.
+  // Returns false if the message is complete.
   [[nodiscard]] bool append_tile();
   void finish_message(std::size_t end_tile);
   [[nodiscard]] std::size_t find_known(std::size_t tile) const;

@@ -1,4 +1,4 @@
-// The message of a target that has refused the car in its image and therefore sends no grid
+// The message of a target that refused the car in its image and therefore sends no grid
 // (docs/spec.md 3.11).
 #pragma once
 
@@ -20,7 +20,7 @@ struct CarRefusal {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_car_refusal(const CarRefusal& refusal, std::span<std::byte> buffer);
 
-// The words are a view of the body. Returns nothing if the body is too short.
+// `words` is a view of the body. Returns nothing if the body is too short.
 [[nodiscard]] std::optional<CarRefusal> read_car_refusal(std::span<const std::byte> body);
 
 }  // namespace iog::stream

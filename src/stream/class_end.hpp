@@ -1,5 +1,6 @@
-// The message that ends a frame's classes (docs/spec.md 3.10). It names the class grid, counts the
-// outcomes of slices and pose messages, and lists the poses of the placed slices.
+// The message that ends the classes of a frame (docs/spec.md 3.10). It contains the CRC of the
+// class grid, the outcomes of slices and pose messages, and the poses of the slices placed in the
+// window.
 #pragma once
 
 #include <array>
@@ -22,36 +23,37 @@ inline constexpr std::size_t kMaxSlices = 32;
 
 // A slice placed in the window.
 struct SliceRecord {
-  std::uint64_t middle_us = 0;  // by the clock of the pose source
+  std::uint64_t middle_us = 0;  // middle of the slice, by the pose source's clock
   pose::Pose pose{};            // at middle_us
   pose::Sigma sigma{};
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// Slices that one cause has kept from being placed, since start.
+// The slices that could not be placed for one cause since start.
 struct CauseRecord {
-  std::uint32_t slices = 0;  // for the cause kNone: slices that were placed
-  pose::Tally began{};       // how often the cause began, and when it last did
+  std::uint32_t slices = 0;  // for the cause kNone, the number of slices placed
+  pose::Tally began{};       // how often the cause began, and the last time at which it began
 };
 
 struct ClassEnd {
   ClassWindow window{};
   std::uint32_t tiles_sent = 0;
-  std::uint32_t tiles_lost = 0;   // known but not sent: the network accepted no message
-  std::uint32_t classes_crc = 0;  // of all tiles with a classified cell, sent or not
+  std::uint32_t tiles_lost = 0;   // known tiles not sent because the network accepted no message
+  std::uint32_t classes_crc = 0;  // CRC of all tiles with a classified cell, even if not sent
 
-  // In this frame.
+  // Values of this frame.
   std::uint32_t packets_placed = 0;
   std::uint32_t packets_not_placed = 0;
-  std::uint32_t slices_over_budget = 0;  // had a pose, but the window had no room
+  std::uint32_t slices_over_budget = 0;  // slices with a pose for which the window had no room
   std::uint32_t groups_fused = 0;
-  std::uint32_t groups_left = 0;                 // had evidence, but exceeded the budget
-  std::uint32_t groups_refreshed = 0;            // without evidence
+  std::uint32_t groups_left = 0;                 // groups with evidence left out because of the
+                                                 // budget
+  std::uint32_t groups_refreshed = 0;            // groups updated without evidence
   std::uint8_t slice_count = 0;                  // at most kMaxSlices
-  std::array<SliceRecord, kMaxSlices> slices{};  // in order of time
+  std::array<SliceRecord, kMaxSlices> slices{};  // in chronological order
 
   std::array<std::uint32_t, pose::kFateCount>
-      pose_fates{};  // pose messages by outcome, since start
+      pose_fates{};  // numbers of pose messages by outcome, since start
   std::array<CauseRecord, pose::kCauseCount> causes{};
   std::optional<MapState> map{};  // empty if the target sends no map state
 };
@@ -59,8 +61,8 @@ struct ClassEnd {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_class_end(const ClassEnd& end, std::span<std::byte> buffer);
 
-// Returns kOk, kTooShort, or kInconsistent if records are shorter than ours. Skips entries that a
-// later version appends.
+// Returns kOk, kTooShort, or kInconsistent if the records are shorter than expected. Skips fields
+// that a later version may append.
 [[nodiscard]] ReadStatus read_class_end(std::span<const std::byte> body, ClassEnd& end);
 
 }  // namespace iog::stream

@@ -1,5 +1,5 @@
-// The header of the world-aligned window in messages of class tiles (docs/spec.md 3.9): its
-// position, the last pose of the vehicle, and the causes that kept slices out of it.
+// The header of the world-aligned window in class tile messages (docs/spec.md 3.9). It contains the
+// window's position, the last pose of the vehicle, and the causes for which slices were not placed.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace iog::stream {
 
-// Bits of ClassWindow::causes: what happened since the previous frame. These are wire values.
-// After a break the window is unknown.
+// Bits of ClassWindow::causes. They report events since the previous frame. These are wire values.
+// After a break the whole window is unknown.
 inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
 inline constexpr std::uint16_t kCauseLost = 0x0002;          // no pose for 1 s; break
 inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose deviation too large
@@ -23,35 +23,35 @@ inline constexpr std::uint16_t kCauseJump = 0x0008;          // pose far from pr
 inline constexpr std::uint16_t kCauseRestart = 0x0010;       // pose source restarted; break
 inline constexpr std::uint16_t kCauseOverBudget = 0x0020;    // cells deferred to later frames
 inline constexpr std::uint16_t kCauseContradicted = 0x0040;  // contradicted by sensors; break
-inline constexpr std::uint16_t kCauseDrifting = 0x0080;      // poses come ever later; break
+inline constexpr std::uint16_t kCauseDrifting = 0x0080;      // poses arrive later and later; break
 
 struct ClassWindow {
   std::uint16_t causes = 0;
-  // The tile of lowest x and y. In the local frame, tile (a, b) begins at a and b times the tile's
-  // side.
+  // The tile with the lowest x and y. In the local frame, tile (a, b) begins at x = a s and y = b
+  // s, where s is the side of a tile.
   std::int32_t corner_a = 0;
   std::int32_t corner_b = 0;
-  pose::Pose pose{};          // at the end of the last slice; zero if unknown
-  pose::Sigma sigma{};        // of the motion in the preceding second; maximum values if unknown
-  std::uint8_t slices = 0;    // placed in this frame
+  pose::Pose pose{};          // pose at the end of the last slice; zero if unknown
+  pose::Sigma sigma{};        // deviation of the motion in the last second; maximum if unknown
+  std::uint8_t slices = 0;    // number of slices placed in this frame
   std::uint8_t slice_ms = 0;  // duration of a slice
-  std::uint64_t slices_begin_us = 0;  // of the first slice, by the clock of the pose source
-  std::uint64_t slices_end_us = 0;    // of the last slice: the time stamp of the frame
+  std::uint64_t slices_begin_us = 0;  // start of the first slice, by the pose source's clock
+  std::uint64_t slices_end_us = 0;    // end of the last slice, which is the timestamp of the frame
 
-  // True if a slice was placed and its pose is known.
+  // True if at least one slice was placed and its pose is known.
   [[nodiscard]] constexpr bool has_place() const { return slices > 0 && sigma != pose::Sigma{}; }
   friend constexpr bool operator==(const ClassWindow&, const ClassWindow&) = default;
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// The area of the window. Messages number its tiles by slot, which does not change while the window
-// moves.
+// The area of the window. Messages number its tiles by slot. The slot of a tile does not change
+// while the window moves.
 [[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes) {
   return window::Area({.a = classes.corner_a, .b = classes.corner_b});
 }
 
-// A cell of a class tile: class and confidence (docs/spec.md 3.9). 0 is unknown, always without
-// confidence.
+// A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). 0 is unknown and has
+// no confidence.
 inline constexpr std::uint8_t kClassCount = 9;
 inline constexpr std::uint8_t kSurenessCount = 8;
 
@@ -66,12 +66,13 @@ inline constexpr std::uint8_t kSurenessCount = 8;
   return static_cast<std::uint8_t>(std::to_integer<unsigned>(cell) % kSurenessCount);
 }
 
-// True if each cell of a decoded tile is a valid class byte.
+// True if every cell of a decoded tile is a valid class byte.
 [[nodiscard]] bool are_class_bytes(tile_coding::TileCells cells);
 
 void write_class_window(const ClassWindow& window, std::span<std::byte, kClassWindowBytes> buffer);
 
-// Reads the header and skips fields that a later version appends. Returns false if it is too short.
+// Reads the header and skips fields that a later version may append. Returns false if it is too
+// short.
 [[nodiscard]] bool read_class_window(wire::ByteReader& in, ClassWindow& window);
 
 }  // namespace iog::stream

@@ -1,4 +1,4 @@
-// The CRC-32 that names grids and cars.
+// The CRC-32 that identifies grids and cars.
 #pragma once
 
 #include "checksum/crc32.hpp"

@@ -1,4 +1,4 @@
-// The CRC that names a grid.
+// The CRC that identifies a grid.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace iog::stream {
 
-// CRC-32 over the grid's known tiles in order of tile y, then tile x. Each tile contributes its x
-// and y as big-endian u16, then its 1024 cells. A grid without known cells has CRC 0.
+// CRC-32 over the known tiles of the grid, sorted by tile y and then by tile x. Each tile
+// contributes its x and y as big-endian u16 and then its 1024 cells. A grid without known cells has
+// CRC 0.
 class GridHash {
  public:
-  // tile: its number in row-major order.
+  // tile: the tile's number in row-major order.
   void add(std::size_t tile, tile_coding::TileCells cells);
-  // Adds a tile whose cells have this remainder (checksum::FastCrc32::remainder_of()).
+  // Adds a tile whose cells have this CRC remainder (checksum::FastCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }

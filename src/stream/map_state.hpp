@@ -1,5 +1,5 @@
 // The map state at the end of a frame's classes (docs/spec.md 3.10): the block in use, its
-// transform, why cells have no class from the map, and the delivery of the next block.
+// transform, the reasons why cells have no class from the map, and the transfer of the next block.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace iog::stream {
 // Longer attributions are truncated at a character boundary.
 inline constexpr std::size_t kMaxShownAttribution = 96;
 
-// The block in use, apart from its CRC.
+// The block in use, without its CRC.
 struct MapInUse {
   std::uint8_t source = 0;  // map::Source
   std::uint8_t attribution_bytes = 0;
@@ -39,7 +39,7 @@ struct MapState {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_map_state(const MapState& state, std::span<std::byte> buffer);
 
-// Skips fields that a later version appends. Returns nothing if the state is too short.
+// Skips fields that a later version may append. Returns nothing if the map state is too short.
 [[nodiscard]] std::optional<MapState> read_map_state(std::span<const std::byte> bytes);
 
 }  // namespace iog::stream

@@ -1,6 +1,6 @@
-// The messages that list which datagrams a target received in a frame, and when (docs/spec.md
-// 3.13). A PC uses them to reproduce the classes if sensors and poses have different clocks. A
-// frame's list is sent in parts, one message each.
+// The messages that list the datagrams that a target received in a frame, with their times
+// (docs/spec.md 3.13). A PC uses them to reproduce the classes if the sensors and the pose source
+// have different clocks. The list of a frame is sent in parts. Each part is one message.
 #pragma once
 
 #include <array>
@@ -12,30 +12,31 @@
 
 namespace iog::stream {
 
-// A datagram to the port of a sensor or of the poses, from an allow-listed sender.
+// A datagram from an allow-listed sender to a sensor port or to the pose port.
 struct Reception {
   std::uint16_t port = 0;             // UDP destination port
-  bool was_left = false;              // sensor datagram that was shed for lack of time
-  std::uint32_t key = 0;              // key_of() its payload
-  std::uint32_t before_close_us = 0;  // from reception to the end of the frame (Header::closed_us)
+  bool was_left = false;              // sensor datagram shed because the target is too slow
+  std::uint32_t key = 0;              // result of key_of() for its payload
+  std::uint32_t before_close_us = 0;  // time from reception to the frame's end (Header::closed_us)
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter.
-// Time, number or measurements there distinguish the datagrams of a sensor.
+// CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter. The
+// timestamp, the sequence number or the measurements in these bytes distinguish the datagrams of a
+// sensor.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// More than the packets and poses stored for a frame.
+// This exceeds the number of packets and poses stored for a frame.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
-// The fields common to all parts of a list.
+// The fields that all parts of a list have in common.
 struct ReceptionsHeader {
-  std::uint16_t receptions = 0;  // in the frame, at most kMaxReceptions
-  std::uint8_t parts = 1;        // 1 ... kMaxReceptionParts; 1 for an empty list
-  std::uint32_t not_listed = 0;  // received after the list was full
+  std::uint16_t receptions = 0;  // number of receptions in the frame, at most kMaxReceptions
+  std::uint8_t parts = 1;        // 1 to kMaxReceptionParts; 1 if the list is empty
+  std::uint32_t not_listed = 0;  // number of datagrams received after the list was full
   friend constexpr bool operator==(const ReceptionsHeader&, const ReceptionsHeader&) = default;
 };
 
@@ -44,7 +45,7 @@ struct ReceptionsHeader {
   return receptions == 0 ? 1 : (receptions + kMaxReceptionsOfAPart - 1) / kMaxReceptionsOfAPart;
 }
 
-// Writes one part; `part` is less than reception_parts_of(list.size()). Returns the number of bytes
+// Writes one part. Requires part < reception_parts_of(list.size()). Returns the number of bytes
 // written, or 0 if the buffer is too small.
 std::size_t write_receptions(std::span<const Reception> list, std::uint32_t not_listed,
                              std::size_t part, std::span<std::byte> buffer);
@@ -52,7 +53,7 @@ std::size_t write_receptions(std::span<const Reception> list, std::uint32_t not_
 struct ReceptionPart {
   ReceptionsHeader header{};
   std::uint8_t part = 0;
-  std::uint8_t count = 0;  // of records
+  std::uint8_t count = 0;  // number of records
   std::array<Reception, kMaxReceptionsOfAPart> records{};
 
   [[nodiscard]] constexpr std::span<const Reception> all() const {
@@ -60,9 +61,9 @@ struct ReceptionPart {
   }
 };
 
-// Skips fields that a later version appends. Returns kOk, kTooShort or kInconsistent. kInconsistent
-// means one of: a part number beyond the number of parts; a wrong number of receptions for this
-// part; a truncated record; times that decrease.
+// Skips fields that a later version may append. Returns kOk, kTooShort or kInconsistent. Returns
+// kInconsistent if the part number exceeds the number of parts, the number of receptions is wrong
+// for this part, a record is truncated, or the times decrease.
 [[nodiscard]] ReadStatus read_receptions(std::span<const std::byte> body, ReceptionPart& part);
 
 }  // namespace iog::stream

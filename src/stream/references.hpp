@@ -1,5 +1,5 @@
-// Reference tiles for encoding differences: the last self-contained version of each tile. Sender
-// and receivers store the same tiles (docs/spec.md 3.4).
+// Reference tiles for difference encoding. The reference of a tile is its last self-contained
+// version. Sender and receivers store the same tiles (docs/spec.md 3.4).
 #pragma once
 
 #include <array>
@@ -14,10 +14,11 @@
 
 namespace iog::stream {
 
-// The maximum age of a reference. A receiver is complete after receiving one frame more than this.
-inline constexpr std::uint32_t kMaxReferenceAge = 7;  // frames
+// The maximum age of a reference. A receiver has all tiles after it has received one frame more
+// than this.
+inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
-// True if a tile with this encoding is self-contained.
+// True if tiles with this encoding are self-contained.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {
   return encoding != tile_coding::Encoding::kRunStartsSince;
 }
@@ -28,17 +29,18 @@ class References {
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // Records the payload length of a tile sent as changes against its reference. If that exceeds
-  // seven eighths of the self-contained length, the tile is next sent self-contained. This makes
-  // the following frames shorter.
+  // Records the payload length of a tile that was sent as changes to its reference. If this length
+  // exceeds seven eighths of the self-contained length, the tile is sent self-contained the next
+  // time. This makes the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
-  // The stored reference of a tile. Nothing if the tile was never sent self-contained.
+  // The stored reference of a tile. Returns nothing if the tile was never sent self-contained.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // The reference that a sender may use for this tile in this frame. Returns nothing if it is too
-  // old or too much has changed since. In addition, each tile is sent self-contained once in
-  // kMaxReferenceAge + 1 frames; the tile number spreads these turns evenly over the frames.
+  // The reference that a sender may use for this tile in this frame. Returns nothing if the
+  // reference is too old or the tile has changed too much since. In addition, each tile is sent
+  // self-contained once every kMaxReferenceAge + 1 frames. The tile number determines the frame,
+  // which spreads these tiles evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

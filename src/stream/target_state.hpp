@@ -1,5 +1,5 @@
-// Finds the target's counters by name and gives their places on the wire. Names are resolved at
-// compile time; an image contains only the names that it prints.
+// Looks up the target's counters by name and returns their positions on the wire. Names are
+// resolved at compile time, so an image contains only the names that it prints.
 #pragma once
 
 #include <algorithm>
@@ -54,13 +54,14 @@ inline constexpr std::size_t kDurationWords = 13;
   return kind == Kind::kDuration ? kDurationWords : kind == Kind::kMac ? 2 : 1;
 }
 
-// The index of each counter's first word among the link counters. The last entry is their number.
+// The index of the first word of each counter among the link counters. The last entry is the total
+// number of words.
 inline constexpr auto kPlaces = [] {
   std::array<std::uint8_t, kCounterCount + 1> places{};
   for (std::size_t i = 0; i < kCounterCount; ++i) {
     const Counter& counter = kCounters[i];
     const std::size_t end = places[i] + (is_link(counter) ? words_of(counter.kind) : 0);
-    require(end <= 0xFF);  // the frame end gives their number in one byte
+    require(end <= 0xFF);  // the frame end stores this number in one byte
     places[i + 1] = static_cast<std::uint8_t>(end);
   }
   return places;
@@ -99,13 +100,14 @@ template <Group kGroup>
   return i;
 }
 
-// The index of a link counter's first word. A name that is not in the table does not compile.
+// The index of the first word of a link counter. The code does not compile if the name is not in
+// the table.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
   return kPlaces[number_of(name)];
 }
 
-// The index of each word of `Counts`. Such a struct has only 32-bit words; its `kNames` names its
-// members in order.
+// The index of each word of `Counts`. Such a struct contains only 32-bit words. Its `kNames` lists
+// the names of its members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -142,7 +144,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters of `Counts`. Empty unless all are among the first `sent` link counters.
+// Reads the counters in `Counts`. Empty unless all of them are among the first `sent` link
+// counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();
@@ -172,7 +175,7 @@ inline constexpr auto kLosses = [] {
   return losses;
 }();
 
-// The number of datagrams lost by the link, modulo 2^32.
+// The number of datagrams lost on the link, modulo 2^32.
 [[nodiscard]] constexpr std::uint32_t losses_of(const LinkCounters& counters) {
   std::uint32_t sum = 0;
   for (const std::uint8_t loss : kLosses) {

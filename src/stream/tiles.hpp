@@ -1,6 +1,6 @@
-// The message of tiles (docs/spec.md 3.3): the range of tile numbers that it covers, and the
-// content of the known tiles among them. A covered tile without content is unknown. A receiver can
-// therefore tell known, unknown and missing tiles apart.
+// The tile message (docs/spec.md 3.3). It contains the range of tile numbers that it covers and the
+// content of the known tiles in this range. If a covered tile has no content, it is unknown. A
+// receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
 #include <array>
@@ -20,21 +20,22 @@ namespace iog::stream {
 
 using tile_coding::Encoding;
 
-// Wire values.
+// The values are used on the wire.
 enum class Storage : std::uint8_t {
   kOccupancyIndex = 0,  // the index of each cell
   kHighestIndex = 1,    // the highest index within each coarse cell
   kClass = 2,  // the class of each cell of the world-aligned window (stream/class_window.hpp)
 };
 
-// Describes the grid of a message of tiles.
+// Describes the grid of a tile message.
 struct Geometry {
-  std::uint8_t tile_side_log2 = 0;  // cells
+  std::uint8_t tile_side_log2 = 0;  // log2 of the tile's side in cells
   Storage storage = Storage::kOccupancyIndex;
-  std::uint16_t width = 0;   // cells, a multiple of a tile's side
-  std::uint16_t height = 0;  // cells, a multiple of a tile's side
+  std::uint16_t width = 0;   // in cells; a multiple of the tile's side
+  std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner of lowest x and y in the vehicle frame. 0 for classes: the window header gives it.
+  // The corner with the lowest x and y in the vehicle frame. It is 0 for classes because the window
+  // header contains the position.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -45,8 +46,8 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The grid of this firmware at a level of its quadtree: 0 for its cells, up to 5 for one coarse
-// cell per tile.
+// The geometry of the firmware's grid at a level of its quadtree. Level 0 contains the cells, and
+// level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
   constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
@@ -60,7 +61,7 @@ struct Geometry {
           .origin_y_mm = kOriginMm};
 }
 
-// The window of this firmware, with as many cells as the grid.
+// The geometry of the firmware's window. The window has as many cells as the grid.
 [[nodiscard]] constexpr Geometry geometry_of_classes() {
   Geometry geometry = geometry_of_level(0);
   geometry.storage = Storage::kClass;
@@ -71,42 +72,44 @@ struct Geometry {
 
 struct TilesHeader {
   std::uint16_t first_tile = 0;  // the first tile that the message covers
-  std::uint16_t end_tile = 0;    // one past the last tile that it covers
-  std::uint16_t tile_count = 0;  // tiles with content in this message
+  std::uint16_t end_tile = 0;    // one past the last tile that the message covers
+  std::uint16_t tile_count = 0;  // number of tiles with content in this message
   Geometry geometry;
-  std::optional<ClassWindow> window{};  // for classes only
+  std::optional<ClassWindow> window{};  // only for classes
 };
 inline constexpr std::size_t kTilesHeaderBytes = 24;
-inline constexpr std::size_t kTileRecordBytes = 5;       // before each payload
-inline constexpr std::size_t kClassTileRecordBytes = 6;  // the same with the tile's age
+inline constexpr std::size_t kTileRecordBytes = 5;       // size of the record before each payload
+inline constexpr std::size_t kClassTileRecordBytes = 6;  // the same record with the age of the tile
 static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + kClassWindowBytes +
                   kClassTileRecordBytes + tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes messages of tiles one by one. Leaves room for the protection header in front of each.
+// Composes tile messages, one message at a time. Leaves room for the protection header at the front
+// of each message.
 class TilesWriter {
  public:
-  // Begins a grid and its first message, at tile 0. `header` is the frame's header; its type and
-  // sequence number are ignored.
+  // Starts a grid and its first message at tile 0. `header` is the header of the frame. Its type
+  // and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
-  // Begins a grid of classes. Tiles are numbered by window::slot_of().
+  // Starts a class grid. Tiles are numbered by window::slot_of().
   void begin_classes(const Header& header, const ClassWindow& window);
-  // Discards the tiles of this message and begins it again at another tile.
+  // Discards the tiles of the current message and restarts it at another tile.
   void begin_message(std::size_t first_tile);
 
-  // Appends a tile; tile numbers must ascend. Returns false and changes nothing if the tile does
-  // not fit. An empty message always has room, even for a raw tile.
+  // Appends a tile. Tile numbers must ascend. Returns false and changes nothing if the tile does
+  // not fit. An empty message always has enough room, even for a raw tile.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
                             std::span<const std::byte> payload);
-  // Appends a tile of classes. age_frames: frames since the tile was classified; 255: or more.
+  // Appends a class tile. age_frames: the number of frames since the tile was classified. 255 means
+  // 255 or more.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding, std::uint8_t age_frames,
                             std::span<const std::byte> payload);
 
-  // Ends the message, which covers the tiles below `end_tile`, and begins the next one there. The
-  // bytes are valid until the next append() or begin function.
+  // Ends the message, which then covers the tiles below `end_tile`, and starts the next message at
+  // `end_tile`. The bytes are valid until the next append() or begin function.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
-  // Tiles in the current message.
+  // The number of tiles in the current message.
   [[nodiscard]] std::uint16_t tile_count() const { return tile_count_; }
 
  private:
@@ -120,7 +123,7 @@ class TilesWriter {
                                    std::span<const std::byte> payload);
 
   alignas(8) std::array<std::byte, protection::kMaxMessageBytes> message_{};
-  std::size_t records_ = kRecords;  // where the tiles begin
+  std::size_t records_ = kRecords;  // offset of the first tile record
   std::size_t bytes_ = kRecords;
   std::uint16_t first_tile_ = 0;
   std::uint16_t tile_count_ = 0;
@@ -128,12 +131,12 @@ class TilesWriter {
 
 struct TileRecord {
   std::uint16_t tile = 0;
-  Encoding encoding = Encoding::kRaw;  // may have any value
-  std::uint8_t age_frames = 0;  // classes only: frames since the tile was classified; 255: or more
+  Encoding encoding = Encoding::kRaw;  // may contain a value that is not in the enumeration
+  std::uint8_t age_frames = 0;  // class tiles only: frames since classification, capped at 255
   std::span<const std::byte> payload{};
 };
 
-// Iterates over the tiles of a message that read_tiles() has accepted.
+// Iterates over the tiles of a message that read_tiles() accepted.
 class TileRecords {
  public:
   TileRecords() = default;
@@ -148,9 +151,9 @@ class TileRecords {
   wire::ByteReader in_{{}};
 };
 
-// Reads a body of tiles. Returns kOk, kTooShort or kInconsistent. kInconsistent means one of: the
-// message covers tiles outside its grid; it contains a tile that it does not cover, a repeated tile
-// or a tile longer than a raw one; the number of tiles is wrong.
+// Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. Returns kInconsistent
+// if the message covers tiles outside its grid, contains a tile that it does not cover, repeats a
+// tile, contains a tile longer than a raw tile, or has a wrong number of tiles.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);
 

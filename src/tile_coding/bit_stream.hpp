@@ -1,4 +1,4 @@
-// Bits to bytes and back, most significant bit first.
+// Converts bits to bytes and back. The most significant bit comes first.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace iog::tile_coding {
 
-// The buffer must have room for all bits written. The caller counts them beforehand.
+// The buffer must have room for all bits written. The caller computes this size beforehand.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)
       : begin_{buffer.data()}, next_{buffer.data()} {}
 
-  // `value` < 2^count; 1 <= count <= 31.
+  // Requires `value` < 2^count and 1 <= count <= 31.
   constexpr void put(std::uint32_t value, unsigned count) {
     if (count <= free_) {
       free_ -= count;
       word_ |= value << free_;
       return;
     }
-    const unsigned beyond = count - free_;  // 1 to 31: free_ is 32 only before the first write
+    const unsigned beyond = count - free_;  // 1 to 31; free_ is 32 only before the first write
     wire::store_be32(std::span<std::byte, 4>(next_, 4), word_ | value >> beyond);
     next_ += 4;
     free_ = 32 - beyond;
@@ -43,11 +43,11 @@ class BitWriter {
  private:
   std::byte* begin_;
   std::byte* next_;
-  std::uint32_t word_ = 0;  // pending bits, from the top
-  unsigned free_ = 32;      // free bits of word_
+  std::uint32_t word_ = 0;  // pending bits, starting at the top bit
+  unsigned free_ = 32;      // number of free bits in word_
 };
 
-// Reading beyond the end returns 0 bits; from then on ok() is false.
+// Reads beyond the end return 0 bits, and ok() is false from then on.
 class BitReader {
  public:
   explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -63,7 +63,7 @@ class BitReader {
     return value;
   }
 
-  // count <= 32
+  // Requires count <= 32.
   [[nodiscard]] constexpr std::uint32_t bits(unsigned count) {
     std::uint32_t value = 0;
     for (unsigned i = 0; i < count; ++i) {
@@ -82,7 +82,7 @@ class BitReader {
 
  private:
   std::span<const std::byte> bytes_;
-  std::size_t position_ = 0;  // bits
+  std::size_t position_ = 0;  // bit position
   bool ok_ = true;
 };
 

@@ -1,4 +1,4 @@
-// Combines the symbols of runs into numbers.
+// Combines the symbols of runs into large numbers.
 #pragma once
 
 #include <cstdint>
@@ -6,17 +6,19 @@
 
 namespace iog::tile_coding {
 
-// The symbol of a run that equals the reference. The symbols of values are above it.
+// The symbol of a run that equals the reference tile. The symbols of values are greater than this
+// symbol.
 inline constexpr std::uint8_t kLowestSymbol = 1;
 
-// Converts each word in place. A word holds the symbols of four runs, the first in the lowest byte;
-// the result is the number made of their digits. The digit of a run is its symbol minus
-// kLowestSymbol, minus one more if the symbol is above that of the previous run. Digits are to the
-// base `alternatives`, most significant first. The symbol before the first run is kLowestSymbol.
+// Converts each word in place. A word contains the symbols of four runs, with the first run in the
+// lowest byte. The result is the number formed by their digits. The digit of a run is its symbol
+// minus kLowestSymbol. It is one less if the symbol is greater than the symbol of the previous run.
+// The digits are in base `alternatives`, most significant digit first. The first run is encoded as
+// if kLowestSymbol preceded it.
 //
-// Symbols are at most kLowestSymbol + alternatives, and adjacent runs have different symbols.
-// kLowestSymbol may pad the last word. alternatives: 2 to kMostAlternatives. The buffer must extend
-// to a multiple of four words; words after the span may be overwritten.
+// Symbols must not exceed kLowestSymbol + alternatives, and adjacent runs must have different
+// symbols. The last word may be padded with kLowestSymbol. alternatives: 2 to kMostAlternatives.
+// The size of the buffer must be a multiple of four words. Words after the span may be overwritten.
 void make_numbers(std::span<std::uint32_t> fours, std::uint32_t alternatives);
 
 }  // namespace iog::tile_coding

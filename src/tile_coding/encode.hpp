@@ -1,7 +1,7 @@
 // Encodes the cells of a tile for sending.
 //
 // A payload never exceeds the 1024 bytes of the raw encoding. Encoding takes a few passes over the
-// cells and two over the runs, so its time is bounded for any content.
+// cells and two passes over the runs, so its time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ namespace iog::tile_coding {
 // Wire values (docs/spec.md 3.4).
 enum class Encoding : std::uint8_t {
   kRaw = 0,             // one byte per cell
-  kRunStarts = 4,       // the places where runs start, and the values of the runs
-  kRunStartsSince = 5,  // u8 frames since the reference, then run starts against it
+  kRunStarts = 4,       // the positions at which runs start, and the values of the runs
+  kRunStartsSince = 5,  // u8 age of the reference in frames, then run starts relative to it
 };
 inline constexpr std::size_t kEncodingCount = 6;  // highest value plus one
 
-// A tile from an earlier frame, which the receiver is expected to have.
+// A tile of an earlier frame that the receiver should already have.
 struct Reference {
   TileCells cells;
   std::uint32_t frame_number;
@@ -35,11 +35,12 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Holds the intermediate data of an encoding, which keeps them off the stack.
+// Holds the intermediate data of an encoding in order to keep it off the stack.
 class Encoder {
  public:
-  // Writes kRunStartsSince if there is a reference, kRunStarts if there is none, and kRaw if these
-  // might be longer. The reference is at most 255 frames old. No cell may be -128.
+  // Writes kRunStartsSince if there is a reference and kRunStarts if there is none. Writes kRaw if
+  // these encodings could be longer. The reference is at most 255 frames old. No cell may have the
+  // value -128.
   [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,
                                    const std::optional<Reference>& reference,
                                    MutableTileCells payload);
@@ -50,8 +51,8 @@ class Encoder {
   [[nodiscard]] std::uint32_t symbols_of(std::uint32_t four) const;
   [[nodiscard]] std::size_t write_symbols(std::uint32_t alternatives, std::span<std::byte> out);
 
-  alignas(16) std::array<std::uint8_t, 256> symbols_{};            // symbol of each value
-  alignas(16) std::array<std::uint32_t, kTileBytes / 4> fours_{};  // symbols of the runs
+  alignas(16) std::array<std::uint8_t, 256> symbols_{};            // symbol of each cell value
+  alignas(16) std::array<std::uint32_t, kTileBytes / 4> fours_{};  // symbols of four runs per word
   TileRuns runs_;
 };
 

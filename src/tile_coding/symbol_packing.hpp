@@ -1,10 +1,10 @@
-// Packs symbols with n alternatives into numbers.
+// Packs symbols with n alternatives into large numbers.
 //
-// A symbol carries log2 n bits, rarely a whole number. As many symbols as fit, a multiple of four,
-// are therefore the digits of one number to base n, most significant first. A number has as many
-// bits as its largest value needs. The last number of a tile holds the remaining symbols, padded
-// with zeros to a multiple of four. It has no more bits than its groups of four would have one by
-// one.
+// A symbol contains log2 n bits, which is rarely an integer. Several symbols are therefore combined
+// as the digits of one number in base n, most significant digit first. Their number is the largest
+// multiple of four that fits. A number has as many bits as its largest value needs. The last number
+// of a tile contains the remaining symbols, padded with zeros to a multiple of four. It needs no
+// more bits than its groups of four would need separately.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 
 namespace iog::tile_coding {
 
-// The most bits that BitWriter takes in one call.
+// The maximum number of bits that BitWriter accepts in one call.
 inline constexpr unsigned kMostNumberBits = 31;
 
-// The largest base in which four digits fit.
+// The largest base for which four digits fit in a number.
 inline constexpr std::uint32_t kMostAlternatives = 215;
 
 struct Packing {
@@ -26,13 +26,13 @@ struct Packing {
   std::uint8_t bits = 0;   // bits of a number
   std::uint8_t bits_of_four = 0;
 
-  // The number of bits of a tile's last number if it has `of_fours` groups of four.
+  // The number of bits of a tile's last number if it contains `of_fours` groups of four.
   [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
     return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
   }
 };
 
-// Indexed by the number of alternatives. A single alternative carries no information and takes no
+// Indexed by the number of alternatives. A single alternative contains no information and takes no
 // bits.
 inline constexpr std::size_t kPackingCount = 216;
 static_assert(kPackingCount == kMostAlternatives + 1);

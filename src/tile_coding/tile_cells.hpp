@@ -1,4 +1,5 @@
-// The cells of a tile in wire order: 32 x 32 occupancy indexes, int8, row by row from the lowest y.
+// The cells of a tile in wire order: 32 x 32 occupancy indexes of type int8, row by row, starting
+// at the lowest y.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@ using geometry::kTileSide;
 using geometry::kTileSideLog2;
 inline constexpr std::size_t kTileBytes = geometry::kTileCells;
 
-// An index is -127 to +127; the byte of -128 never occurs.
+// An index is -127 to +127; the byte value of -128 never occurs.
 inline constexpr std::byte kNoIndex{0x80};
 
 using TileCells = std::span<const std::byte, kTileBytes>;

@@ -1,10 +1,10 @@
-// Finds lines that meet no corner between cells on their way. Every step of their walk crosses
-// exactly one border.
+// Finds lines that meet no corner between cells after their start. Every step of the walk along
+// such a line crosses exactly one border.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
 // are S + k (w_x, w_y) / d for k = 0 ... d. Such a point is a corner if f + k w / d = 0 (mod r) on
-// both axes. A line that meets a corner therefore fulfils all of these conditions:
+// both axes. A line that meets a corner therefore satisfies all of these conditions:
 //   * w_x, w_y > 0. A line along an axis begins inside a row or at its lower border, and stays
 //     there.
 //   * f_y w_x = f_x w_y (mod r). This follows by eliminating k.
@@ -20,14 +20,15 @@
 
 namespace iog::traversal {
 
-// Whether a line starts on a corner and crosses it with its first step.
+// True if a line starts on a corner and crosses it with its first step.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool starts_on_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
   return line.x().offset() == kSide && line.y().offset() == kSide;
 }
 
-// Whether a line may meet a corner after its start. False is certain; true may be wrong.
+// True if a line may meet a corner after its start. A result of false is certain, but a result of
+// true may be wrong.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);

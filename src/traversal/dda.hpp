@@ -1,33 +1,36 @@
-// Finds the columns in which a line rises, as the carries of a sum: an exact digital differential
-// analyser.
+// Finds the columns in which a line rises by one row. They are the carries of a sum, which makes
+// this an exact digital differential analyser.
 //
-// u counts columns along the axis on which the line is longer, v counts rows along the other one,
-// both in the line's own direction. w_u >= w_v are the lengths of the line in subcells, and r is
-// the side of a cell. Let e_c be the error term of the walk (traversal/walk.hpp), with u for
-// columns, where the line enters column c. The line rises in that column exactly if e_c >= 0, and
+// u counts columns along the axis on which the line is longer. v counts rows along the other axis.
+// Both count in the direction of the line. w_u >= w_v are the lengths of the line in subcells, and
+// r is the side of a cell in subcells. Let e_c be the error term of the walk (traversal/walk.hpp)
+// at the point where the line enters column c, with u as the column axis. The line rises in that
+// column exactly if e_c >= 0, and
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
-// As a rotation. All e_c are equal modulo r. Let y_c = floor(e_c / r) + w_u - w_v. The line then
-// rises if y_c + w_v >= w_u, and y_{c+1} = y_c + w_v, less w_u if it rises. So y rotates on a
-// circle of w_u, and a rise is its carry. y_c / w_u is the height of the line above its row at the
-// left side of column c.
+// The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
+// r) + w_u - w_v. The line then rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v,
+// minus w_u if the line rises. Therefore y rotates on a circle of w_u, and the line rises when y
+// wraps. y_c / w_u is the height of the line above the bottom of its row at the left side of column
+// c.
 //
-// In 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of 32-bit words, and its carry is
-// the rise:
+// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, it is an addition of 32-bit words
+// whose carry indicates a rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
-// Both are too large by at most 1, and never too small. So after n columns the phase exceeds the
-// true one by at most n + 1. No carry is lost. No false carry appears while the excess is below
-// 2^32 / w_u, because y is an integer and at most w_u - 1 without a carry. This requires
+// Both are too large by at most 1, and never too small. After n columns, the phase therefore
+// exceeds the exact phase by at most n + 1. No carry is missed. No false carry occurs while the
+// excess is below 2^32 / w_u, because y is an integer and at most w_u - 1 if there is no carry.
+// This requires
 //     (n + 1) w_u < 2^32,
-// see most_columns(). If w_u = w_v, step would be 2^32. Such a line rises in every column. Phase
-// 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
+// which is checked with most_columns(). If w_u = w_v, the step would be 2^32. Such a line rises in
+// every column. Phase 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
 //
-// Borders. A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
-// start may be on a border. If it is on the lower or left border of its cell, all of the above
-// holds. If it is on the upper left corner, the line is just below the upper border of its row when
-// it enters its first column; floor((e - 1) / r) keeps it in that row. If it is on the upper right
-// corner, e_0 = 0, and the sum rises in the first column. It then enters the cell above, although
-// the line itself does not.
+// Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
+// start may be on a border. If the start is on the lower or left border of its cell, all of the
+// above holds. If the start is on the upper left corner, the line is just below the upper border of
+// its row when it enters its first column. floor((e - 1) / r) keeps it in that row. If the start is
+// on the upper right corner, e_0 = 0, and the sum rises in the first column. The sum then enters
+// the cell above, although the line itself does not.
 #pragma once
 
 #include <cstdint>
@@ -38,14 +41,15 @@
 
 namespace iog::traversal {
 
-// Height of the line at the left side of a column, as a whole row and a phase of 2^-32 rows.
+// The height of the line at the left side of a column. It consists of an integer row and a phase in
+// 2^-32 rows.
 struct Dda {
-  std::int32_t row = 0;  // of the first column, relative to the row of the line's start
+  std::int32_t row = 0;  // row of the first column, relative to the row in which the line starts
   std::uint32_t phase = 0;
-  std::uint32_t step = 0;  // from one column to the next, > 0
+  std::uint32_t step = 0;  // phase increment per column, > 0
 
-  // Goes on to the next column. Returns `bits` shifted by one, plus 1 if the line rises by a row.
-  // Written as one 64-bit addition, so that it compiles to one add with carry.
+  // Advances to the next column. Returns `bits` shifted by one, plus 1 if the line rises by a row.
+  // Written as one 64-bit addition so that it compiles to a single add with carry.
   [[nodiscard]] constexpr std::uint32_t advance(std::uint32_t bits) {
     const std::uint64_t shifted = static_cast<std::uint64_t>(bits) << 32;
     const std::uint64_t sum = (shifted | phase) + (shifted | step);
@@ -54,12 +58,13 @@ struct Dda {
   }
 };
 
-// Number of columns for which the heights of a line of length w_u are exact.
+// The number of columns for which the heights of a line of length w_u are exact.
 [[nodiscard]] constexpr std::uint32_t most_columns(std::uint32_t length_u) {
   return std::numeric_limits<std::uint32_t>::max() / (length_u + 1) - 1;
 }
 
-// Begins `columns_before` columns before the start of the line. is_steep: y is u.
+// Starts `columns_before` columns before the start of the line. is_steep is true if y is the u
+// axis.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr Dda dda_of(const Line<kResolution>& line, bool is_steep,
                                    std::uint32_t columns_before) {

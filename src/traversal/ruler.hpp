@@ -1,33 +1,35 @@
-// Counts the borders that a line has crossed after a distance, with one multiplication per axis. A
-// beam needs this for its scan point and for the start of each zone of its profile.
+// Counts the borders that a line has crossed after a given distance. This takes one multiplication
+// per axis. A beam needs this for its scan point and for the start of each zone of its profile.
 //
-// Exact. On one axis the line has crossed floor(T) borders at distance z, where
+// Exact result: At distance z, the line has crossed floor(T) borders of one axis, where
 //     T = (f L + z w) / (r L),
-// f is the offset of the start in its cell, w the length of the line on this axis in subcells, and
-// L its whole length in millimetres. Line::through(z) computes this.
+// f is the offset of the start in its cell, w is the length of the line on this axis in subcells,
+// and L is its total length in millimetres. Line::through(z) computes this result.
 //
-// Estimate. The ruler estimates T by base + z slope, in units of 2^-32 borders, where
+// Estimate: The ruler estimates T as base + z slope, in units of 2^-32 borders, where
 //     base  = floor(f 2^32 / r)
 //     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
-// q and e are those of LineLength. All rounding is down, so the estimate is never too large.
+// q and e are the inverse and the exponent of LineLength. Everything is rounded down, so the
+// estimate is never too large.
 //
-// Error. base is too small by less than 1. slope is too small by less than 1 from its own rounding,
-// and by less than w / (r 2^e) from that of q. A cell is wider than 2 mm, so w / r < L / 2 < 2^e,
-// and this second part is below 1, too. In total the estimate is too small by less than 1 + 2 z.
-// For z < 2^18 that is below kSlack = 2^20.
+// Error: base is too small by less than 1. slope is too small by less than 1 because of its own
+// rounding, and by less than w / (r 2^e) because of the rounding of q. A cell is wider than 2 mm,
+// so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total the estimate is too
+// small by less than 1 + 2 z. For z < 2^18 this error is below kSlack = 2^20.
 //
-// So if the fraction of the estimate is at least kSlack below the next whole number, its integer
-// part is exact. Otherwise Line::through() computes the result. That happens once in 2^12
-// distances, and when a distance ends on a border.
+// The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
+// next integer. Otherwise Line::through() computes the result. This happens about once per 2^12
+// distances, and whenever a distance ends on a border.
 //
-// A share of the length is read at its distance in units of 2^-14 mm, rounded down. Only the upper
-// word of the product with the slope is used, so both axes are read in units of 2^-14 borders. The
-// distance is too small by less than 2^-14 mm, which is less than 2^-14 borders. base and product
-// are too small by less than one unit each. slope is too small by less than 2 in 2^-32 borders per
-// millimetre, in total less than 2^19 of those, or 2 units. The sum is below kShareSlack = 5 units.
+// A fraction of the length is converted to a distance in units of 2^-14 mm, rounded down. Only the
+// upper word of its product with the slope is used, so the result for each axis is in units of
+// 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14 borders.
+// base and the product are each too small by less than one unit. slope is too small by less than 2
+// units of 2^-32 borders per millimetre. In total this is less than 2^19 of these units, or 2 units
+// of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
-// Ranges. q < 2^32, w < 2^31 and f <= r; slope < 2^31, base <= 2^32. A line of L < 2^18 mm crosses
-// less than 2^17 borders of an axis.
+// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31 and base <= 2^32. A line of L < 2^18 mm crosses
+// fewer than 2^17 borders of an axis.
 #pragma once
 
 #include <cstdint>
@@ -37,20 +39,21 @@
 
 namespace iog::traversal {
 
-// A share of a line's length, at most 1, with its distance on every line of that length.
+// A fraction of a line's length, at most 1, together with the corresponding distance on every line
+// of that length.
 class MeasuredShare {
  public:
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // `denominator` divides by the denominator of the share, which is below 2^32.
+  // `denominator` divides by the denominator of the fraction, which must be below 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),
         distance_(denominator.divide(share.numerator * length.mm() << kFractionBits)) {}
 
   [[nodiscard]] constexpr const Share& share() const { return share_; }
-  // In units of 2^-14 mm.
+  // The distance in units of 2^-14 mm.
   [[nodiscard]] constexpr std::uint32_t distance() const { return distance_; }
 
  private:
@@ -72,8 +75,8 @@ class AxisRuler {
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
-  // Number of borders crossed up to and including distance_mm (< 2^18), in the upper word. It may
-  // be one too small if is_exact() is false.
+  // Number of borders crossed up to and including distance_mm (< 2^18). The number is in the upper
+  // word. It may be one too small if is_exact() is false.
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }
@@ -81,7 +84,8 @@ class AxisRuler {
     return static_cast<std::uint32_t>(estimate) <= ~static_cast<std::uint32_t>(kSlack);
   }
 
-  // Number of borders crossed up to and including a share, in units of 2^-14 borders.
+  // Number of borders crossed up to and including a fraction of the line, in units of 2^-14
+  // borders.
   [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
     const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
     return static_cast<std::uint32_t>(base_ >> (32 - MeasuredShare::kFractionBits)) +
@@ -96,14 +100,14 @@ class AxisRuler {
   std::uint32_t slope_;
 };
 
-// Line::through(distance, length) for one line and one length.
+// Computes Line::through(distance, length) for one line and one length.
 template <std::int32_t kResolution>
 class Ruler {
  public:
   constexpr Ruler(const Line<kResolution>& line, const LineLength& length)
       : x_(line.x(), length), y_(line.y(), length) {}
 
-  // `line` and `length` must be those given to the constructor.
+  // `line` and `length` must be the arguments of the constructor.
   [[nodiscard]] constexpr Position through(std::uint32_t distance_mm, const Line<kResolution>& line,
                                            const LineLength& length) const {
     const std::uint64_t x = x_.estimate(distance_mm);
@@ -114,8 +118,8 @@ class Ruler {
     return line.through(distance_mm, length);
   }
 
-  // Line::through(share) and Line::before(share). They differ only on a border, where the fraction
-  // is 0.
+  // Computes Line::through(share) and Line::before(share). The two results differ only on a border,
+  // where the fractional part is 0.
   [[nodiscard]] constexpr Position through(const MeasuredShare& share,
                                            const Line<kResolution>& line) const {
     const Position at = read(share, 0);
@@ -130,7 +134,7 @@ class Ruler {
  private:
   static constexpr Position kNotExact{~std::uint32_t{0}, 0};
 
-  // Reads the position this many units before the share.
+  // Reads the position this many units before the given fraction of the line.
   [[nodiscard]] constexpr Position read(const MeasuredShare& share, std::uint32_t before) const {
     const std::uint32_t x = x_.estimate(share) - before;
     const std::uint32_t y = y_.estimate(share) - before;

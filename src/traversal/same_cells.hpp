@@ -1,24 +1,24 @@
-// Decides whether two lines with the same start go through the same cells. If they do, both are
-// carved in one walk. At one azimuth, the layers of a lidar have nearly the same line: the lines
-// differ in length and in the rounding of their ends.
+// Decides whether two lines with the same start cross the same cells. If they do, both can be
+// carved in one walk. At a given azimuth, the layers of a lidar have nearly the same line: their
+// lines differ only in length and in the rounding of their ends.
 //
-// Where they part. Two lines A and B part at a corner that lies between them. At a corner X and Y
-// away from S, their error terms (traversal/line.hpp) are e_A = X A_y - Y A_x and e_B = X B_y - Y
-// B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
+// Where the lines part: Two lines A and B part at a corner that lies between them. At a corner with
+// the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A = X A_y - Y
+// A_x and e_B = X B_y - Y B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
 //     A e_B = B e_A + (X + Y) c.
-// After n common borders they disagree about the next border only if e_A and c have opposite signs
-// and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. This is a narrow strip beside 0. As long as
-// no error term of A lies in it, B crosses the same borders as A.
+// After n common borders, the lines cross different borders next only if e_A and c have opposite
+// signs and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. This condition defines a narrow strip
+// next to 0. As long as no error term of A lies in the strip, B crosses the same borders as A.
 //
-// How the strip is searched. A column step adds r A_y to the error term of A, a row step subtracts
-// r A_x. So modulo r A, each term is the one before plus r A_y. Divided by r and rounded down, the
-// terms are a rotation by A_y modulo A. With t = floor((n + 2) |c| / B) + 1, the strip is contained
-// in [0, t] for c < 0 and in [-1 - t, -1] for c > 0. Mirroring x to -1 - x turns the second case
-// into the first case of a rotation by A_x. A variant of Euclid's algorithm finds in about ten
-// steps when a rotation first enters [0, t].
+// How the strip is searched: A column step adds r A_y to the error term of A, a row step subtracts
+// r A_x. Modulo r A, each term is therefore the previous term plus r A_y. Divided by r and rounded
+// down, the terms are a rotation by A_y modulo A. Let t = floor((n + 2) |c| / B) + 1. The strip is
+// contained in [0, t] if c < 0 and in [-1 - t, -1] if c > 0. Mirroring x to -1 - x turns the second
+// case into the first case with a rotation by A_x. A variant of Euclid's algorithm finds the first
+// time that a rotation enters [0, t], in about ten steps.
 //
-// Ranges. A and B < 2^31 / r (traversal/line.hpp). The answer is no unless |c| < 2^20 and n + 2 <
-// 2^12: lines of different directions are not worth a closer look.
+// Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
+// < 2^12, because lines in different directions are not worth a closer look.
 #pragma once
 
 #include <algorithm>
@@ -30,28 +30,28 @@
 
 namespace iog::traversal {
 
-// A turn of a rotation to one side: its angle, and the number of steps that it takes.
+// A turn of a rotation in one direction: its angle, and the number of steps that it takes.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Goes back by the other turn, this many times.
+  // Shortens this turn by the other turn, this many times.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;
   }
 };
 
-// The number of the first term of a rotation that is at most `threshold`, or `limit` if no such
-// term is among the first `limit` terms. The rotation begins at x. A step goes down by
-// `down_angle`, or, which is the same modulo down_angle + up_angle, up by `up_angle`. x <
-// down_angle + up_angle < 2^31, limit < 2^12.
+// The number of the first term of a rotation that is at most `threshold`. If none of the first
+// `limit` terms is, the result is `limit`. The rotation starts at x. A step moves down by
+// `down_angle`. Modulo down_angle + up_angle, this is the same as moving up by `up_angle`. Requires
+// x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
-// The first such term must be less than all terms before it. The next term that is less than all
-// before it comes with the first downward turn of at most x. Shorter and shorter downward turns are
-// found as in Euclid's algorithm: the shortest upward turn so far is subtracted from the shortest
-// downward turn so far, and vice versa. The angles of both turns add up to at most the whole
-// circle, and so do their steps. So nothing overflows.
+// The first such term must be smaller than all terms before it. The next term that is smaller than
+// all terms before it is reached by the first downward turn of at most x. Ever shorter downward
+// turns are found as in Euclid's algorithm: the shortest upward turn so far is subtracted from the
+// shortest downward turn so far, and vice versa. The angles of both turns add up to at most the
+// whole circle, and the same holds for their steps. Therefore nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -64,7 +64,7 @@ struct Turn {
     }
     if (down.angle <= x) {
       if (down.angle == 0) {
-        return limit;  // the rotation has come full circle
+        return limit;  // the rotation has completed a full circle
       }
       const std::uint32_t times = x / down.angle;
       const std::uint32_t rest = x - times * down.angle;
@@ -88,9 +88,9 @@ struct Turn {
   return number;
 }
 
-// Whether b goes through the cells of a until `borders` borders are crossed. True is certain; false
-// may be wrong. Both lines begin at the same point. After its start, a meets no corner. If they
-// start on a corner, both cross it first.
+// True if b crosses the same cells as a until `borders` borders are crossed. A result of true is
+// certain, but a result of false may be wrong. Both lines must start at the same point. Line a must
+// meet no corner after its start. If the lines start on a corner, both must cross it first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -1,14 +1,15 @@
-// The walk along a line, cell by cell, in integers. It is the kernel of the whole computation.
+// Walks along a line cell by cell, using integers. This is the innermost loop of the whole
+// computation.
 //
 // See docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border
-// (c_x), a row border (c_y), or both at a corner (c_xy). Two things differ from the printed
-// algorithms. The error term begins with the value that algorithm 4 meant. The walk ends after a
-// number of borders that is known before the first step. The printed walk ends at the end cell, but
-// a line that ends on a corner never reaches that cell.
+// (c_x), a row border (c_y), or both at a corner (c_xy). The code differs from the printed
+// algorithms in two ways. First, the error term starts with the value that algorithm 4 intended.
+// Second, the walk ends after a number of borders that is known before the first step. The printed
+// walk ends at the end cell, but a line that ends on a corner never enters that cell.
 //
-// Error term. e = (distance to the next column border) * w_y - (distance to the next row border) *
+// Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, a row step subtracts r * w_x. The line passes through the cell,
-// so e never leaves +- r * (w_x + w_y), which is below 2^31.
+// so e always stays within +- r * (w_x + w_y), which is below 2^31.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +19,9 @@
 
 namespace iog::traversal {
 
-// Walks a line over a grid stored row by row, with rows `stride` cells apart. A cell is identified
-// by its offset from the first cell of the grid. As long as the caller stays within Line::clip(),
-// the visitor never gets an offset outside the grid.
+// Walks along a line on a grid that is stored row by row. `stride` is the distance between two rows
+// in cells. A cell is identified by its offset from the first cell of the grid. If the caller stays
+// within Line::clip(), the visitor never receives an offset outside the grid.
 class Walk {
  public:
   template <std::int32_t kResolution>
@@ -33,8 +34,8 @@ class Walk {
         row_step_(line.y().step() * stride),
         offset_(line.cell(from).y * stride + line.cell(from).x) {}
 
-  // Visits the current cell and those after it while fewer than `end` borders are crossed. The next
-  // call continues from there. `visit` takes the offset of a cell.
+  // Visits the current cell and the following cells while fewer than `end` borders are crossed. The
+  // next call continues from there. `visit` receives the offset of each cell.
   template <typename Visit>
   void until(std::uint32_t end, Visit&& visit) {
     while (crossed_ < end) {
@@ -43,7 +44,7 @@ class Walk {
     }
   }
 
-  // Advances in the same way without visiting.
+  // Advances in the same way without visiting cells.
   void skip_until(std::uint32_t end) {
     while (crossed_ < end) {
       step();

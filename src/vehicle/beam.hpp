@@ -1,5 +1,5 @@
 // Turns a scan point into its beam: the point's outcome, the beam's line on the grid, and the part
-// of the line that counts (docs/model.md sections 5 and 6).
+// of the line that carves (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
@@ -11,30 +11,31 @@
 
 namespace iog::vehicle {
 
-// The outcome of a scan point. Each point has exactly one. If several apply, the first in this
-// order counts: no return, flagged dirt or rain, too near, flagged ground, too far, outside the
-// height band or the ground limits, later echo, used. The values are wire values (docs/spec.md).
+// The outcome of a scan point. Each point has exactly one outcome. If several apply, the first in
+// this order is reported: no return, flagged as dirt or rain, too near, flagged as ground, too far,
+// outside the height band or the ground limits, later echo, used. The values are used on the wire
+// (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and adds a hit
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
-  kTooNear,            // below the sensor's minimum range or on the car itself: dropped
-  kTooFar,             // beyond the model's range: carves up to that range
-  kOutsideHeightBand,  // carves the part of the beam that is inside the band
-  kFlagged,            // ground: carves; dirt, rain: dropped
+  kTooNear,            // dropped: below the sensor's minimum range or on the car itself
+  kTooFar,             // beyond the model's range; carves up to that range
+  kOutsideHeightBand,  // carves the part of the beam inside the band
+  kFlagged,            // carves if flagged as ground; dropped if flagged as dirt or rain
   kLaterEcho,          // adds a hit
-  kMalformed,          // dropped with its packet, which is invalid or over budget
-  kStale,              // dropped with its packet, which is a duplicate or late
-  kNotTaken,           // dropped with its packet, which was shed because the target is too slow
-  // Replace kOutsideHeightBand for sensors that follow the ground. Each carves the part of the beam
-  // between the ground limits.
+  kMalformed,          // dropped because its packet is invalid or over budget
+  kStale,              // dropped because its packet is a duplicate or late
+  kNotTaken,           // dropped because its packet was shed by a target that is too slow
+  // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. Each of
+  // them carves the part of the beam between the ground limits.
   kGround,
   kOverhang,     // high enough above the ground to drive under it
   kUnderGround,  // a mirror image, a hole or a drop
 };
 inline constexpr std::size_t kFateCount = 13;
 
-// A part of a line. `from` and `to` are shares of its length, counted from its start. Unless the
-// whole line counts, `to` is at most 1.
+// A part of a line. `from` and `to` are fractions of its length, measured from its start. `to` is
+// at most 1, unless the part is the whole line.
 struct BandPart {
   bool is_whole = true;
   bool is_empty = false;
@@ -50,10 +51,10 @@ struct Direction {
 
 struct Beam {
   BeamLine line;
-  std::int32_t end_z;  // height of the line's end, subcells
+  std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, both ends included; may be empty.
+// An interval of ranges in mm, including both ends. It may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -65,14 +66,15 @@ struct Ranges {
 };
 
 // The ranges at which a point of the beam lies on the car or in the height band. on_car applies to
-// the measured range, in_band to the horizontal range along the line. Both regions are convex, so
-// one interval describes each.
+// the measured range, and in_band applies to the horizontal range along the line. Both regions are
+// convex, so one interval describes each.
 struct BeamRanges {
   Ranges on_car;   // at least the sensor's minimum range
   Ranges in_band;  // at most L
 };
 
-// The evidence of a scan point: three bits of one word, which the compiler keeps in a register.
+// The evidence of a scan point. It consists of three bits of one word, which the compiler keeps in
+// a register.
 class Evidence {
  public:
   static constexpr int kBits = 3;
@@ -86,11 +88,12 @@ class Evidence {
     return its;
   }
 
-  // True if the beam carves, and if its point adds a hit.
+  // carves() is true if the beam carves. The other function is true if the point adds a hit.
   [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
   [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
   [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
-  // True if the beam is inside the band all the way to its point, or to L if the point is beyond.
+  // True if the beam is inside the band all the way to its point, or to L if the point lies beyond
+  // L.
   [[nodiscard]] constexpr bool is_whole_in_band() const { return (bits_ & kWhole) != 0; }
   // True if all three bits are set.
   [[nodiscard]] constexpr bool is_whole_hit() const { return bits_ == (kWhole | kCarves | kMarks); }
@@ -110,8 +113,8 @@ struct Classification {
   Evidence evidence;
 };
 
-// All evidence carves, except that of a later echo: the first echo carves that beam. Used points
-// and later echoes add a hit.
+// A point with evidence carves unless it is a later echo, because the first echo already carves
+// that beam. Used points and later echoes add a hit.
 [[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
                                                   bool is_whole_in_band = false) {
   return {.fate = fate,
@@ -122,28 +125,28 @@ struct Classification {
 // azimuth_step: a step of sensor.azimuths.
 [[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
 
-// The line of a layer's beam in this direction, and the height of the line's end in subcells.
+// The line of the layer's beam in this direction, and the height of the line's end in subcells.
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// The beam at the step nearest to an azimuth. layer < sensor.layer_count; azimuth_ticks is less
-// than one turn.
+// The beam at the step nearest to an azimuth. Requires layer < sensor.layer_count and an
+// azimuth_ticks of less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
 // The ranges from from_mm to to_mm at which a point lies between the limits of one axis. extent:
-// that of the line along this axis. Exact.
+// the extent of the line along this axis. The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 
-// The two members of BeamRanges.
+// These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// The ranges in the band at which a return is tall by Sensor::moved.
+// The ranges in the band at which a return is tall according to Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// The height of a return. If it is not the height of an obstacle, `otherwise` is the point's
-// outcome. is_whole: the beam is at obstacle height from its start up to the return.
+// The height of a return. If a return at this height is not an obstacle, `otherwise` is the outcome
+// of the point. is_whole: the beam is at obstacle height from its start to the return.
 struct Height {
   bool is_obstacle = true;
   Fate otherwise = Fate::kUsed;
@@ -151,9 +154,9 @@ struct Height {
 };
 
 // Classifies a point. on_car: the ranges at which its beam is on the car. along_mm: its horizontal
-// range, Layer::along_line_mm(). kNoReturn and kTooNear depend on the measured range, all other
-// outcomes on along_mm. height_at(reach_mm) returns the Height at along_mm, or at L if the point is
-// beyond. Inline because it is called for every point.
+// range, Layer::along_line_mm(). kNoReturn and kTooNear depend on the measured range; all other
+// outcomes depend on along_mm. height_at(reach_mm) returns the Height at along_mm, or at L if the
+// point lies beyond L. Always inlined because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,
@@ -184,8 +187,8 @@ template <typename HeightAt>
   return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, height.is_whole);
 }
 
-// Classifies by the vehicle's height band. A beam is straight: if both ends are in the band, all of
-// it is.
+// Classifies a point by the vehicle's height band. A beam is straight, so it is inside the band if
+// both ends are.
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const BeamRanges& ranges,
                                                                     const lidar::ScanPoint& point,
@@ -206,7 +209,7 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// The part of a beam from its origin to reach_mm <= L that is inside a height band. end_z: the
+// The part of a beam from its origin to reach_mm <= L that lies inside a height band. end_z: the
 // height of the beam's end. The band includes its limits.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);

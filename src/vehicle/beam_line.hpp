@@ -1,4 +1,4 @@
-// The type of a beam's line on the grid.
+// The type used for the line of a beam on the grid.
 #pragma once
 
 #include "geometry/sizes.hpp"

@@ -1,6 +1,6 @@
-// Derives members of a sensor from its other members, for the loops: reciprocals, sines, and the
-// extent of the car and the height band along its lines. It uses integers only. The PC derives them
-// for a car file, the target for the car in its image.
+// Derives members of a sensor from its other members. The loops use these reciprocals, sines, and
+// extents of the car and the height band along the sensor's lines. The code uses only integers. The
+// PC derives them for a car file. The target derives them for the car in its image.
 #pragma once
 
 #include <algorithm>
@@ -39,14 +39,15 @@ constexpr numeric::SineTable sines_of(std::uint32_t steps_per_turn) {
   }
 }
 
-// low and high: limits along an axis, subcells; origin within 2^29 of them; length_mm < 2^18.
+// low and high: limits along an axis in subcells. The origin must be within 2^29 subcells of both
+// limits. Requires length_mm < 2^18.
 constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std::int32_t origin,
                                        std::uint32_t length_mm) {
   return {.low = (std::int64_t{low} - origin) * length_mm,
           .high = (std::int64_t{high} - origin) * length_mm};
 }
 
-// True if the sensor is above its own limit for low beams.
+// True if the sensor is mounted above its own limit for low beams.
 constexpr bool looks_over_things(const Sensor& sensor) {
   return sensor.moved.are_given() && sensor.origin_z > subcells_of(sensor.moved.low_mm);
 }
@@ -61,7 +62,8 @@ constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origi
 }  // namespace derived_detail
 
 // A sensor with fixed azimuths uses its ticks as steps. A rotating sensor never repeats an azimuth
-// exactly, so its points are rounded to 256 ... 16384 steps, a power of two.
+// exactly, so its azimuths are rounded to steps. Their number per turn is a power of two from 256
+// to 16384.
 template <typename Decoder>
 constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   if constexpr (Decoder::kTurns) {
@@ -73,7 +75,7 @@ constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   }
 }
 
-// footprint and height band: those of the car, subcells.
+// footprint and height band: the values of the car in subcells.
 constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std::int32_t z_max,
                              Sensor& sensor) {
   using derived_detail::range_products;
@@ -90,8 +92,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// such a sensor is above its limit for low beams. Extends the reach of tall hits if a sensor with a
-// limit for tall returns follows the ground.
+// such a sensor is mounted above its limit for low beams. Extends the range of tall hits if a
+// sensor with a limit for tall returns follows the ground.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });

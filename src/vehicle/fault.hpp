@@ -1,4 +1,4 @@
-// A fault of a car file: the field, and the values it may have.
+// A fault of a car file: the field and its allowed values.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@ struct Fault {
   static constexpr std::size_t kCar = static_cast<std::size_t>(-1);
 
   std::size_t sensor = kCar;  // sensor number, or kCar for a field of the car itself
-  std::string_view field;     // as in the car file: "udp_port", "mount.yaw_deg"
+  std::string_view field;     // name in the car file, such as "udp_port" or "mount.yaw_deg"
   std::string_view allowed;   // "1 ... 65535"
-  std::uint32_t least = 0;    // if not 0, the allowed values begin with "at least" and this
-  std::uint64_t sum = 0;      // the excessive sum, if several fields add up to it; else 0
+  std::uint32_t least = 0;    // if not 0, the allowed values begin with "at least" and this number
+  std::uint64_t sum = 0;      // sum of several fields if their sum is too large, else 0
 };
 
-// Reports faults to a listener: any callable that takes a Fault and outlives the check.
+// Reports faults to a listener. The listener is any callable that takes a Fault and outlives the
+// check.
 class Tell {
  public:
   template <typename Listener>
@@ -32,7 +33,7 @@ class Tell {
   void (*call_)(void* listener, const Fault& fault);
 };
 
-// NaN is outside.
+// NaN is outside every interval.
 template <typename Number>
 constexpr bool is_within(Number value, Number least, Number most) {
   return value >= least && value <= most;

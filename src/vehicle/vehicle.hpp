@@ -1,5 +1,5 @@
-// A vehicle on the target: integers only. The PC computes it from a car file (tools/car); the
-// target reads it from the block in its image (src/car_block).
+// A vehicle on the target. It contains only integers. The PC computes it from a car file
+// (tools/car). The target reads it from the block in its image (src/car_block).
 #pragma once
 
 #include <algorithm>
@@ -28,18 +28,19 @@ namespace iog::vehicle {
 
 inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
-inline constexpr std::size_t kMaxGroundSensors = 2;  // that follow the ground
+inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the ground
 
-// Cached lines of all level rotating sensors of a vehicle together: one for each azimuth step. A
-// line takes some 0.7 KB.
+// The maximum number of cached lines of all level rotating sensors of a vehicle. There is one line
+// for each azimuth step. A line takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
-// Coefficients of a beam's end have this many fraction bits below one subcell. 10 is the maximum: a
-// line of 2^20 subcells times 2^10 is 2^30, times a sine of 2^30 is 2^60, and three such terms stay
-// below 2^62. The end is within 0.002 subcells of the exact one before it is rounded.
+// The coefficients of a beam's end have this many fraction bits below one subcell. 10 is the
+// maximum: a line of 2^20 subcells times 2^10 is 2^30. Multiplied by a sine of 2^30 it is 2^60, and
+// three such terms stay below 2^62. Before rounding, the end is within 0.002 subcells of the exact
+// end.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of every beam of a layer, as a function of its azimuth a:
+// One coordinate of the end of each beam of a layer, as a function of the beam's azimuth a:
 //   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
@@ -48,8 +49,8 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// The horizontal range: range times share, rounded down. The share is in units of 2^-30 and the
-// range is below 2^30, so the result is the upper word of one product of two words.
+// The horizontal range is range_mm times the share, rounded down. The share is in units of 2^-30
+// and the range is below 2^30, so the result is the upper word of one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
@@ -60,11 +61,11 @@ struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
-  // The first layer with the same lines on the grid. If the sensor is level, two layers of opposite
-  // elevations share their lines.
+  // Index of the first layer that has the same lines on the grid. If the sensor is level, two
+  // layers with opposite elevations share their lines.
   std::uint8_t line = 0;
-  // Ratio of horizontal range to range, in units of 2^-30: the cosine of the layer's elevation if
-  // all layers share the line of elevation 0, else 1.
+  // Ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share the
+  // line of elevation 0, it is the cosine of the layer's elevation; otherwise it is 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
@@ -72,15 +73,15 @@ struct Layer {
   }
 };
 
-// The limits of a region along one axis. A point on a beam is inside if the product of the beam's
-// extent in subcells and the range in mm is between these two, both included.
+// The limits of a region along one axis. A point on a beam is inside if the beam's extent in
+// subcells times the range in mm is between these limits, including both.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
-// Heights above the ground, both included, at which a return is an obstacle (docs/ground.md).
-// Without them the sensor uses its vehicle's height band instead of following the ground.
+// Heights above the ground at which a return is an obstacle (docs/ground.md). Both limits are
+// included. Without them the sensor uses its vehicle's height band instead of following the ground.
 struct GroundLimits {
   std::uint16_t low_mm = 0;
   std::uint16_t top_mm = 0;
@@ -89,13 +90,13 @@ struct GroundLimits {
 };
 
 // Limits of free-space gating by low beams (perception/opening.hpp). A beam below low_mm opens
-// ground; a return above tall_mm may come from a moving object. Heights are above the car's plane,
-// or above the local ground if the sensor follows it. By default every beam is low and every return
-// is tall.
+// ground. A return above tall_mm may come from a moving object. Heights are measured from the car's
+// plane, or from the local ground if the sensor follows it. By default every beam is low and every
+// return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
-  // If the sensor follows the ground, a beam below this height opens nothing: it may pass under a
-  // stationary car.
+  // If the sensor follows the ground, a beam below this height opens nothing because it may pass
+  // under a stationary car.
   static constexpr std::uint16_t kUnderCarsMm = 300;
 
   std::uint16_t low_mm = kAnyHeight;
@@ -109,7 +110,7 @@ struct MovedLimits {
   return std::int32_t{height_mm} * geometry::kResolution / geometry::kCellMm;
 }
 
-// Limits of height above the car's plane, subcells, both included.
+// Limits of the height above the car's plane in subcells, both included.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -121,9 +122,9 @@ struct Sensor {
   std::uint32_t source_ipv4 = 0;
   std::uint16_t udp_port = 0;
   geometry::SubcellPoint origin;  // S, grid subcells
-  std::int32_t origin_z = 0;      // height, subcells
+  std::int32_t origin_z = 0;      // height in subcells
   std::uint8_t layer_count = 0;
-  bool layers_share_lines = false;  // rotating and level: one line per azimuth for all layers
+  bool layers_share_lines = false;  // rotating and level: all layers share one line per azimuth
   AzimuthSteps azimuths;
   numeric::SineTable sines;     // sines of the azimuth steps
   traversal::LineLength range;  // L
@@ -135,29 +136,30 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // The share of a beam that ends on ground, in units of 2^-30, in which it is above the height
-  // band's lower end. Heights are measured from a straight line between the ground below the sensor
-  // and the end. The share is 1 if the sensor is below the band's lower end or looks over things.
+  // Consider a beam that ends on the ground. This is the fraction of its length in which it is
+  // above the height band's lower limit, in units of 2^-30. Heights are measured from a straight
+  // line between the ground below the sensor and the end of the beam. The value is 1 if the sensor
+  // is below the band's lower limit or looks over things.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
-  // True if the car file has the maker's calibration of each laser.
+  // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;
-  // Ouster only, see lidar::Unit.
+  // Only for Ouster, see lidar::Unit.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
-  bool is_synchronised = false;  // its clock is the clock of the poses
-  std::uint32_t latency_us = 0;  // from measurement to arrival, if not synchronised
+  bool is_synchronised = false;  // its clock is the pose source's clock
+  std::uint32_t latency_us = 0;  // delay from measurement to arrival, if it is not synchronised
   sensor_model::Profile profile;
-  sensor_model::Arc arc{};  // for radars and ultrasonic units
-  RangeProducts on_car_x;   // with on_car_y: inside the vehicle's footprint
+  sensor_model::Arc arc{};  // only for radars and ultrasonic sensors
+  RangeProducts on_car_x;   // together with on_car_y: inside the vehicle's footprint
   RangeProducts on_car_y;
   RangeProducts in_band;  // inside the height band
   RangeProducts tall;     // inside the part of the band with tall returns
-  // Long members come last, which keeps the others close together.
+  // Large members come last in order to keep the other members close together.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
-  std::array<std::int32_t, kMaxLayers> elevations{};  // for a unit of points
+  std::array<std::int32_t, kMaxLayers> elevations{};  // only for a sensor that sends points
 
-  // Returns views of this sensor's members.
+  // Returns the description of the unit, with views of this sensor's members.
   [[nodiscard]] constexpr lidar::Unit unit() const {
     return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
             .elevations = std::span(elevations).first(layer_count),
@@ -166,17 +168,17 @@ struct Sensor {
   }
 };
 
-// Which grids the target sends: occupancy indexes around the vehicle, or classes in the
+// The grids that the target sends: occupancy indexes around the vehicle, or classes in the
 // world-aligned window (docs/perception.md).
 enum class Grids : std::uint8_t { kIndexes, kClasses, kBoth };
 
 [[nodiscard]] constexpr bool have_indexes(Grids grids) { return grids != Grids::kClasses; }
 [[nodiscard]] constexpr bool have_classes(Grids grids) { return grids != Grids::kIndexes; }
 
-// The two rules of docs/model.md section 3.
+// The two fusion rules of docs/model.md section 3.
 enum class FusionRule : std::uint8_t { kHitsWin, kBayes };
 
-// A rectangle in subcells, edges included.
+// A rectangle in subcells, including its edges.
 struct Footprint {
   std::int32_t x_min = 0;
   std::int32_t x_max = 0;
@@ -186,14 +188,14 @@ struct Footprint {
 
 struct Vehicle {
   std::string_view name;
-  std::uint32_t id = 0;  // CRC of the name and all members below (car_block/content.hpp)
+  std::uint32_t id = 0;  // CRC of the name and of all members below (car_block/content.hpp)
   std::span<const Sensor> sensors;
   Footprint footprint{};
-  std::int32_t z_min = 0;  // the height band, subcells, both ends included
+  std::int32_t z_min = 0;  // lower limit of the height band in subcells; both limits are included
   std::int32_t z_max = 0;
 
   [[nodiscard]] constexpr HeightBand band() const { return {z_min, z_max}; }
-  // The part of the band in which this sensor's beams are low.
+  // The part of the height band in which the sensor's beams are low.
   [[nodiscard]] constexpr HeightBand low_band(const Sensor& sensor) const {
     return {z_min, sensor.moved.low_mm == MovedLimits::kAnyHeight
                        ? z_max
@@ -204,13 +206,13 @@ struct Vehicle {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
   std::uint32_t frame_period_us = 0;
   Grids grids = Grids::kIndexes;
-  bool has_objects = false;  // tracks objects on the grid of classes (docs/objects.md)
+  bool has_objects = false;  // tracks objects on the class grid (docs/objects.md)
   pose::SourceDescription poses{};
   map::SourceDescription maps{};
   perception::Rules window{};
 
-  // True if the classes depend on packet arrival times, because some sensor's clock is not the
-  // clock of the poses.
+  // True if the classes depend on packet arrival times, because at least one sensor's clock is not
+  // the pose source's clock.
   [[nodiscard]] constexpr bool depends_on_arrival() const {
     return have_classes(grids) && !std::ranges::all_of(sensors, &Sensor::is_synchronised);
   }

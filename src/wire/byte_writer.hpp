@@ -1,7 +1,8 @@
-// Writes wire bytes in order and never past the end of their buffer.
+// Writes wire bytes sequentially and never past the end of the buffer.
 //
-// A write that does not fit writes nothing, and neither does any later write, even a shorter one;
-// from then on ok() is false. An encoder may write a whole message and then check ok() once.
+// A write that does not fit writes nothing. All later writes also write nothing, even shorter ones,
+// and ok() is false from then on. An encoder can therefore write a whole message and then check
+// ok() once.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,9 @@
 namespace iog::wire {
 
 class ByteWriter {
-  // Defined before its callers so that clang 14 can evaluate them at compile time. Ending the
-  // buffer here makes the failure permanent, at no cost for successful writes.
+  // Defined before its callers, because clang 14 otherwise cannot evaluate them at compile time.
+  // Setting the end of the buffer here makes the failure permanent without slowing down successful
+  // writes.
   constexpr void fail() {
     buffer_ = written();
     ok_ = false;
@@ -53,14 +55,14 @@ class ByteWriter {
   constexpr void u64_be(std::uint64_t value) { put(store_be64, value); }
   constexpr void u64_le(std::uint64_t value) { put(store_le64, value); }
 
-  // Two's complement, as in all our wire formats.
+  // Two's complement, as in all wire formats of this project.
   constexpr void i8(std::int8_t value) { u8(static_cast<std::uint8_t>(value)); }
   constexpr void i16_be(std::int16_t value) { u16_be(static_cast<std::uint16_t>(value)); }
   constexpr void i16_le(std::int16_t value) { u16_le(static_cast<std::uint16_t>(value)); }
   constexpr void i32_be(std::int32_t value) { u32_be(static_cast<std::uint32_t>(value)); }
   constexpr void i32_le(std::int32_t value) { u32_le(static_cast<std::uint32_t>(value)); }
 
-  // Writes all of `source`, which must not overlap the buffer, or nothing.
+  // Writes all of `source` or nothing. `source` must not overlap the buffer.
   constexpr void bytes(std::span<const std::byte> source) {
     const auto target = claim(source.size());
     for (std::size_t i = 0; i < target.size(); ++i) {
@@ -78,13 +80,13 @@ class ByteWriter {
   // Skips `count` bytes without writing, for a field that is filled in later.
   constexpr void skip(std::size_t count) { static_cast<void>(claim(count)); }
 
-  // All bytes so far, skipped ones included.
+  // All bytes so far, including skipped ones.
   [[nodiscard]] constexpr std::span<std::byte> written() const { return buffer_.first(position_); }
 
-  // Free bytes; 0 after a failed write.
+  // Number of free bytes; 0 after a failed write.
   [[nodiscard]] constexpr std::size_t remaining() const { return buffer_.size() - position_; }
 
-  // True if every write so far has fitted.
+  // True if no write has failed so far.
   [[nodiscard]] constexpr bool ok() const { return ok_; }
 
  private:
