@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lidar/formats.hpp"
 #include "lidar/scanner_facts.hpp"
 #include "tools/car/tables.hpp"
 #include "vehicle/derived.hpp"
@@ -25,6 +26,9 @@ constexpr std::array<std::pair<std::string_view, std::uint16_t>, 6> kUsualPorts{
     {"velodyne", 2'368},
 }};
 
+// A turn of so many layers hits more cells than the tracker has room for.
+constexpr std::size_t kDenseLayers = 40;
+
 // Below that a unit sees little of the ground.
 constexpr double kLowestOverGroundM = 0.5;
 
@@ -32,6 +36,12 @@ bool turns(const SensorConfig& sensor) { return facts_of(sensor.format).turns; }
 
 bool shares_lines(const SensorConfig& sensor) {
   return turns(sensor) && sensor.mount.pitch_deg == 0 && sensor.mount.roll_deg == 0;
+}
+
+bool is_dense(const SensorConfig& sensor) {
+  const std::size_t layers = std::max(facts_of(sensor.format).layers, sensor.lasers.size());
+  return turns(sensor) && layers >= kDenseLayers &&
+         sensor.format != lidar::kFormat<lidar::VelodyneVls128>;
 }
 
 std::uint32_t turn_us(const SensorConfig& sensor) {
@@ -71,7 +81,11 @@ vehicle::Grids usual_grids(const Description& car, std::span<const SensorConfig>
              : vehicle::Grids::kBoth;
 }
 
-std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors) {
+std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors, vehicle::Grids grids) {
+  const bool are_dense = std::ranges::any_of(sensors, is_dense);
+  if (vehicle::have_classes(grids) && are_dense) {
+    return Description{}.frame_period_us;
+  }
   std::uint32_t longest_us = 0;
   for (const SensorConfig& sensor : sensors) {
     if (turns(sensor)) {

@@ -27,9 +27,12 @@ namespace iog::description {
 [[nodiscard]] vehicle::Grids usual_grids(const Description& car,
                                          std::span<const SensorConfig> sensors);
 
-// A scan of a LUX; a turn and half of another if all lidars turn, so that a whole turn ends its
-// frame itself.
-[[nodiscard]] std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors);
+// 40 ms, a scan of a LUX. If all lidars spin, 1.5 turns, so that a whole turn ends its frame
+// itself. A car with classes and a unit of 40 layers or more has 40 ms, too: a turn of such a unit
+// hits more cells than the tracker has room for (objects::kMostHits), so distant cars would not be
+// tracked. Four cores cannot fuse a VLS-128 so often.
+[[nodiscard]] std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors,
+                                                  vehicle::Grids grids);
 
 // Level units that turn share the lines of a car: those whose steps the file does not say get as
 // many as fit.

@@ -107,7 +107,6 @@ void read_sensors(std::vector<TomlTable>& tables, Car& car) {
         std::max(car.description.z_max_m, description::top_m_over(car.sensors.back().mount.z_m));
   }
   description::share_turn_lines(car.sensors);
-  car.description.frame_period_us = description::usual_frame_period_us(car.sensors);
 }
 
 Car read_fields(const toml::table& file, const std::string& path, Mistakes& mistakes) {
@@ -124,9 +123,10 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   table.read("epsilon", description.epsilon);
   table.read("quantisation", description.quantisation, kQuantisationWords);
   table.read("rule", description.rule, kRuleWords);
-  table.read("frame_period_us", description.frame_period_us);
   description.grids = description::usual_grids(description, car.sensors);
   table.read("grids", description.grids, kGridsWords);
+  description.frame_period_us = description::usual_frame_period_us(car.sensors, description.grids);
+  table.read("frame_period_us", description.frame_period_us);
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
   description.window = read_window(table.table("window"));

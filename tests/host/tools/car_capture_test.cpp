@@ -223,7 +223,7 @@ TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
   expect_error({.captures = {"/dev/null"}, .poses = log_}, "");
   EXPECT_EQ(read(log(head + row + row + row)).words,
             "|not used: 2 poses that are not newer than the one before (first: line 3)");
-  EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("roof_vlp16")), UsageError);
+  EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("two_lux_parking")), UsageError);
 }
 
 // Of each scanner a file.

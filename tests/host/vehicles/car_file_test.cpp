@@ -222,6 +222,10 @@ TEST(CarDefaults, AFrameIsAScanOrATurn) {
   const Car radar = car_of({puck(1.5), kRadar});
   EXPECT_EQ(radar.vehicle.frame_period_us, 150'000U);
   EXPECT_EQ(radar.vehicle.grids, vehicle::Grids::kIndexes);
+  // A turn of 64 layers hits more cells than the tracker has room for.
+  const std::string pandar = "type = \"hesai_pandar64\"\nmount = { x_m = 0, y_m = 0, z_m = 1.8 }\n";
+  EXPECT_EQ(car_of({pandar}).vehicle.frame_period_us, 40'000U);
+  EXPECT_EQ(car_of({pandar}, "grids = \"indexes\"\n").vehicle.frame_period_us, 150'000U);
   std::string lasers;
   for (int i = 0; i < 16; ++i) {
     lasers += "{ elevation_deg = " + std::to_string(15 - 2 * i) + " }, ";
