@@ -47,10 +47,11 @@ void weigh_left(const Snapshot& then, Point car, bool open_counts, const GridNam
 
 // Judges the places that a receding track has left. The grid's classes lag behind there, so this
 // frame decides whether they are free. Places that are hit again are bad, because something stands
-// there. So are places that were hit lately, if the track was too far away then for hits of its
-// own.
+// there. For a slow track, so are places that were hit lately, if the track was too far away then
+// for hits of its own.
 void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t> numbers,
                  const Hits& hits, const GridNames& grid, Track& track) {
+  const bool is_slow = track.speed() < kLayersSpeed;
   const std::int32_t lately_mm = kLeftMm + track.speed() * kLayersMs / 1000;
   const OwnBeams beams(car, numbers, hits.now.all());
   Seen& seen = track.seen;
@@ -60,7 +61,8 @@ void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t>
     if (outside <= kLeftMm) {
       continue;
     }
-    if (hits.now.is_hit_around(cell) || (outside > lately_mm && hits.recent.is_hit_lately(cell))) {
+    if (hits.now.is_hit_around(cell) ||
+        (is_slow && outside > lately_mm && hits.recent.is_hit_lately(cell))) {
       ++seen.bad;
       ++seen.kept;
     } else if (beams.pass(place)) {

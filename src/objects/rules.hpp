@@ -141,11 +141,13 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 // kTrailPlaces of the places that the track has left, and if they pass at least kGoodOverBad times
 // as many places as are hit again. A beam passes a place if it misses the place by at most
 // kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
-// scans its layers one after the other.
+// scans its layers one after the other. Such hits count for tracks below kLayersSpeed. Hits behind
+// a faster track may be its own, because its speed is not known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
-inline constexpr std::int32_t kLayersMs = 160;  // two epochs
+inline constexpr std::int32_t kLayersMs = 260;  // two epochs, and the age of a turn's hits
+inline constexpr std::int32_t kLayersSpeed = 3000;
 inline constexpr std::int32_t kBesideMm = 200;  // plus kBeamsOfAMetre per metre of range
 
 // Confidence and state.

@@ -75,15 +75,16 @@ constexpr std::array<std::int32_t, 3> kAcrossIts{-4, 0, 4};
 
 Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& others = {},
                       const std::vector<std::int32_t>& rear = {-9, -5, -1, 3, 7},
-                      const std::vector<geometry::Cell>& frame_before = {},
-                      std::int32_t place = 80) {
+                      const std::vector<geometry::Cell>& frame_before = {}, std::int32_t place = 80,
+                      std::int32_t speed = 20'000) {
+  const std::uint64_t then_us = speed < 3'000 ? kNowUs - 400'000 : kThenUs;
   const Sides sides{Interval{0, 400}, Interval{-900, 900}};
   Track track;
-  track.begin(1, {.at = {12'000, 50}, .sides = sides}, kThenUs);
-  track.correct(kAlong, {.place = 0, .speed = 1 << 16}, 20'000);
+  track.begin(1, {.at = {12'000, 50}, .sides = sides}, then_us);
+  track.correct(kAlong, {.place = 0, .speed = 1 << 16}, speed);
   track.look_from(kCarBehind);
   EXPECT_TRUE(track.is_receding);
-  Snapshot& then = track.snapshots.begin(kThenUs, {.at = {8'000, 50}, .sides = sides});
+  Snapshot& then = track.snapshots.begin(then_us, {.at = {8'000, 50}, .sides = sides});
   for (const std::int32_t y : kAcrossIts) {
     then.cells[then.count++] = {place, y};
   }
@@ -165,17 +166,18 @@ TEST(WeighTrail, APlaceThatIsHitAgainIsNotLeft) {
   EXPECT_EQ(seen.bad, 1);
 }
 
-// A unit that scans its layers in turn does not hit the place in this frame, but 80 ms before. At
-// 20 m/s the rear was 1.6 m nearer then, so hits so close behind it are its own.
+// A unit that scans its layers in turn does not hit the place in this frame, but 80 ms before. At 2
+// m/s the rear was 0.52 m nearer 0.26 s ago, so hits so close behind it may be its own. At 20 m/s
+// any may be.
 TEST(WeighTrail, APlaceThatWasHitLatelyIsNotLeft) {
-  const auto seen = [](std::int32_t place, std::int32_t before) {
-    return seen_of_receding(decision::Class::kOccupied, {}, {-9, -5, -1, 3, 7}, {{before, 1}},
-                            place);
+  const auto kept = [](std::int32_t place, std::int32_t speed) {
+    return seen_of_receding(decision::Class::kOccupied, {}, {-9, -5, -1, 3, 7}, {{place, 1}}, place,
+                            speed)
+        .kept;
   };
-  EXPECT_EQ(seen(80, 79).passed, 2);
-  EXPECT_EQ(seen(80, 79).kept, 1);
-  EXPECT_EQ(seen(80, 77).passed, 3);
-  EXPECT_EQ(seen(90, 90).kept, 0);
+  EXPECT_EQ(kept(111, 2'000), 1);
+  EXPECT_EQ(kept(113, 2'000), 0);
+  EXPECT_EQ(kept(80, 20'000), 0);
 }
 
 // Beams that graze a wall pass a place on one side.
