@@ -28,7 +28,7 @@ class CoarseLevels {
   // Sets all cells to unknown.
   void clear();
 
-  // Adds the grid's tile with this number.
+  // Adds the tile that has this index in the full-resolution grid.
   void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
   // The tiles of the fine grid. If a tile is not known, all its cells are unknown.
