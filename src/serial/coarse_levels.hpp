@@ -1,6 +1,6 @@
-// The coarse grids of a frame. They are two levels of its quadtree: a fine grid of 128 x 128 cells
-// and a rough grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are levels 3
-// and 5 with cells of 0.8 m and 3.2 m.
+// The coarse grids of a frame. They are two levels of its quadtree: *fine*, a grid of 128 x 128
+// cells, and *rough*, a grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are
+// levels 3 and 5 with cells of 0.8 m and 3.2 m.
 //
 // The index of a coarse cell is the highest index of the cells in it. The coarse cell is occupied
 // if any of these cells is occupied, free if all of them are free, and otherwise unknown.
