@@ -21,8 +21,8 @@
 
 namespace iog::app {
 
-// The car whose commands must be signed, and the key. The car's stream is also signed. A car
-// without classes accepts no commands.
+// The car whose commands must be signed, and the key. The car's stream is also signed. If the car
+// file does not enable classes, the target accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;

@@ -58,7 +58,7 @@ class PerceptionEngine {
   // outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call it before the first datagram. The window's age is measured from now on.
+  // Call it before the first datagram. The age of the window is measured relative to now_us.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
   // Returns true if the datagram was a pose or part of a map. Logs the datagrams that the frame

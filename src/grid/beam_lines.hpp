@@ -3,8 +3,8 @@
 // A lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The course of a
 // line, the distance over which it stays in the grid, and the blocks that it crosses depend only on
 // the mount. Each line is therefore computed once and cached by its azimuth. The azimuths of a
-// sensor need not be known in advance, because a new or evicted line is simply computed. This costs
-// time but does not change the result.
+// sensor need not be known in advance, because a line that is not in the cache is computed again.
+// This costs time but does not change the result.
 #pragma once
 
 #include <algorithm>

@@ -42,7 +42,7 @@ struct BandJudge {
   }
 };
 
-// With an estimated ground, each layer has its own limits in each sector.
+// If the ground is estimated, each layer has its own limits in each sector.
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
@@ -76,8 +76,8 @@ class BandGate {
   // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
   // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // A hit at this distance or beyond frees everything that layers with a rank of
-  // TurnLayers::near_rank or higher may free.
+  // If the distance of a hit is at least far_mm(), the beam clears the complete free parts of all
+  // layers whose rank is at least TurnLayers::near_rank.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
   // part() returns the part of the line that the layer may free. end() returns the end of this part
   // if the part is not empty.

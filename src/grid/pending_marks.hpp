@@ -32,8 +32,9 @@ static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 
 // (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// The step along an arc, in ticks. At this range the step is at most one cell long, but at least
-// one tick. The constant for 2 pi is slightly too large.
+// The step along an arc, in ticks. It is the largest step whose length at this range is at most one
+// cell, or one tick if one tick is already longer than a cell. The constant for 2 pi is slightly
+// too large.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(std::uint32_t ticks_per_turn,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;

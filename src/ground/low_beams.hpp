@@ -1,4 +1,4 @@
-// The part of each beam that is low over the ground. Only low beams open ground. A hit counts as
+// The part of each beam that is close to the ground. Only low beams open ground. A hit counts as
 // moving only where a low beam has freed the cell before (docs/perception.md, section 4).
 //
 // The height of the ground below a beam is known only per bin. On a bank that rises from one bin to

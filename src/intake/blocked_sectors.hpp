@@ -1,7 +1,7 @@
 // Detects blocked sectors. In a blocked sector a sensor gets almost no returns although it should.
 // The reason may be a cap, ice or mud on its window, or a defect. Open sky causes no returns
-// either. Each sector (watched_sectors.hpp) is therefore judged only by beams that must cause a
-// return:
+// either. Each sector (watched_sectors.hpp) is therefore judged only by beams for which a return is
+// expected:
 //
 // - ground: sectors of a spinning lidar with ground beams. Ground beams meet the car's plane within
 //   20 m and with a slope of at least 1 in 16. A turn blocks the sector if both of these conditions
@@ -131,7 +131,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A packet as used by fusion: a missing return at a silent azimuth is not treated as evidence.
+// A view of a packet for the fusion code. At an azimuth marked as silent, a missing return is not
+// treated as evidence.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -4,9 +4,9 @@
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. It measures the same range twice in 41 of 100 cases. The
 // probability that two packets agree in all of 64 or more ranges is therefore 10^-24. With 16 rows,
-// 32 ranges may be enough, and the probability is 10^-12. Other units have a resolution of 5 mm or
-// better, or more noise. Their ranges agree in at most 27 of 100 cases, and the probability that 32
-// ranges agree is 10^-18.
+// 32 ranges may be enough, and the probability is 10^-12. All other units either have a resolution
+// of 5 mm or better, or are noisier than the Ouster. Two of their ranges agree in at most 27 of 100
+// cases, and the probability that 32 ranges agree is 10^-18.
 #pragma once
 
 #include <array>

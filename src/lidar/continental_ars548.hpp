@@ -69,8 +69,8 @@ class ContinentalArs548 {
 
   // Checks the whole list, including every detection, and keeps a view of it. The view is valid as
   // long as the datagram. Returns kOk, kWrongLength, kWrongType or kWrongPoint. kWrongType means
-  // another message of the radar, such as its objects or its status. kWrongPoint means more than
-  // 800 detections, or a valid detection at an impossible position.
+  // that the radar sent another type of message, such as an object list or a status message.
+  // kWrongPoint means more than 800 detections, or a valid detection at an impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }

@@ -60,8 +60,9 @@ class MavlinkUltrasonic {
   void move_to(std::span<const std::byte> /*copy*/) {}
 
   // Calls visit(const ScanPoint&) once. Requires decode() == kOk. The point has no return if there
-  // was no echo within the sensor's maximum distance. It is flagged as rain if the sensor reports
-  // it as invalid or if it is below the sensor's minimum distance.
+  // was no echo within the sensor's maximum distance. If the sensor reports the echo as invalid, or
+  // if the echo is below the sensor's minimum distance, the point is flagged in the same way as a
+  // lidar's rain return.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     visit(point_);

@@ -41,9 +41,10 @@ class PeerResolver {
   // answered for one interval. Until then the known station is in doubt, as it is after hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
-  // Call it when a frame from the peer arrives from this station. If this station is not the known
-  // station, the known station is soon asked to confirm its address. Traffic alone never replaces
-  // the address, because a router also forwards packets with a forged source.
+  // Call it when a frame with the peer's IP address arrives. `mac` is the source MAC address of the
+  // frame. If `mac` is not the known MAC address, the known station is soon asked to confirm its
+  // address. Traffic alone never replaces the address, because a router also forwards packets with
+  // a forged source.
   void hear(const MacAddress& mac);
 
   // Returns the destination if an ARP request is due now, and counts the request as sent. A known

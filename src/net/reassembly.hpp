@@ -70,8 +70,8 @@ class Reassembly {
   // 35,344 bytes take 24 fragments of 1480 bytes. No sender uses fragments of less than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
   // The timeout starts when the first fragment is received. At 100 Mbit/s the fragments of a
-  // datagram arrive within 3 ms. A lidar that sends 1,280 datagrams per second repeats an
-  // identification after 51 s.
+  // datagram arrive within 3 ms. With 1,280 datagrams per second, the 16-bit identification of a
+  // lidar wraps around after 51 s.
   static constexpr std::uint64_t kTimeoutUs = 100'000;
 
   enum class Fate : std::uint8_t {

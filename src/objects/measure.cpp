@@ -199,8 +199,8 @@ void take_standing_faces(Point car, std::span<const std::uint16_t> numbers,
   }
 }
 
-// Includes standing hits within the width of a sure car in both of its ends, because most of a long
-// side covers the same places for long.
+// Includes standing hits within the width of a definite car (docs/objects.md) in both of its ends,
+// because most of a long side covers the same places for long.
 void take_standing_ends(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits,
                         const Box& box, Ends& ends) {
   ends.low = face_with_standing(kAlong, Reference::kLow, numbers, hits, ends.low, box);

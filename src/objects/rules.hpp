@@ -108,7 +108,7 @@ inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
 // Applies to a moving track, because the deviation is 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// Applies to a track that is certainly a car. Its speed must also exceed one deviation.
+// Applies to a track that is certainly a car. The speed must also exceed one standard deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
@@ -188,11 +188,11 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side ar
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// At this confidence and above, standing hits in the box of a car belong to the car if at least
-// kSureUnopposed frames have supported the motion of the car. A frame opposes the motion if there
-// is more than one bad place for every kGoodOverBad other places. Each such frame cancels kOpposed
-// supporting frames. A frame that does not oppose the motion supports it if it has at least
-// kSteadyHits good places.
+// Standing hits in the box of a car belong to the car under two conditions. The confidence of the
+// track must be at least kSureConfidence. At least kSureUnopposed frames must have supported the
+// motion of the car. A frame opposes the motion if there is more than one bad place for every
+// kGoodOverBad other places. Each such frame cancels kOpposed supporting frames. A frame that does
+// not oppose the motion supports it if it has at least kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

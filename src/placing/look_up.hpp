@@ -18,9 +18,9 @@ namespace iog::placing {
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
 // 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
-// less than eight cells, so a run covers at most eight columns of the grid. Across the run, a step
-// is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells, so a run
-// covers at most six rows.
+// less than eight cells, so a run covers at most eight columns of the grid. Perpendicular to the
+// run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells,
+// so a run covers at most six rows.
 //
 // The offset of a cell from the lowest column or row of its run is the integer part of the cell's
 // steps. One is added if the fraction of the steps and the fraction of the lowest column or row add
@@ -68,7 +68,7 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
   }
 }
 
-// Joins free space from the slice grid into the evidence of a tile (placing/slice_byte.hpp).
+// Merges the free space of the slice grid into the evidence of a tile (placing/slice_byte.hpp).
 // `first` is the image of the centre of the tile's first cell in the grid. The images of the other
 // cells follow from `steps`. Returns false if no cell near the tile is known.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,

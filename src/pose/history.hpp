@@ -68,7 +68,7 @@ class History {
 
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. Up to
   // kLateUs after the newest message, the pose is predicted from the speed and the yaw rate. If the
-  // time is before the first message after a break, the cause is the kind of this break: kLost,
+  // time is before the first message after a break, the cause is the cause of the break: kLost,
   // kJump, kRestart, kContradicted or kDrifting. If there was no break, the cause is kLost. The
   // other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;

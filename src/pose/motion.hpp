@@ -27,8 +27,8 @@ struct Motion {
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 
-// The difference of two poses, for each coordinate. The difference of the headings is the smaller
-// of the two possible angles.
+// The difference between two poses in x, y and heading. The difference of the headings is the
+// smaller of the two possible angles.
 struct Residual {
   std::int64_t x_mm = 0;
   std::int64_t y_mm = 0;

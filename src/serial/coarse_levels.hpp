@@ -1,6 +1,6 @@
-// The coarse grids of a frame. They are two levels of its quadtree: a fine grid of 128 x 128 cells
-// and a rough grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are levels 3
-// and 5 with cells of 0.8 m and 3.2 m.
+// The coarse grids of a frame. They are two levels of its quadtree: *fine*, a grid of 128 x 128
+// cells, and *rough*, a grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are
+// levels 3 and 5 with cells of 0.8 m and 3.2 m.
 //
 // The index of a coarse cell is the highest index of the cells in it. The coarse cell is occupied
 // if any of these cells is occupied, free if all of them are free, and otherwise unknown.
@@ -28,7 +28,7 @@ class CoarseLevels {
   // Sets all cells to unknown.
   void clear();
 
-  // Adds the grid's tile with this number.
+  // Adds the tile that has this index in the full-resolution grid.
   void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
   // The tiles of the fine grid. If a tile is not known, all its cells are unknown.

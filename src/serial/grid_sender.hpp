@@ -3,12 +3,13 @@
 //
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
-// Three flows share the link: the rough grid of 3.2 m, the fine grid of 0.8 m, and the
-// full-resolution cells. A flow sends the tiles of its grid in rounds. It sends at most one round
-// per frame, and continues in the next frame where it stopped. A message contains the cells of
-// every known tile in its tile range; all other tiles in the range are unknown. No tile of a
-// receiver is therefore older than one round. A frame without any sensor has no known cells. For
-// such a frame, only an empty rough grid is sent as a heartbeat.
+// Three flows share the link: the coarsest grid (*rough*, 3.2 m cells), the medium grid (*fine*,
+// 0.8 m cells), and the full-resolution cells. A flow sends the tiles of its grid in rounds. It
+// sends at most one round per frame, and continues in the next frame where it stopped. A message
+// contains the cells of every known tile in its tile range; all other tiles in the range are
+// unknown. No tile of a receiver is therefore older than one round. A frame without any sensor has
+// no known cells. For such a frame, only an empty message of the coarsest grid is sent as a
+// heartbeat.
 #pragma once
 
 #include <algorithm>

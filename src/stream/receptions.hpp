@@ -22,8 +22,8 @@ struct Reception {
 };
 
 // CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter. The
-// timestamp, the sequence number or the measurements in these bytes distinguish the datagrams of a
-// sensor.
+// datagrams of a sensor differ in these bytes, because the bytes contain a timestamp, a sequence
+// number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;

@@ -14,8 +14,7 @@
 
 namespace iog::stream {
 
-// The maximum age of a reference. A receiver has all tiles after it has received one frame more
-// than this.
+// The maximum age of a reference. A receiver has all tiles after kMaxReferenceAge + 1 frames.
 inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
 // True if tiles with this encoding are self-contained.

@@ -1,10 +1,10 @@
 // The table of the target's counters and states: their names and places on the wire.
 //
 // The frame end has one list for each of the first three groups, and one list of link counters: the
-// groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The other groups are in the message that
-// ends the classes. To add a counter, add its name here and to the struct that counts it. The loop
-// finds its place by name (stream/target_state.hpp); tests/lint/target_state generates the tables
-// of other readers.
+// groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
+// class message of the frame (3.10). To add a counter, add its name here and to the struct that
+// counts it. The loop finds its place by name (stream/target_state.hpp); tests/lint/target_state
+// generates the tables of other readers.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 // Ranges: let w = |E - S| for each axis, in subcells. (w_x + w_y) * r < 2^31 keeps the error term
 // of the walk within 32 bits; this is asserted for the longest beam of a car. S and E lie within
 // +-2^29.
-//   * through() and before(): the share of the line is num / den with 0 <= num, 0 < den and
+//   * through() and before(): the fraction of the line is num / den with 0 <= num, 0 < den and
 //     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
 //   * All divisions are of non-negative numbers, and all rounding is down.
 #pragma once

@@ -133,8 +133,9 @@ struct Classification {
 // azimuth_ticks of less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// The ranges from from_mm to to_mm at which a point lies between the limits of one axis. extent:
-// the extent of the line along this axis. The result is exact.
+// Returns the ranges at which a point of the line is within the given limits on one axis. Only
+// ranges between from_mm and to_mm are returned. `extent` is the extent of the line along this
+// axis. The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 

@@ -1,8 +1,8 @@
 // The world-aligned window: 32 by 32 tiles of the local frame around the vehicle.
 //
-// A tile that enters the window is unknown. The tile is cleared when something in it becomes known,
-// and each group is cleared when something in the group becomes known. Moving the window therefore
-// only costs one flag per tile.
+// A tile that enters the window is only flagged as unknown. The memory of the tile is cleared just
+// before the first write to the tile, and the memory of each group is cleared just before the first
+// write to the group. Moving the window therefore only costs one flag per tile.
 #pragma once
 
 #include <array>
