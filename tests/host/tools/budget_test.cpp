@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fakes/ground_car.hpp"
+#include "lidar/formats.hpp"
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/car/tables.hpp"
@@ -64,16 +65,20 @@ TEST(Budget, IsAFifthOffWhatMovedTakesOfFramesWithClasses) {
 vehicle::Vehicle of_indexes(const CatalogueEntry& car) {
   vehicle::Vehicle vehicle = *car.vehicle;
   vehicle.grids = vehicle::Grids::kIndexes;
+  if (lidar::turns(vehicle.sensors.front().format)) {
+    vehicle.frame_period_us = 150'000;  // a turn, as such a car has it by default
+  }
   return vehicle;
 }
 
 // Of a turn of 100 ms.
 TEST(Budget, OfAFrameThatIsShorterThanATurnIsThatOfItsPart) {
   CatalogueEntry car = find_vehicle("roof_hdl64e");
-  const FrameWork turn = budget_of(car).typical.work;
   vehicle::Vehicle its = *car.vehicle;
-  its.frame_period_us = 40'000;
   car.vehicle = &its;
+  its.frame_period_us = 150'000;
+  const FrameWork turn = budget_of(car).typical.work;
+  its.frame_period_us = 40'000;
   const VehicleBudget budget = budget_of(car);
   EXPECT_EQ(budget.period_ms, 40);
   EXPECT_DOUBLE_EQ(budget.typical.work.turn_points, 0.4 * turn.turn_points);
@@ -199,10 +204,13 @@ TEST(Budget, CountsWhatDescriptionsAllow) {
 }
 
 // The file of the Pandar64 has no room for two returns, and an Ouster with two has a profile of its
-// own: 64 lasers in 1,800 and 1,024 directions, of which the file of the former allows some more.
+// own: 64 lasers in 1,800 and 1,024 directions, of which the file of the former allows some more. A
+// frame of 40 ms has 0.4 of them.
 TEST(Budget, OfAUnitWithOneReturnIsThatOfAllItsPoints) {
-  EXPECT_NEAR(budget_of(find_vehicle("roof_pandar64")).typical.work.turn_points, 64 * 1'800, 8'000);
-  EXPECT_EQ(budget_of(find_vehicle("roof_os1_64")).typical.work.turn_points, 64 * 1'024);
+  EXPECT_NEAR(budget_of(find_vehicle("roof_pandar64")).typical.work.turn_points, 0.4 * 64 * 1'800,
+              4'000);
+  EXPECT_DOUBLE_EQ(budget_of(find_vehicle("roof_os1_64")).typical.work.turn_points,
+                   0.4 * 64 * 1'024);
 }
 
 // 32 rows in 1,024 directions, each twice.

@@ -60,9 +60,10 @@ TEST(TwoReturns, OnlyThoseThatDoNotFitAreWarnedOf) {
 TEST(TwoReturns, WhatIsOverBudgetIsToldWithItsLimit) {
   RunStatistics statistics;
   FrameAssembler assembler([&](GridFrame&& frame) { statistics.add(frame); });
+  vehicle::Vehicle car = *find_vehicle("roof_pandar64").vehicle;
+  car.frame_period_us = 150'000;
   const auto target = std::make_unique<OfflineTarget>(
-      *find_vehicle("roof_pandar64").vehicle,
-      [&](std::span<const std::byte> message) { assembler.take(message); });
+      car, [&](std::span<const std::byte> message) { assembler.take(message); });
   for (int i = 0; i < 600; ++i) {
     const auto us = static_cast<std::uint64_t>(i) * 500 / 3;
     static_cast<void>(

@@ -222,16 +222,20 @@ TEST(CarDefaults, AFrameIsAScanOrATurn) {
   const Car radar = car_of({puck(1.5), kRadar});
   EXPECT_EQ(radar.vehicle.frame_period_us, 150'000U);
   EXPECT_EQ(radar.vehicle.grids, vehicle::Grids::kIndexes);
+  const auto lasers_of = [](int count) {
+    std::string lasers = "lasers = [";
+    for (int i = 0; i < count; ++i) {
+      lasers += "{ elevation_deg = " + std::to_string(15 - i * 32 / count) + " }, ";
+    }
+    return lasers + "]\n";
+  };
   // A turn of 64 layers hits more cells than the tracker has room for.
-  const std::string pandar = "type = \"hesai_pandar64\"\nmount = { x_m = 0, y_m = 0, z_m = 1.8 }\n";
-  EXPECT_EQ(car_of({pandar}).vehicle.frame_period_us, 40'000U);
-  EXPECT_EQ(car_of({pandar}, "grids = \"indexes\"\n").vehicle.frame_period_us, 150'000U);
-  std::string lasers;
-  for (int i = 0; i < 16; ++i) {
-    lasers += "{ elevation_deg = " + std::to_string(15 - 2 * i) + " }, ";
-  }
-  const Car fast = car_of({"type = \"ouster_rng19\"\nmode = \"1024x20\"\nlasers = [" + lasers +
-                           "]\nmax_points_per_scan = 16384\n"
+  const std::string dense =
+      "type = \"hesai_qt64\"\nmount = { x_m = 0, y_m = 0, z_m = 1.8 }\n" + lasers_of(64);
+  EXPECT_EQ(car_of({dense}).vehicle.frame_period_us, 40'000U);
+  EXPECT_EQ(car_of({dense}, "grids = \"indexes\"\n").vehicle.frame_period_us, 150'000U);
+  const Car fast = car_of({"type = \"ouster_rng19\"\nmode = \"1024x20\"\n" + lasers_of(16) +
+                           "max_points_per_scan = 16384\n"
                            "mount = { x_m = 0, y_m = 0, z_m = 1.8 }\n"});
   EXPECT_EQ(fast.vehicle.frame_period_us, 75'000U);
   EXPECT_EQ(fast.tables[0].udp_port, 7'502);

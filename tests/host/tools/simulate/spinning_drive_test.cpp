@@ -158,9 +158,10 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
   }
 }
 
-// What its own vehicle makes of it: whole frames; and what another makes of it: nothing.
+// What its own vehicle makes of it, in frames of a turn: whole frames; and what another makes of
+// it: nothing.
 TEST(SpinningDrive, IsFusedByItsVehicleAndByNoOther) {
-  const auto count = [](const char* car, const std::vector<CapturedDatagram>& datagrams) {
+  const auto count = [](const char* name, const std::vector<CapturedDatagram>& datagrams) {
     struct {
       unsigned complete = 0;
       std::uint32_t other_unit = 0;
@@ -172,7 +173,11 @@ TEST(SpinningDrive, IsFusedByItsVehicleAndByNoOther) {
           frame.end.packet_drops[static_cast<std::size_t>(intake::PacketDrop::kOtherUnit)];
       found.dropped = frame.header.packets_dropped;
     });
-    for (const auto& message : messages_of(find_vehicle(car), datagrams)) {
+    CatalogueEntry car = find_vehicle(name);
+    vehicle::Vehicle its = *car.vehicle;
+    its.frame_period_us = 150'000;
+    car.vehicle = &its;
+    for (const auto& message : messages_of(car, datagrams)) {
       assembler.take(message);
     }
     assembler.finish();
