@@ -57,6 +57,7 @@ class Target:
         self.complete = 0b1111  # sensors, a bit each
         self.points_other = 0  # scan points that were not used
         self.unwatched = self.blocked = 0  # sectors around the car, a bit each
+        self.frame_us = FRAME_US
         self.temperature_dc = -0x8000  # of the chip, 1/10 degree Celsius: not known
 
     def messages_of(self, grid: Grid, points_used: int = 0,
@@ -98,7 +99,7 @@ class Target:
 
     @property
     def _closed_us(self) -> int:
-        return (self.frames + 1) * FRAME_US
+        return (self.frames + 1) * self.frame_us
 
     def _header(self, kind: int, flags: int, points_used: int) -> bytes:
         return struct.pack(">BBHIIQIBBBBIIIII", kind, flags, grid_stream.HEADER_BYTES, self.messages,
@@ -112,7 +113,7 @@ class Target:
 
     def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
         stages, fates, causes = (4, 13, 9)
-        head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - FRAME_US,
+        head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - self.frame_us,
                            1_000_000, stages, fates, causes, 0)
         counts = struct.pack(">4I13I9I", 3000, 40, 1500, 0, points_used, *([0] * 21))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)

@@ -87,7 +87,7 @@ def check_turned(street: Street) -> None:
 
 
 def check_list(street: Street) -> None:
-    """The list says what the boxes do not: 6 m/s are 22 km/h, two deviations 5.04, rounded up."""
+    """The list says what the boxes do not: 6 m/s are 22 km/h, two deviations 5.04, rounded up; 50 frames are 5 s."""
     page = street.page
     street.show(ground())
     def rows() -> list[list[str]]:
@@ -96,8 +96,8 @@ def check_list(street: Street) -> None:
 
     # The list of the frame before, in which the car was elsewhere, has three rows, too.
     page.page.wait_for("document.querySelector('#objects tbody tr')?.cells[3].textContent === '10'")
-    assert rows() == [["7", "moves", "22 ± 6", "10", "2.0"], ["9", "stopped", "–", "8", "4.0"],
-                      ["300", "something", "–", "9", "4.0"]], rows()
+    assert rows() == [["7", "moves", "22 ± 6", "10", "5.0"], ["9", "stopped", "–", "8", "10"],
+                      ["300", "something", "–", "9", "10"]], rows()
     assert "1 of 3 move" in page.text("objects")
     many = [Thing(20 + i, YOUNG, x_m=-12 + i % 20, y_m=-12 + i // 20) for i in range(230)]
     street.things = [CAR, *many]
@@ -215,6 +215,7 @@ def check(iog: str, folder: pathlib.Path, browser: Browser) -> None:
     with Viewer(iog, "--port", str(port)) as viewer:
         page = GridPage(browser.open(viewer.address))
         street = Street(page, port)
+        street.target.frame_us = 100_000  # a turn; the longest frame of the car is 40 ms
         street.show(ground())
         assert page.page.value("document.getElementById('objects').hidden && "
                                "document.querySelector('[data-overlay=\"objects\"]').hidden")

@@ -145,6 +145,17 @@ export class ObjectList {
     this.box.append(head, table);
     parent.prepend(this.box);
     this.shown = null;
+    this.first = null; // number and end of the first frame of this run of the target
+  }
+
+  // Seconds from frame to frame: a turn of a unit ends its frame before the car's longest one.
+  secondsPerFrame({ number, closed_us: closedUs }, vehicle) {
+    const frames = this.first ? number - this.first.number : 0;
+    if (frames <= 0 || closedUs <= this.first.closedUs) {
+      this.first = { number, closedUs };
+      return (vehicle?.period_us ?? USUAL_PERIOD_US) / 1e6;
+    }
+    return (closedUs - this.first.closedUs) / 1e6 / frames;
   }
 
   show({ grid: { objects, hasObjects, frame }, pose, vehicle }) {
@@ -156,7 +167,7 @@ export class ObjectList {
     const listed = (objects ?? [])
         .map((object) => ({ object, distance: Math.hypot(object.x - pose.x, object.y - pose.y) }))
         .sort((a, b) => isMoving(b.object) - isMoving(a.object) || a.distance - b.distance);
-    const periodS = (vehicle?.period_us ?? USUAL_PERIOD_US) / 1e6;
+    const periodS = this.secondsPerFrame(frame.status.frame, vehicle);
     this.count.textContent = objects === null ? "not known"
         : `${objects.filter(isMoving).length} of ${objects.length} move`;
     this.rows.replaceChildren(...listed.slice(0, LISTED).map(

@@ -52,7 +52,7 @@ function describeCause(classes, cause) {
     case LOST:
       return classes.end.causes[LOST].times === 0
           ? { word: "no pose", title: "No pose has come yet",
-              text: "Without poses nothing can be placed. The page shows the grid of each single frame; V, the classes." }
+              text: "Without poses nothing can be placed. V switches between the grid of each single frame and the classes." }
           : { word: "no pose", title: `No pose${forSo(s)}`,
               text: "Nothing is placed, and where things were is not known any more." };
     default:
