@@ -11,6 +11,7 @@
 #include "tools/formats/capture/capture_set.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 
 namespace iog::tools {
 namespace {
@@ -47,14 +48,6 @@ std::int32_t step_of(const description::SensorConfig& sensor) {
 std::string degrees(std::int32_t ticks) {
   std::string text = std::to_string(360.0 * ticks / lidar::IbeoLux::kTicksPerTurn);
   return text.substr(0, text.find('.') + 3);
-}
-
-std::string joined(const std::vector<std::string>& parts, std::string_view by) {
-  std::string text;
-  for (const std::string& part : parts) {
-    text.append(text.empty() ? "" : by).append(part);
-  }
-  return text;
 }
 
 // "an Ouster OS"
@@ -338,9 +331,14 @@ void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car
   }
   const std::string refusal = identity.refusal(car);
   if (!refusal.empty()) {
-    const std::string skipped = describe_skipped(capture.files().front().reader->counts());
+    std::vector<std::string> skipped;
+    for (const CaptureSet::File& file : capture.files()) {
+      if (const std::string words = describe_skipped(file.reader->counts()); !words.empty()) {
+        skipped.push_back(words);
+      }
+    }
     throw UsageError(joined(paths, ", ") + ": " + refusal +
-                     (skipped.empty() ? "" : " (" + skipped + ")"));
+                     (skipped.empty() ? "" : " (" + joined(skipped, "; ") + ")"));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 
 namespace iog::tools {
 namespace {
@@ -68,13 +69,7 @@ PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car,
 
 }  // namespace
 
-std::string DriveFiles::name() const {
-  std::string names;
-  for (const std::string& path : captures) {
-    names += (names.empty() ? "" : ", ") + path;
-  }
-  return names;
-}
+std::string DriveFiles::name() const { return joined(captures, ", "); }
 
 void CarClocks::Span::add(std::uint64_t time_us) {
   first_us = std::min(first_us, time_us);
