@@ -36,9 +36,10 @@ def run(*command, **more) -> str:
 class Install(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.prefix = streams.FOLDER / "installed"
-        shutil.rmtree(cls.prefix, ignore_errors=True)
-        run("cmake", "--install", os.environ["BUILD"], "--prefix", cls.prefix)
+        staged = streams.FOLDER / "installed"
+        shutil.rmtree(staged, ignore_errors=True)
+        run("cmake", "--install", os.environ["BUILD"], "--prefix", "/usr", env={**os.environ, "DESTDIR": str(staged)})
+        cls.prefix = staged / "usr"
 
     def test_program(self):
         self.assertRegex(run(self.prefix / "bin/iog", "--version"), r"^iog \d")
@@ -57,9 +58,25 @@ class Install(unittest.TestCase):
 
     def test_documents_and_examples(self):
         folder = self.prefix / "share/doc/iogrid"
-        for name in ("README.md", "LICENSE", "docs/view.md", "docs/foxglove_layout.json", "docs/wireshark/iogrid.lua",
-                     "examples/vehicles/reference_car.toml", "examples/iogrid_node.py"):
+        for name in ("LICENSE", "docs/foxglove_layout.json", "docs/wireshark/iogrid.lua",
+                     "vehicles/reference_car.toml", "clients/ros2/iogrid_node.py"):
             self.assertTrue((folder / name).is_file(), name)
+
+    def test_links_of_documents(self):
+        """Each relative link names an installed file, and an anchor one of its headings as GitHub spells it."""
+        root = self.prefix / "share/doc/iogrid"
+        texts = {page.resolve(): page.read_text() for page in root.rglob("*.md")}
+        sources = list((streams.ROOT / "docs").rglob("*.md"))
+        self.assertEqual(len(texts), len(sources) + 2)
+        links = [(page, *link.partition("#")[::2]) for page, text in texts.items()
+                 for link in re.findall(r"\]\((?!\w+:)([^)\s]+)\)", text)]
+        self.assertGreater(len(links), 400)
+        for page, path, anchor in links:
+            target = (page.parent / path).resolve() if path else page
+            self.assertTrue(target.exists(), f"{page.relative_to(root)}: {path}")
+            headings = re.findall(r"^#+ (.*)$", texts.get(target, ""), re.M)
+            anchors = ["", *(re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings)]
+            self.assertIn(anchor, anchors, f"{page.relative_to(root)}: {path}")
 
     def test_debian_package(self):
         """It has what is installed and no more, asks for the libraries that iog is linked with, and its iog runs."""
@@ -87,6 +104,16 @@ class Install(unittest.TestCase):
         run("cmake", "--build", build)
         run(build / "user")
 
+    def test_c_is_found_by_pkg_config(self):
+        """Under both names of the header, in a staged folder, which the package's file does not know."""
+        where = {**os.environ, "PKG_CONFIG_PATH": str(self.prefix / "share/pkgconfig")}
+        flags = run("pkg-config", "--cflags", "--libs", "iogrid >= 0.1", env=where).split()
+        for number, header in enumerate(("iogrid.h", "iogrid/iogrid.h")):
+            user = streams.FOLDER / f"user{number}"
+            user.with_suffix(".c").write_text(USER.replace("iogrid.h", header))
+            run("gcc", "-Wall", "-Werror", user.with_suffix(".c"), *flags, "-o", user)
+            run(user)
+
     def test_c_is_one_header(self):
         """To copy: it reads what those read that it is made of, which c_test compares with the Python reader."""
         (header,) = (self.prefix / "include/iogrid").iterdir()
@@ -102,6 +129,22 @@ class Install(unittest.TestCase):
         said = run("/usr/bin/python3", "-B", "-c", "import iogrid; print(iogrid.__file__, iogrid.Receiver().take(b''))",
                    env={"PYTHONPATH": str(packages)}, cwd="/")
         self.assertEqual(said, f"{packages}/iogrid/__init__.py []\n")
+
+    def test_python_is_installed_by_pip(self):
+        """From a copy of its folder, which pip writes to, without a network; its version is that of iog."""
+        source, target = streams.FOLDER / "python", streams.FOLDER / "pip"
+        for folder in (source, target):
+            shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(streams.ROOT / "clients/python", source)
+        run("/usr/bin/python3", "-m", "pip", "install", "--no-build-isolation", "--no-index", "--no-deps", "--no-compile",
+            "--target", target, source)
+        said = run("/usr/bin/python3", "-B", "-c", "import importlib.metadata, iogrid; "
+                   "print('iog', importlib.metadata.version('iogrid'), iogrid.__file__, iogrid.Receiver().take(b''))",
+                   env={"PYTHONPATH": str(target)}, cwd="/")
+        version = run(self.prefix / "bin/iog", "--version").split()[1]
+        self.assertEqual(said, f"iog {version} {target}/iogrid/__init__.py []\n")
+        self.assertEqual({path.name for path in (target / "iogrid").iterdir()},
+                         {path.name for path in (self.prefix / "lib/python3/dist-packages/iogrid").iterdir()})
 
 
 if __name__ == "__main__":
