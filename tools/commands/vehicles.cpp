@@ -1,5 +1,6 @@
 // iog vehicles: the vehicle descriptions and their sensors.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
@@ -34,8 +35,13 @@ std::string words_of_heights(const description::SensorConfig& sensor) {
   return words.str();
 }
 
+// All, or only those of the files that were given.
 void show_all() {
+  const bool is_any_given = std::ranges::any_of(all_vehicles(), is_of_file);
   for (const CatalogueEntry& entry : all_vehicles()) {
+    if (is_any_given && !is_of_file(entry)) {
+      continue;
+    }
     std::cout << entry.vehicle->name << '\n'
               << "  in a stream    " << hex(entry.vehicle->id) << '\n';
     for (const description::SensorConfig& sensor : entry.sensors) {
