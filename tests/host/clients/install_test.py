@@ -2,6 +2,7 @@
 
 import gzip
 import os
+import pty
 import re
 import shutil
 import subprocess
@@ -33,6 +34,40 @@ def run(*command, **more) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True, timeout=120, **more).stdout
 
 
+class Bash:
+    """An interactive bash in a folder, with the completion and the iog of a prefix."""
+
+    def __init__(self, folder, prefix):
+        self.result = folder.parent / "completed.txt"
+        self.master, slave = pty.openpty()
+        self.process = subprocess.Popen(
+            ["bash", "--noprofile", "--norc", "-i"], stdin=slave, stdout=slave, stderr=slave, cwd=folder, start_new_session=True,
+            env={"PATH": f"{prefix}/bin:/usr/bin:/bin", "PS1": "command \\#> ", "TERM": "dumb", "INPUTRC": "/dev/null"})
+        os.close(slave)
+        self.commands = 0
+        self.until_ready()
+        self.type(f"source {prefix}/share/bash-completion/completions/iog\n")
+
+    def until_ready(self):
+        self.commands += 1
+        said = b""
+        while not said.endswith(b"command %d> " % self.commands):
+            said += os.read(self.master, 4096)
+
+    def type(self, keys):
+        os.write(self.master, keys.encode())
+        self.until_ready()
+
+    def completed(self, line) -> list[str]:
+        """The words behind `iog` when Alt-* has inserted all completions of the line's last word."""
+        self.type(f"iog {line}\033*\001printf '%s\\n' \005 >{self.result}\n")
+        return self.result.read_text().splitlines()[1:]
+
+    def end(self):
+        os.close(self.master)
+        self.process.wait(timeout=60)
+
+
 class Install(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -46,15 +81,36 @@ class Install(unittest.TestCase):
 
     def test_manual_has_each_command_and_option(self):
         iog, folder = self.prefix / "bin/iog", self.prefix / "share/man/man1"
-        commands = re.findall(r"^  ([a-z-]+)  ", run(iog, "--help").split("Subcommands:")[1], re.M)
+        commands = re.findall(r"^  ([a-z][a-z-]*)  ", run(iog, "--help"), re.M)
         self.assertIn("fuse", commands)
         pages = {f"iog-{name}": run(iog, name, "--help") for name in commands} | {"iog": run(iog, "--help")}
         self.assertEqual({f"{name}.1.gz" for name in pages}, {path.name for path in folder.iterdir()})
         for name, said in pages.items():
             page = gzip.decompress((folder / f"{name}.1.gz").read_bytes()).decode().replace("\\-", "-")
             self.assertRegex(page, rf"^\.TH \"{name.upper()}\" 1 ")
+            self.assertEqual(run(iog, "help", *name.split("-", 1)[1:]), said)
             for option in re.findall(r"^  -[^ ]+", said, re.M):
                 self.assertIn(f"\n.TP\n.B {option.strip()}", page)
+
+    def test_bash_completes(self):
+        """Commands, options, values, cars and files by ending, as bash inserts them for Alt-*."""
+        folder = streams.FOLDER / "completed"
+        shutil.rmtree(folder, ignore_errors=True)
+        (folder / "drives").mkdir(parents=True)
+        for name in ("one.pcap", "notes.txt", "my car.toml", "town.osm.pbf"):
+            (folder / name).touch()
+        cars = sorted(path.stem for path in (streams.ROOT / "vehicles").glob("roof_x*.toml"))
+        expected = {
+            "re": ["receive", "record", "relay", "replay"], "help rel": ["relay"], "fuse --classes-p": ["--classes-png"],
+            "record --str": ["--stream"], "fuse --rule b": ["bayes"], "fuse --rule=b": ["--rule=bayes"],
+            "fuse --vehicle roof_x": cars, "vehicles --ports roof_x": cars, "view --simulate ri": ["ring_road"],
+            "points --time-unit n": ["ns"], "fuse --pcap ": ["drives", "one.pcap"], "fuse --pcap one.pcap dri": ["drives"],
+            "fuse --vehicle-file m": ["my car.toml"], "fuse --out ": ["drives"], "image --vehicle roof_xt16 t": ["town.osm.pbf"],
+            "simulate --town ": ["drives", "town.osm.pbf"], "fuse --frame o": ["o"], "fuse --moving": ["--moving"]}
+        bash = Bash(folder, self.prefix)
+        for line, words in expected.items():
+            self.assertEqual(bash.completed(line), [*line.split()[:-1 if line[-1] != " " else None], *words], line)
+        bash.end()
 
     def test_documents_and_examples(self):
         folder = self.prefix / "share/doc/iogrid"
