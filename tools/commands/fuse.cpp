@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "tools/commands/next_steps.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/picture/class_picture.hpp"
@@ -315,7 +316,12 @@ void add_fuse(CLI::App& program) {
       "classes, and\n"
       "the frames without evidence in which the window's time advanced, since the first line.\n" +
       std::string(kPictureFooter));
-  command->callback([options] { fuse(*options); });
+  const auto is_quiet = std::make_shared<bool>(false);
+  command->add_flag("--quiet", *is_quiet, "Do not suggest commands for this drive on a terminal");
+  command->callback([command, options, is_quiet] {
+    fuse(*options);
+    std::cout << (*is_quiet ? "" : rows_of_next_steps(*command));
+  });
 }
 
 }  // namespace iog::tools
