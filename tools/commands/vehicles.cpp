@@ -86,7 +86,7 @@ void show_firmware(const std::string& name) {
 void add_vehicles(CLI::App& program) {
   auto* const command = program.add_subcommand("vehicles", "List the cars and their sensors");
   const auto add = [command](const char* option, const char* text) {
-    const auto name = std::make_shared<std::string>();
+    auto name = std::make_shared<std::string>();
     command->add_option(option, *name, text)->option_text("NAME")->check(known_vehicles());
     return name;
   };
