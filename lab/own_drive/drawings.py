@@ -70,10 +70,13 @@ def directions(drive: Drive) -> str:
     axes.set_theta_zero_location("N")
     middle = (np.arange(64) + 0.5) * math.tau / 64
     blind, blocked = drive.not_watched / drive.told, drive.blocked / drive.told
-    axes.bar(middle, 1 - blind, math.tau / 64, color="#2E86C1", alpha=0.75, label="watched")
-    axes.bar(middle, blind, math.tau / 64, bottom=1 - blind, color="#D55E00", label="blind")
+    def ring(lengths, begin, **style):  # a clip has another name in each run
+        axes.bar(middle, lengths, math.tau / 64, begin, clip_on=False, **style)
+
+    ring(1 - blind, 0, color="#2E86C1", alpha=0.75, label="watched")
+    ring(blind, 1 - blind, color="#D55E00", label="blind")
     if blocked.any():
-        axes.bar(middle, 0.08 * (blocked > 0), math.tau / 64, bottom=1.02, color="#000000", label="blocked at times")
+        ring(0.08 * (blocked > 0), 1.02, color="#000000", label="blocked at times")
     axes.set_xticks(np.radians(range(0, 360, 45)), [f"{i}°" for i in (0, 45, 90, 135, 180, -135, -90, -45)])
     axes.set(yticks=[], ylim=(0, 1.1 if blocked.any() else 1))
     axes.grid(False)
