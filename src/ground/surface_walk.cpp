@@ -10,10 +10,14 @@
 namespace iog::ground {
 namespace {
 
-// Limits of the first ground of a sector over the car's plane, and of later ground over its
-// expected height. Rises are per 1,024 mm along the line.
+// Limits of the first ground of a sector, and of later ground over its expected height. Rises are
+// per 1,024 mm along the line. A car beside a high unit hides the road and could become the first
+// ground. The first ground therefore rises by at most kStartRise above the car's plane. It may rise
+// by up to kSteepStartRise if it is at most kOverLast above the surface of the last turn.
 constexpr std::int32_t kStart = 150;
-constexpr std::int32_t kStartRise = 80;
+constexpr std::int32_t kStartRise = 20;
+constexpr std::int32_t kSteepStartRise = 80;
+constexpr std::int16_t kOverLast = 60;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
 constexpr std::int16_t kWidest = 300;
@@ -24,7 +28,8 @@ constexpr std::size_t kAcross = 8;  // sectors searched for ground on each side
 
 static_assert(2 * Bins::kMostPlausibleMm + kReach * 2 * kSteepest <= 32'767);
 static_assert(std::int64_t{2} * Bins::kMostPlausibleMm * 65'536 < std::int64_t{1} << 31);
-static_assert(kStart + 2 * kStartRise * std::int32_t{kBins} <= 32'767);
+static_assert(kStart + 2 * kSteepStartRise * std::int32_t{kBins} <= 32'767);
+static_assert(Surface::kMost + kOverLast <= 32'767);
 
 using Inverses = std::array<std::int32_t, kBins + 1>;
 
@@ -104,7 +109,7 @@ Around nearest_beside(const Around& ring) {
 }  // namespace
 
 void SurfaceWalk::close_turn(Bins bins, const Lows& lows, Surface& surface) {
-  begin();
+  begin(surface);
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     expect(bins, bin, lows.ring(bin));
     turn_slopes(bins, bin);
@@ -119,7 +124,13 @@ void SurfaceWalk::close_turn(Bins bins, const Lows& lows, Surface& surface) {
   renew(lows, surface);
 }
 
-void SurfaceWalk::begin() {
+void SurfaceWalk::begin(const Surface& surface) {
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const Surface::Row& row = surface.row(sector);
+    for (std::size_t start = 0; start < row.size(); ++start) {
+      ground_[start][sector] = row[start];
+    }
+  }
   height_.fill(0);
   slope_.fill(0);
   last_.fill(-1);
@@ -129,13 +140,20 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   const std::int16_t plausible = most_plausible(bins, bin);
   const auto number = static_cast<std::int16_t>(bin);
   const std::int16_t start = narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));
+  const std::int16_t steep_start =
+      narrow(kStart + bins.rise_of_bin(kSteepStartRise) * (number + 1));
   const std::int16_t step_rise = narrow(bins.rise_of_bin(kStepRise));
+  // Of the last turn.
+  const Ring& bin_start = ground_[bin];
+  const Ring& bin_end = ground_[bin + 1];
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t over_last = narrow(((bin_start[sector] + bin_end[sector]) >> 1) + kOverLast);
+    const std::int16_t first = std::max(start, std::min(steep_start, over_last));
     const std::int16_t last = last_[sector];
     const std::int16_t gap = std::min(narrow(number - last), kReach);
     const std::int16_t expected = narrow(height_[sector] + slope_[sector] * gap);
     const std::int16_t step = std::min(narrow(kStep + step_rise * gap), kWidest);
-    const std::int16_t most = pick(mask(last < 0), start, step);
+    const std::int16_t most = pick(mask(last < 0), first, step);
     const std::int16_t low = believed(lows[sector], plausible);
     const std::int16_t off = narrow(low - expected);
     low_[sector] = low;

@@ -3,11 +3,12 @@
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
-// the slope. A return far below the prediction is also ground. In that case, the supposed ground
-// before it was an object. A lowest return is also ground if it is hardly higher than the lowest
-// return in the nearest adjacent sectors. A bin without ground of its own uses the ground of the
-// adjacent sectors if their heights fit. Otherwise its ground is interpolated between the nearest
-// bins with ground.
+// the slope. The first ground of a sector must also be near the car's plane, or hardly higher than
+// the surface of the last turn. A return far below the prediction is also ground. In that case, the
+// supposed ground before it was an object. A lowest return is also ground if it is hardly higher
+// than the lowest return in the nearest adjacent sectors. A bin without ground of its own uses the
+// ground of the adjacent sectors if their heights fit. Otherwise its ground is interpolated between
+// the nearest bins with ground.
 //
 // Each height is the median of three sectors, which suppresses a mirror image under the road. In
 // addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. A
@@ -39,7 +40,7 @@ class SurfaceWalk {
  private:
   using Ring = Lows::Ring;
 
-  void begin();
+  void begin(const Surface& surface);
   void expect(Bins bins, std::size_t bin, const Ring& lows);
   void turn_slopes(Bins bins, std::size_t bin);
   void choose();
@@ -52,8 +53,9 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // The ground of each bin. find_starts() converts it to heights at the start of each bin and at
-  // the end of the last bin.
+  // The ground of each bin. Before the walk reaches a bin, it contains the surface of the last
+  // turn. find_starts() converts the ground to heights at the start of each bin and at the end of
+  // the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
   // The current state of each sector's walk: its height, its slope in mm per bin, and its bin,
   // which is -1 before the first ground.

@@ -72,7 +72,7 @@ inline Turn turn_at_limits(Random& random, std::int32_t bin_mm) {
     const std::int32_t first = random.between(0, 63);
     const std::int32_t over = random.between(0, 1);
     if (random.one_in(3)) {
-      turn.push_back({sector, first * bin_mm, 150 + of_bin(80) * (first + 1) + over});
+      turn.push_back({sector, first * bin_mm, 150 + of_bin(20) * (first + 1) + over});
       continue;
     }
     if (random.one_in(2)) {
@@ -113,6 +113,39 @@ inline Turn turn_beside(Random& random, std::int32_t bin_mm) {
     turn.push_back({64, end, 0});  // the surface is kept low over it
   }
   return turn;
+}
+
+// Two turns. In the first, sectors far from one another have ground as high as a first ground can
+// be, or higher. In the second, they have it just as much higher as it may be from turn to turn, or
+// a millimetre more, or just as high as it can ever be.
+inline Turn first_ground(std::int32_t bin_mm, int turn) {
+  Turn returns;
+  const auto most = [&](std::int32_t bin, std::int32_t rise) {
+    return 150 + rise * bin_mm / 1024 * (bin + 1);
+  };
+  for (std::int32_t i = 0; i < 12; ++i) {
+    const std::int32_t bin = 5 + i;
+    const std::int32_t begin = most(bin, 20);
+    // Alone, the ground of a bin rises evenly from 0 before the first bin; sectors beside it are 0.
+    for (const std::int32_t beside : {-1, 0, 1}) {
+      const std::int32_t sector = 10 + 20 * i + beside;
+      const std::int32_t end = std::min(begin - begin / (bin + 1) / 4 + 58 + i % 6, most(bin, 80));
+      returns.push_back({sector, bin * bin_mm, turn == 0 ? begin : end});
+      returns.push_back({sector, (bin + 1) * bin_mm, turn == 0 ? begin : end});
+    }
+  }
+  // Where all bins showed a ramp, only one does, as high as the first ground can ever be.
+  for (std::int32_t i = 0; i < 6; ++i) {
+    const std::int32_t end = 6 + i / 2;
+    for (std::int32_t bin = turn == 0 ? 0 : end; bin <= end + 1 - turn; ++bin) {
+      for (const std::int32_t beside : {-1, 0, 1}) {
+        const std::int32_t ramp = 110 * bin_mm / 1024 * (bin + 1);
+        returns.push_back(
+            {20 * i + 20 + beside, bin * bin_mm, turn == 0 ? ramp : most(end, 80) + i % 2});
+      }
+    }
+  }
+  return returns;
 }
 
 // Every bin as much higher, or lower, than the one before, which is more than a slope can be.

@@ -25,7 +25,9 @@ struct GroundRule {
   Whole plausible_rise = 225;
   Whole most_plausible = 14'000;
   Whole start = 150;
-  Whole start_rise = 80;
+  Whole start_rise = 20;
+  Whole steep_start_rise = 80;
+  Whole over_last = 60;
   Whole step = 100;
   Whole step_rise = 100;
   Whole widest = 300;
@@ -168,10 +170,17 @@ class ReferenceGround {
   [[nodiscard]] Whole expected(const Walker& its, Whole bin) const {
     return its.height + its.slope * std::min(bin - its.bin, rule_.reach);
   }
-  [[nodiscard]] Whole most_over(const Walker& its, Whole bin) const {
+  [[nodiscard]] Whole most_over(Whole sector, Whole bin) const {
+    const Walker& its = walkers_[at(sector)];
     const Whole gap = bin - its.bin;
-    return its.bin < 0 ? rule_.start + of_bin(rule_.start_rise) * gap
-                       : std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
+    if (its.bin >= 0) {
+      return std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
+    }
+    const std::vector<Whole>& last_turn = rows_[at(sector)];
+    const Whole over_last =
+        floor_of(last_turn[at(bin)] + last_turn[at(bin + 1)], 2) + rule_.over_last;
+    const Whole steep = rule_.start + of_bin(rule_.steep_start_rise) * gap;
+    return std::max(rule_.start + of_bin(rule_.start_rise) * gap, std::min(steep, over_last));
   }
 
   void walk() {
@@ -182,7 +191,7 @@ class ReferenceGround {
       for (Whole sector = 0; sector < kSectors; ++sector) {
         const std::optional<Whole> its = low(sector, bin);
         const Walker& walker = walkers_[at(sector)];
-        if (its && *its - expected(walker, bin) <= most_over(walker, bin)) {
+        if (its && *its - expected(walker, bin) <= most_over(sector, bin)) {
           own[at(sector)] = its;
         }
       }
@@ -195,7 +204,7 @@ class ReferenceGround {
       }
       for (Whole sector = 0; sector < kSectors; ++sector) {
         if (const std::optional<Whole>& height = ground[at(sector)]) {
-          move_on(walkers_[at(sector)], bin, *height, own[at(sector)].has_value());
+          move_on(sector, bin, *height, own[at(sector)].has_value());
         }
       }
     }
@@ -226,15 +235,16 @@ class ReferenceGround {
     }
     const Whole mean = floor_of(found.front() + found.back(), 2);
     const Whole off = mean - expected(walkers_[at(sector)], bin);
-    const Whole most = std::max(most_over(walkers_[at(sector)], bin), rule_.widest);
+    const Whole most = std::max(most_over(sector, bin), rule_.widest);
     return off <= most && off >= -most ? std::optional(mean) : std::nullopt;
   }
 
-  void move_on(Walker& walker, Whole bin, Whole height, bool is_own) const {
+  void move_on(Whole sector, Whole bin, Whole height, bool is_own) {
+    Walker& walker = walkers_[at(sector)];
     const Whole gap = bin - walker.bin;
     const Whole inverse = 65'536 / gap;
     const Whole off = height - expected(walker, bin);
-    if (is_own && off >= -most_over(walker, bin)) {
+    if (is_own && off >= -most_over(sector, bin)) {
       const Whole steepest = of_bin(rule_.steepest);
       walker.slope = std::clamp(walker.slope + floor_of(off * inverse, 65'536 * rule_.slope_parts),
                                 -steepest, steepest);

@@ -98,6 +98,8 @@ std::vector<Turn> all_turns(Bins bins) {
     turns.push_back(tests::turn_beside(random, length_of(bins)));
     turns.push_back(tests::any_turn(random, 1 << random.between(0, 13)));
     turns.push_back(tests::steep_turn(random, length_of(bins)));
+    turns.push_back(tests::first_ground(length_of(bins), 0));
+    turns.push_back(tests::first_ground(length_of(bins), 1));
   }
   return turns;
 }
@@ -134,15 +136,15 @@ TEST(SurfaceWalk, TakesHeightsOfAnySize) {
 // the second implementation finds another surface.
 TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
   const auto number_of = [](GroundRule& rule, int number) -> tests::Whole& {
-    const std::array<tests::Whole*, 14> all{
-        &rule.plausible,   &rule.plausible_rise, &rule.most_plausible, &rule.start,
-        &rule.start_rise,  &rule.step,           &rule.step_rise,      &rule.widest,
-        &rule.slope_parts, &rule.steepest,       &rule.reach,          &rule.across,
-        &rule.beside,      &rule.over_lowest};
+    const std::array<tests::Whole*, 16> all{
+        &rule.plausible,  &rule.plausible_rise,   &rule.most_plausible, &rule.start,
+        &rule.start_rise, &rule.steep_start_rise, &rule.over_last,      &rule.step,
+        &rule.step_rise,  &rule.widest,           &rule.slope_parts,    &rule.steepest,
+        &rule.reach,      &rule.across,           &rule.beside,         &rule.over_lowest};
     return *all[static_cast<std::size_t>(number)];
   };
   const std::vector<Turn> turns = all_turns(kShort);
-  for (int number = 0; number < 14; ++number) {
+  for (int number = 0; number < 16; ++number) {
     for (const int more : {1, -1}) {
       GroundRule rule;
       number_of(rule, number) += more;
@@ -215,15 +217,59 @@ TEST(SurfaceWalk, AForgedRampHidesNothing) {
   EXPECT_GE(surface.height_over(kShort, 61, 20 * 1024 + 500, 700), 250);
 }
 
+// A unit on a high roof beside a parked car: the car hides the road, and its side and bonnet are
+// the first returns. They are no ground, neither in the first turn nor while the car stays there.
+TEST(SurfaceWalk, ACarBesideAHighUnitIsNotTheFirstGround) {
+  Turn turn;
+  for (std::int32_t sector = 40; sector < 90; ++sector) {
+    for (const auto& [bin, z_mm] : {std::array{3, 420}, {4, 900}, {5, 1'400}, {9, 700}}) {
+      turn.push_back({sector, bin * 1024, z_mm});
+    }
+  }
+  SurfaceWalk walk;
+  Surface surface;
+  for (int turns = 0; turns < 20; ++turns) {
+    walk.close_turn(kShort, lows_of(kShort, turn), surface);
+    for (const Return& its : turn) {
+      ASSERT_EQ(surface.height_over(kShort, 60, static_cast<std::uint32_t>(its.along_mm), its.z_mm),
+                its.z_mm);
+    }
+  }
+}
+
+// A unit that sees the ground from 7 m on drives towards a slope of 8 %, at 6 m/s in turns of
+// 100 ms. It follows the rise from turn to turn, and without the last turn it would not.
+TEST(SurfaceWalk, TheFirstGroundMayRiseFromTurnToTurn) {
+  SurfaceWalk walk;
+  Surface surface;
+  Turn turn;
+  for (std::int32_t foot_mm = 12'000; foot_mm >= 1'000; foot_mm -= 600) {
+    turn.clear();
+    for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
+      for (std::int32_t along_mm = 7'200; along_mm < 30'000; along_mm += 1'024) {
+        turn.push_back({sector, along_mm, std::max(0, along_mm - foot_mm) * 8 / 100});
+      }
+    }
+    walk.close_turn(kShort, lows_of(kShort, turn), surface);
+    for (const Return& its : turn) {
+      ASSERT_LE(std::abs(surface.height_over(kShort, 100, static_cast<std::uint32_t>(its.along_mm),
+                                             its.z_mm)),
+                100)
+          << foot_mm << ' ' << its.along_mm;
+    }
+  }
+  EXPECT_GT(surface_after(kShort, turn).height_over(kShort, 100, 7'200, turn.front().z_mm), 400);
+}
+
 // Ground is found wherever there were returns, to the middle of a bin: a plane that is level, or
-// tilted by five degrees, or a ramp of 17 % from 3 m on; and no worse with 30 % or 60 % of the
-// packets lost, each of which has a sector of its own here.
+// that rises by one degree or falls by five, or a ramp of 17 % from 3 m on; and no worse with 30 %
+// or 60 % of the packets lost, each of which has a sector of its own here.
 TEST(SurfaceWalk, FindsPlanesAndRamps) {
   struct Ground {
     std::int32_t permille;
     std::int32_t from_mm;
   };
-  for (const Ground ground : {Ground{0, 0}, {87, 0}, {-87, 0}, {170, 3'000}, {-170, 3'000}}) {
+  for (const Ground ground : {Ground{0, 0}, {17, 0}, {-87, 0}, {170, 3'000}, {-170, 3'000}}) {
     for (const int lost_of_ten : {0, 3, 6}) {
       Random random(8);
       Turn turn;
