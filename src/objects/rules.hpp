@@ -16,8 +16,11 @@ inline constexpr std::size_t kMostClusters = 256;
 inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile
 inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
-// All tracks end if the time between two frames is longer than this or not positive.
-inline constexpr std::int32_t kLongestStepMs = 200;
+// All tracks end if the time between two frames is longer than this or not positive. A spinning
+// unit that loses three turns of 100 ms causes a gap of 400 ms.
+inline constexpr std::int32_t kLongestStepMs = 450;
+// Without measurements for longer than this, no object is published or labelled.
+inline constexpr std::int32_t kLongestToldMs = 200;
 
 // Recent hits are recorded in epochs of 80 ms.
 inline constexpr std::uint64_t kEpochUs = 80'000;

@@ -22,7 +22,7 @@ class Step {
 
  private:
   std::int32_t ms_;
-  std::int32_t seconds_;  // in units of 2^-16, at most 0.2
+  std::int32_t seconds_;  // in units of 2^-16, at most 0.45
 };
 
 }  // namespace iog::objects

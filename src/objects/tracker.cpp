@@ -69,6 +69,7 @@ bool Tracker::pass_to(const Frame& frame) {
     car_velocity_ = {speed(frame.car.x_mm - car_.x_mm), speed(frame.car.y_mm - car_.y_mm)};
   }
   now_us_ = frame.end_us;
+  is_told_ = true;
   car_ = frame.car;
   return true;
 }
@@ -77,8 +78,15 @@ bool Tracker::pass_to(const Frame& frame) {
 // follows it.
 void Tracker::pass(std::uint64_t end_us) {
   constexpr std::uint64_t kLongestUs = std::uint64_t{kLongestStepMs} * 1000;
-  if (now_us_ != 0 && end_us > now_us_ && end_us - now_us_ > kLongestUs) {
+  constexpr std::uint64_t kLongestToldUs = std::uint64_t{kLongestToldMs} * 1000;
+  if (now_us_ == 0 || end_us <= now_us_) {
+    return;
+  }
+  if (end_us - now_us_ > kLongestUs) {
     forget();
+  } else if (end_us - now_us_ > kLongestToldUs) {
+    is_told_ = false;
+    moving_.clear();
   }
 }
 

@@ -60,18 +60,18 @@ class Tracker {
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);
 
-  // Reports a frame without measurements that ends at `end_us`. Tracks are unchanged until the time
-  // without measurements exceeds kLongestStepMs. All tracks then end. A shorter pause in which no
-  // sender transmits therefore has no effect.
+  // Reports a frame without measurements that ends at `end_us`. If the time without measurements
+  // exceeds kLongestToldMs, no object is published or labelled until the next frame with
+  // measurements. If it exceeds kLongestStepMs, all tracks end. A shorter pause has no effect.
   void pass(std::uint64_t end_us);
 
   // Ends all tracks and forgets recent hits, because the window has lost its position. Ids are not
   // reused.
   void forget();
 
-  // The end of the last processed frame, or 0 if no frame has been processed since start-up or
-  // forget().
-  [[nodiscard]] std::uint64_t time_us() const { return now_us_; }
+  // The end of the last processed frame. The value is 0 if no frame has been processed since
+  // start-up or forget(), or if pass() has hidden the objects.
+  [[nodiscard]] std::uint64_t time_us() const { return is_told_ ? now_us_ : 0; }
   // The tracks, indexed by slot. Slots without a track are free.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }
   // The hits of the last frame with their owners, in order.
@@ -80,7 +80,7 @@ class Tracker {
   // Whether a hit of the last frame belongs to a moving track. Returns false for standing hits of a
   // mostly standing track.
   [[nodiscard]] bool is_moving(const FrameHit& hit) const {
-    if (hit.owner == kNobody) {
+    if (hit.owner == kNobody || !is_told_) {
       return false;
     }
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
@@ -114,6 +114,7 @@ class Tracker {
   MovingBoxes moving_{};
   // The state of the current frame.
   std::uint64_t now_us_ = 0;  // 0: no frame yet
+  bool is_told_ = true;       // false: hidden by pass()
   Step step_{1};
   window::Area area_{};
   FrameCounts counts_{};

@@ -59,7 +59,7 @@ TEST(Covariance, StaysWithinItsBounds) {
   Random random(6);
   Covariance covariance(10'000, 0, 100'000'000);
   for (int i = 0; i < 20'000; ++i) {
-    covariance.predict(Step(random.between(1, 200)), random.between(0, 100'000));
+    covariance.predict(Step(random.between(1, 450)), random.between(0, 100'000));
     if (random.one_in(50)) {
       const Covariance::Gain gain = covariance.measure(random.between(1, 2'000'000'000));
       ASSERT_GE(gain.place, 0);

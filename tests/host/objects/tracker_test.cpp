@@ -119,9 +119,9 @@ TEST_F(TrackerOf, NothingSurvivesABreakInTime) {
     std::int64_t step_ms;
     bool survives;
   };
-  for (const Break its : {Break{"as always", 40, true}, Break{"the longest step", 200, true},
-                          Break{"a gap", 201, false}, Break{"a second", 1'000, false},
-                          Break{"time back", -40, false}}) {
+  for (const Break its : {Break{"as always", 40, true}, Break{"three turns of 100 ms", 400, true},
+                          Break{"the longest step", 450, true}, Break{"a gap", 451, false},
+                          Break{"a second", 1'000, false}, Break{"time back", -40, false}}) {
     tracker.forget();
     std::uint64_t ms = 50'000;
     for (std::int32_t x = 0; x < 5; ++x, ms += 40) {
@@ -133,7 +133,8 @@ TEST_F(TrackerOf, NothingSurvivesABreakInTime) {
     }
     ASSERT_GT(before.size(), 1U);
     const FrameCounts counts =
-        add_pair(static_cast<std::uint64_t>(static_cast<std::int64_t>(ms - 40) + its.step_ms), 65);
+        add_pair(static_cast<std::uint64_t>(static_cast<std::int64_t>(ms - 40) + its.step_ms),
+                 64 + static_cast<std::int32_t>(std::max<std::int64_t>(its.step_ms, 0) / 40));
     EXPECT_EQ(counts.is_forgotten, !its.survives) << its.what;
     bool is_any_kept = false;
     for (const Track& track : tracker.tracks()) {
@@ -167,11 +168,34 @@ TEST_F(TrackerOf, ASilenceOfAllLeavesNoTraceUntilItIsLong) {
   });
   EXPECT_EQ(hash_of(*silent), hash_of(tracker));
   const std::uint64_t last_us = tracker.time_us();
-  tracker.pass(last_us + 200'000);
+  tracker.pass(last_us + 450'000);
   EXPECT_GT(count(tracker), 0U);
-  tracker.pass(last_us + 200'001);
+  tracker.pass(last_us + 450'001);
   EXPECT_EQ(count(tracker), 0U);
   EXPECT_EQ(tracker.time_us(), 0U);
+}
+
+// From 200 ms on, nothing is published and no hit is labelled. The tracks are there again with the
+// next frame.
+TEST_F(TrackerOf, ALongerSilenceHidesTheObjects) {
+  tests::Scene scene = busy_scene();
+  scene.show_until(2, tracker);
+  const auto labelled = [&] {
+    return std::ranges::count_if(tracker.hits(),
+                                 [&](const FrameHit& hit) { return tracker.is_moving(hit); });
+  };
+  const std::uint64_t last_us = tracker.time_us();
+  tracker.pass(last_us + 200'000);
+  EXPECT_EQ(tracker.time_us(), last_us);
+  EXPECT_GT(labelled(), 0);
+  const std::size_t tracks = count(tracker);
+  tracker.pass(last_us + 200'001);
+  EXPECT_EQ(tracker.time_us(), 0U);
+  EXPECT_EQ(labelled(), 0);
+  EXPECT_EQ(count(tracker), tracks);
+  scene.show_until(3, tracker);
+  EXPECT_GT(tracker.time_us(), last_us);
+  EXPECT_GT(labelled(), 0);
 }
 
 // What is not hit any more: young ones end after 0.1 s, all after 0.5 s.
