@@ -260,7 +260,7 @@ def check_map(street: Street, folder: pathlib.Path) -> None:
         for word in words:
             page.page.wait_for(f"document.getElementById('legend-map').textContent.includes({word!r})")
 
-    expect_words(map_part(cause=1, attribution=None), "No map: what is road or house is not told.")
+    expect_words(map_part(cause=1, attribution=None), "No map: no road or house classes.")
     expect_words(map_part(cause=1, attribution=None, missing=3), "No map yet: receiving 5e6f7081, 7 of 10")
     expect_words(map_part(cause=3), "Map: me", "Not used: the poses name another origin")
     expect_words(map_part(waiting=12), "Map: me", "12 tiles wait")
