@@ -98,22 +98,23 @@ export class Measure {
     stroke(view);
     ends.forEach((end) => drawEnd(view, end));
     if (ends.length === 2) {
-      drawWords(view, distanceWords(places), ends[0].map((at, i) => (at + ends[1][i]) / 2));
+      view.context.font = FONT;
+      drawWords(view, distanceWords(places), ends[0].map((at, i) => (at + ends[1][i]) / 2), view.palette.ink);
     }
   }
 }
 
 const distanceWords = ([[x, y], [toX, toY]]) => `${Math.hypot(toX - x, toY - y).toFixed(2)} m`;
 
-function drawWords({ context, palette }, words, [column, row]) {
-  context.font = FONT;
+// In the font that is set, with their middle there.
+export function drawWords({ context, palette }, words, [column, row], ink) {
   context.textAlign = "center";
   context.textBaseline = "middle";
-  const width = context.measureText(words).width + 12;
+  const width = context.measureText(words).width + 8;
   context.fillStyle = palette.shade;
   context.beginPath();
-  context.roundRect(column - width / 2, row - 11, width, 22, 6);
+  context.roundRect(column - width / 2, row - 8, width, 16, 4);
   context.fill();
-  context.fillStyle = palette.ink;
+  context.fillStyle = ink;
   context.fillText(words, column, row + 0.5);
 }
