@@ -97,33 +97,35 @@ void make_capture(const PointsOptions& options) {
 }  // namespace
 
 void add_points(CLI::App& program) {
-  auto* const command = program.add_subcommand(
-      "points", "Make a capture of any lidar's point clouds or scans, for a car with points");
+  auto* const command =
+      program.add_subcommand("points", "Make a capture from point clouds or 2D scans of any lidar");
   const auto options = std::make_shared<PointsOptions>();
   command
-      ->add_option("inputs", options->inputs,
-                   "MCAP files with sensor_msgs/PointCloud2 or LaserScan, or PCD files")
-      ->option_text("INPUT...")
+      ->add_option(
+          "FILE", options->inputs,
+          "Recordings with sensor_msgs/PointCloud2 or LaserScan (.mcap), or point clouds (.pcd)")
+      ->option_text("...")
       ->required();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")
+  command->add_option("--out", options->out, "Capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
-  command->add_option("--sensor", options->sensor, "Which sensor of the car, by name or number")
-      ->option_text("NAME  (default the one of points)");
-  command->add_option("--topic", options->topic, "Which topic of an MCAP file")
+  command->add_option("--sensor", options->sensor, "Sensor of the car, by name or number")
+      ->option_text("NAME  (default the only one of type points)");
+  command->add_option("--topic", options->topic, "Topic of an MCAP file")
       ->option_text("TOPIC  (default the one with clouds)");
   static const std::map<std::string, TimeUnit> kUnits{{"s", TimeUnit::kSeconds},
                                                       {"ms", TimeUnit::kMilliseconds},
                                                       {"us", TimeUnit::kMicroseconds},
                                                       {"ns", TimeUnit::kNanoseconds}};
-  command->add_option("--time-unit", options->unit, "Of the points' own times")
-      ->option_text("s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
+  command->add_option("--time-unit", options->unit, "Unit of the points' own times")
+      ->option_text("s|ms|us|ns  (default the unit in which a scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(kUnits));
-  command->add_option("--rate", options->clouds_per_second, "How many PCD files are of a second")
+  command->add_option("--rate", options->clouds_per_second, "PCD files per second")
       ->option_text("HZ  (default 10)")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
-  command->footer("docs/sensors.md, \"Any other lidar: points\", says how to describe the car.");
+  command->footer(
+      "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");
   command->callback([options] { make_capture(*options); });
 }
 
