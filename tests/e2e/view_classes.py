@@ -260,7 +260,7 @@ def check_map(street: Street, folder: pathlib.Path) -> None:
         for word in words:
             page.page.wait_for(f"document.getElementById('legend-map').textContent.includes({word!r})")
 
-    expect_words(map_part(cause=1, attribution=None), "No map: what is road or house is not told.")
+    expect_words(map_part(cause=1, attribution=None), "No map: no road or house classes.")
     expect_words(map_part(cause=1, attribution=None, missing=3), "No map yet: receiving 5e6f7081, 7 of 10")
     expect_words(map_part(cause=3), "Map: me", "Not used: the poses name another origin")
     expect_words(map_part(waiting=12), "Map: me", "12 tiles wait")
@@ -269,7 +269,7 @@ def check_map(street: Street, folder: pathlib.Path) -> None:
     for number, name in ((1, "drivable"), (2, "free, not drivable"), (5, "stopped"), (7, "infrastructure")):
         named.fill(range(-100, 0), range(-100 + 20 * number, -80 + 20 * number), class_byte(number))
         street.show(named)
-        page.page.wait_for(f"document.getElementById('legend-classes').textContent.includes({name!r})")
+        page.page.wait_for(f"document.getElementById('legend-classes').innerText.includes({name!r})")
     assert page.text("legend-map") == "Map: \u00a9 <b>OpenStreetMap</b>, ODbL 1.0", page.text("legend-map")
     page.page.screenshot(folder / "map.png")
 

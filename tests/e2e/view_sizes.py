@@ -1,5 +1,6 @@
 """Can the page be read on every screen, from a phone's to a large one?"""
 
+import itertools
 import pathlib
 
 from browser import Browser
@@ -10,10 +11,12 @@ MORE_SIZES = [(1280, 800), (1024, 600), (800, 500), (390, 844), (420, 800), (768
 MOST_COVERED = 0.35  # of the grid, by what lies on it
 FOLDS = ("overlays", "legend", "charts")
 
-# A banner as long as any, which stays.
+# A banner, a state and a rate as long as any, which stay.
 SAY = """(() => {
-  iogPage.showState = () => {};
+  iogPage.showState = iogPage.showWords = () => {};
   const show = (id, words) => { document.getElementById(id).textContent = words; };
+  show('state-word', 'paused, live, poses contradicted');
+  show('rate', '10.3 of 25.0 Hz');
   show('banner-title', 'The source of the poses started anew 1.2 s ago');
   show('banner-text', 'What was known has lost its place: the window began anew.');
   document.getElementById('banner').dataset.state = 'live';
@@ -26,16 +29,18 @@ BOXES = """(() => {
     const {left, top, right, bottom} = element.getBoundingClientRect();
     return [left, top, right, bottom];
   };
-  const ids = ['overlays', 'legend', 'hover', 'follow', 'banner'];
+  const ids = ['overlays', 'legend', 'hover', 'follow', 'measure', 'banner'];
   const [x, y] = box(document.getElementById('stage'));
   const bar = iogPage.view.scaleBar;
-  const seen = ids.map((id) => document.getElementById(id)).filter((e) => e && !e.hidden);
+  const seen = ids.map((id) => document.getElementById(id)).filter(
+      (e) => e && !e.hidden && getComputedStyle(e).visibility === 'visible');
   return {
     stage: box(document.getElementById('stage')),
     cards: {...Object.fromEntries(seen.map((element) => [element.id, box(element)])),
             'scale bar': [bar[0] + x, bar[1] + y, bar[2] + x, bar[3] + y]},
-    controls: Object.fromEntries([...document.querySelectorAll('header button, footer *')]
+    controls: Object.fromEntries([...document.querySelectorAll('header > [id], footer > *')]
         .filter((e) => getComputedStyle(e).display !== 'none').map((e) => [e.id, box(e)])),
+    grid: box(document.getElementById('grid')),
     charts: box(document.getElementById('charts')),
     car: ((scale, {x_min: rear, x_max: nose, y_min: right, y_max: left}) =>
         [x + iogPage.view.width / 2 - left * scale, y + iogPage.view.height / 2 - nose * scale,
@@ -64,9 +69,14 @@ def faults_of(boxes: dict) -> list[str]:
     faults = [f"{a} over {b}" for i, a in enumerate(names) for b in names[i + 1:]
               if overlap(cards[a], cards[b])]
     faults += [f"{name} is cut" for name in names if not within(cards[name], boxes["stage"])]
-    faults += [f"button {name} is cut" for name, box in boxes["controls"].items()
-               if not within(box, boxes["page"])]
-    left, top, right, bottom = boxes["stage"]
+    controls = boxes["controls"]
+    faults += [f"{name} is cut" for name, box in controls.items() if not within(box, boxes["page"])]
+    faults += [f"{a} over {b}" for a, b in itertools.combinations(controls, 2) if overlap(controls[a], controls[b])]
+    left, top, right, bottom = boxes["grid"]
+    width, height = boxes["page"][2:]
+    if width < 450 and height > width:  # an upright phone
+        faults += [f"{name} over the grid" for name in ("legend", "hover")
+                   if overlap(cards.get(name, [0] * 4), boxes["grid"])]
     if right - left < 250 or bottom - top < 150:
         faults.append(f"the grid has {right - left:.0f} x {bottom - top:.0f} pixels")
     return faults + (["the page has to be scrolled"] if boxes["scrolls"] else [])
@@ -80,7 +90,9 @@ def faults_of_begin(boxes: dict) -> list[str]:
     """Of a page that has just been opened, in which the car is in the middle of the grid."""
     seen = {name: box for name, box in boxes["cards"].items() if name not in ("follow", "hover")}
     faults = [f"{name} over the car" for name, box in seen.items() if overlap(box, boxes["car"])]
-    covered = sum(map(area, seen.values())) / area(boxes["stage"])
+    grid = boxes["grid"]
+    covered = sum(area([*map(max, box[:2], grid[:2]), *map(min, box[2:], grid[2:])])
+                  for box in seen.values()) / area(grid)
     return faults + ([f"{covered:.0%} of the grid are covered"] if covered > MOST_COVERED else [])
 
 
@@ -119,18 +131,26 @@ def check(iog: str, folder: pathlib.Path, browser: Browser, sizes: list[tuple[in
             # What does not change need not be drawn: in software that takes seconds each time.
             page.hold_still()
             viewer.halt()
+            page.page.press("v")
             page.page.value(SAY)
+            page.page.run("return new Promise((done) => setTimeout(done, 100))")  # the grid may be less high now
+            page.page.wait_for("!iogPage.isDirty")
+            faults += [f"{width}x{height}, index grid: {fault}" for fault in faults_of(page.page.value(BOXES))]
+            page.page.press("v")
             page.page.screenshot(folder / f"begin_{width}x{height}.png")
             boxes = page.page.value(BOXES)
             faults += [f"{width}x{height}: {fault}" for fault in
                        faults_of(boxes) + faults_of_begin(boxes) + faults_of_folds(page)]
-            page.page.run("delete iogPage.showState")
+            page.page.press("?")
+            if page.page.value("document.getElementById('help').scrollTop") > 0:
+                faults.append(f"{width}x{height}: the keys do not begin at the first")
+            page.page.press("?")
+            page.page.run("delete iogPage.showState; delete iogPage.showWords")
             page.page.press("p")
             page.page.press(" ")
             page.page.run("iogPage.view.pan(20, 20); iogPage.redraw()")
             page.page.wait_for("iogPage.view.scaleBar && !document.getElementById('follow').hidden")
-            page.page.run("iogPage.pointer = [iogPage.view.width / 2, iogPage.view.height / 2]; "
-                          "iogPage.showHover()")
+            page.page.run("iogPage.pointing.hover([iogPage.view.width / 2, iogPage.view.height / 2])")
             page.page.wait_for("document.getElementById('legend-more').childElementCount > 3")
             page.page.screenshot(folder / f"size_{width}x{height}.png")
             faults += [f"{width}x{height}: {fault}" for fault in faults_of(page.page.value(BOXES))]

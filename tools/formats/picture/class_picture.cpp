@@ -32,7 +32,7 @@ constexpr std::array<Colour, stream::kClassCount> kClassColours{{
     {250, 190, 40},   // stopped
     {214, 120, 40},   // stopped or unmapped
     {140, 80, 40},    // infrastructure
-    {240, 230, 120},  // occupied, not yet known by what
+    {240, 230, 120},  // occupied, unclassified
 }};
 
 constexpr auto kSides = static_cast<int>(geometry::kCellsPerSide);
@@ -239,9 +239,8 @@ Colour colour_of_class(std::int8_t byte) {
 
 const char* name_of_class(Class what) {
   constexpr std::array<const char*, stream::kClassCount> kNames{
-      "unknown",  "drivable",       "free, not drivable",
-      "free",     "moving",         "stopped",
-      "standing", "infrastructure", "occupied, not yet known by what"};
+      "unknown",  "drivable",       "free, not drivable",    "free", "moving", "stopped",
+      "standing", "infrastructure", "occupied, unclassified"};
   const char* const name = kNames.at(static_cast<std::size_t>(what));
   return name;
 }

@@ -18,12 +18,14 @@ const KEYS = [
   [["0"], "showAll", "the whole grid"],
   [["v"], "layer", "classes, or the index grid of each single frame"],
   [["i"], "scale", "occupancy index or probability"],
+  [["m"], "measure", "measure a distance: a click on each of two places"],
+  [["Escape"], "quit", "end measuring, hide the words of a tap"],
   [["d"], "theme", "dark or light"],
   [["c"], "charts", "charts on or off"],
   [["?", "h"], "help", "these keys"],
 ];
 
-const NAMES = { " ": "space", ArrowLeft: "←", ArrowRight: "→", Home: "Home", End: "End" };
+const NAMES = { " ": "space", ArrowLeft: "←", ArrowRight: "→", Home: "Home", End: "End", Escape: "Esc" };
 const REPEATED = ["back", "step", "nearer", "farther"]; // while the key is held down
 
 export function listenToKeys(actions) {
@@ -67,6 +69,7 @@ export function listKeys(list) {
       [[key.toUpperCase()], `overlay: ${name}${nameOfClasses ? `; of classes ${nameOfClasses}` : ""}`]),
     [["drag", "wheel"], "move, and nearer or farther"],
     [["one finger", "two"], "the same by touch"],
+    [["hover", "tap"], "what a cell is, and what is there"],
     [["double click"], "the car and its street again"],
   ];
   for (const [keys, words] of rows) {

@@ -46,6 +46,8 @@ export class GridCanvas {
     this.pixelsPerMetre = 0;
     this.isFollowing = true;
     this.names = []; // left, top, right and bottom of each name of an object
+    this.mark = null; // the place of the page that a finger has tapped
+    this.measured = null; // of measure.js
     this.scaleBar = null; // left, top, right and bottom of where it is drawn
     this.images = { indexes: new TileImage(), classes: new TileImage(), truth: new TileImage() };
     this.restyle();
@@ -182,11 +184,28 @@ export class GridCanvas {
     return isInside ? { x: cellX, y: cellY, vehicle, number: this.numberOf(cellX, cellY) } : null;
   }
 
-  windowPlaceOf([x, y]) {
+  windowPlaceOf(vehicle) {
     const { corner_a: a, corner_b: b } = this.grid.classes;
+    const [x, y] = this.toGround(vehicle);
+    return [x / this.cellM - a * TILE_SIDE, y / this.cellM - b * TILE_SIDE];
+  }
+
+  // From metres of the vehicle to those of the ground and back.
+  toGround([x, y]) {
     const [right, up] = rotated(x, y, this.pose.heading);
-    return [(this.pose.x + right) / this.cellM - a * TILE_SIDE,
-            (this.pose.y + up) / this.cellM - b * TILE_SIDE];
+    return [this.pose.x + right, this.pose.y + up];
+  }
+
+  fromGround([x, y]) {
+    return rotated(x - this.pose.x, y - this.pose.y, -this.pose.heading);
+  }
+
+  // The middle of a cell of the picture in metres of the vehicle.
+  middleOf({ x, y }) {
+    const { corner_a: a, corner_b: b } = this.grid.classes ?? {};
+    const metres = (first, cell) => (first + cell + 0.5) * this.cellM;
+    return this.showsClasses ? this.fromGround([metres(a * TILE_SIDE, x), metres(b * TILE_SIDE, y)])
+                             : [metres(-SIDE / 2, x), metres(-SIDE / 2, y)];
   }
 
   // Of a cell of the picture its number in the layer, where tiles of the window lie by slot.

@@ -2,7 +2,7 @@
 
 import { linesOfObjects } from "./objects.js";
 import { hasTruth, quadtreeLeaves } from "./overlays.js";
-import { CLASS_COUNT, FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, nameOfClass,
+import { FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, meaningOfClass, nameOfClass,
          probabilityOf } from "./palette.js";
 import { isOfTarget } from "./status.js";
 
@@ -14,8 +14,8 @@ const NEVER = 255;
 const TITLES = { index: "Occupancy index", probability: "Probability of occupancy" };
 
 // Where one may drive first, then what is there.
-const ORDER = [1, 2, 3, MOVING, 5, 6, 7, 8];
-const ALWAYS = [3, MOVING];
+const ORDER = [1, 2, 3, MOVING, 5, 6, 7, 8, 0];
+const ALWAYS = [3, MOVING, 0];
 
 // Words of which those from some place on are left out where there is little room.
 function withDetail(words, begin) {
@@ -26,27 +26,32 @@ function withDetail(words, begin) {
   return whole;
 }
 
-// The classes that the stream has named so far, each from unsure to sure.
-function elementsOfClasses({ images }) {
-  const seen = new Set(ALWAYS);
-  images.classes.seen.forEach((isSeen, byte) => isSeen && seen.add(classOf(byte)));
-  const names = ORDER.filter((number) => number < CLASS_COUNT && seen.has(number));
-  return [...names, 0].map((number) => {
-    const line = Object.assign(document.createElement("span"), { className: "key" });
-    const swatch = document.createElement("i");
-    const [weak, strong] = [0, 7].map((sureness) => css(colourOfClass(number * 8 + sureness)));
-    swatch.style.background = `linear-gradient(90deg, ${weak}, ${strong})`;
-    line.append(swatch, withDetail(nameOfClass(number), ", not yet"));
-    return line;
-  });
+// A class from unsure to sure. What it means is said while it has the mouse, the finger or the focus.
+function keyOfClass(number, meaning) {
+  const key = Object.assign(document.createElement("button"), { className: "key" });
+  const swatch = document.createElement("i");
+  const [weak, strong] = [0, 7].map((sureness) => css(colourOfClass(number * 8 + sureness)));
+  swatch.style.background = `linear-gradient(90deg, ${weak}, ${strong})`;
+  key.append(swatch, withDetail(nameOfClass(number), ", un"));
+  const say = (words) => () => (meaning.textContent = words);
+  for (const [begin, end] of [["mouseenter", "mouseleave"], ["focus", "blur"]]) {
+    key.addEventListener(begin, say(meaningOfClass(number)));
+    key.addEventListener(end, say(""));
+  }
+  return key;
 }
 
-function showClasses(view, { title, list }) {
-  const elements = elementsOfClasses(view);
-  if (list.childElementCount !== elements.length || title.childElementCount === 0) {
-    title.replaceChildren(withDetail("What is there – the brighter, the surer", " –"));
-    list.replaceChildren(...elements);
+// Of the classes those that the stream has named so far.
+function showClasses({ images }, { title, classes, meaning }) {
+  if (classes.childElementCount === 0) {
+    classes.append(...ORDER.map((number) => keyOfClass(number, meaning)));
   }
+  if (title.childElementCount === 0) {
+    title.replaceChildren(withDetail("What is there – brighter is surer", " –"));
+  }
+  const seen = new Set(ALWAYS);
+  images.classes.seen.forEach((isSeen, byte) => isSeen && seen.add(classOf(byte)));
+  [...classes.children].forEach((key, i) => (key.hidden = !seen.has(ORDER[i])));
 }
 
 // What the map is and whose it is, or why there is none. Whose it is stays, however small the page.
@@ -54,7 +59,7 @@ function wordsOfMap({ in_use: isInUse, attribution, cause, delivery, tiles_waiti
                       refused, crc }, outlines) {
   const way = delivery === "" ? "" : `Another is on its way: ${delivery}.`;
   if (!isInUse) {
-    const words = delivery === "" ? "No map: what is road or house is not told." : `No map yet: ${delivery}.`;
+    const words = delivery === "" ? "No map: no road or house classes." : `No map yet: ${delivery}.`;
     return [words, refused > 0 ? "A map that came was refused." : ""];
   }
   const state = cause === "" ? (waiting > 0 ? `${waiting} tiles wait for it.` : "")
@@ -131,12 +136,23 @@ function linesOfAges({ ages, grid, palette }) {
           ...(isNew ? [] : [[palette.stale, "crossed: never received"]])];
 }
 
+// Of the ring around the car (vehicle_overlays.js).
+function linesOfSectors({ grid, palette }) {
+  const { unwatched, blocked } = grid.frame?.status.frame?.end ?? {};
+  const isSet = (bits) => /[1-9a-f]/.test(bits ?? "");
+  return [...(isSet(unwatched) ? [[palette.unwatched, "hatched ring: no sensor looks there"]] : []),
+          ...(isSet(blocked) ? [[palette.unwatched, "solid ring: a sensor is blocked"]] : [])];
+}
+
 // [colour or null, words, more of them where there is room] for each overlay that is on. kind: of the source.
 function linesOf(view, kind) {
   const { overlays } = view;
   const lines = [];
   if (view.showsClasses && overlays.has("objects") && view.grid.hasObjects) {
     lines.push(...linesOfObjects());
+  }
+  if (overlays.has("mounts")) {
+    lines.push(...linesOfSectors(view));
   }
   if (overlays.has("ages")) {
     lines.push(...linesOfAges(view));
@@ -170,17 +186,17 @@ function elementsOf(lines) {
 
 export class Legend {
   constructor(byId) {
-    this.boxes = Object.fromEntries(["title", "scale", "ticks", "classes", "map", "more"].map(
+    this.boxes = Object.fromEntries(["title", "scale", "ticks", "meaning", "classes", "map", "more"].map(
         (name) => [name, byId(`legend-${name}`)]));
     this.box = byId("legend");
     this.words = "";
   }
 
   show(view) {
-    const { title, scale, ticks, classes, map } = this.boxes;
+    const { title, scale, ticks, map } = this.boxes;
     this.box.classList.toggle("of-classes", view.showsClasses);
     if (view.showsClasses) {
-      showClasses(view, { title, list: classes });
+      showClasses(view, this.boxes);
       showMap(view, map);
     } else {
       showScale(view, { title, bar: scale, ticks });

@@ -1,6 +1,6 @@
 // Things with a speed: boxes and arrows on the picture, and the list beside it.
 
-import { MOVES, STOPPED, YOUNG, colourOfObject, css, nameOfObject } from "./palette.js";
+import { MOVES, STANDS, STOPPED, YOUNG, colourOfObject, css, nameOfObject } from "./palette.js";
 
 const FONT = "11px system-ui, sans-serif";
 const NARROWEST = 4; // pixels
@@ -109,12 +109,25 @@ export function drawObjects(view) {
 }
 
 export const linesOfObjects = () =>
-  [[css(colourOfObject({ state: MOVES })), "moves", ", arrow: its way in 1 s"],
+  [[css(colourOfObject({ state: MOVES })), "moves", ", arrow: distance in 1 s"],
    [css(colourOfObject({ state: STOPPED })), "stopped"],
-   [css(colourOfObject({ state: YOUNG })), "something", ", no speed believed"],
+   [css(colourOfObject({ state: STANDS })), "stands"],
+   [css(colourOfObject({ state: YOUNG })), "something", ", speed unknown"],
    [null, "dashed: not hit", " in this frame"]];
 
 const cell = (tag, textContent) => Object.assign(document.createElement(tag), { textContent });
+
+// The object in whose box that place of the ground is, what moves first; undefined where there is none.
+export function objectAt(objects, [x, y]) {
+  return (objects ?? []).filter(({ x: middleX, y: middleY, length, width, heading }) => {
+    const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+    const [right, up] = [x - middleX, y - middleY];
+    return Math.abs(right * cos + up * sin) <= length / 2 && Math.abs(up * cos - right * sin) <= width / 2;
+  }).sort((a, b) => isMoving(b) - isMoving(a))[0];
+}
+
+export const wordsOfObject = (object) =>
+  `object ${object.id}: ${nameOfObject(object)}${hasSpeed(object) ? `, ${speedWords(object)} km/h` : ""}`;
 
 function rowOf(object, distance, periodS) {
   const row = document.createElement("tr");

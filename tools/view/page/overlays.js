@@ -1,6 +1,7 @@
 // What is drawn on the grid, from the ground up. Each overlay can be switched off by itself.
 
 import { drawOutlines } from "./map_outlines.js";
+import { drawEnd, drawWords } from "./measure.js";
 import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
 import { drawObjects } from "./objects.js";
 import { FATES, MOVING, classOf, css } from "./palette.js";
@@ -9,7 +10,7 @@ import { drawCar, drawDeviation, drawTrack, drawUnwatched, drawViews } from "./v
 // isOfClasses: it says nothing of the index grid. isOfMap: it needs a map block of this PC.
 // isOfObjects: it needs a target that tells them.
 export const OVERLAYS = [
-  { id: "mounts", key: "m", name: "car, fields of view" },
+  { id: "mounts", key: "s", name: "car, fields of view" },
   { id: "rings", key: "g", name: "distances" },
   { id: "track", key: "k", name: "track, pose", isOfClasses: true },
   { id: "up", key: "u", name: "car drives upwards", isOfClasses: true },
@@ -74,6 +75,10 @@ export function draw(view) {
   }
   drawCar(view, on("mounts"));
   drawScaleBar(view);
+  view.measured.draw(view);
+  if (view.mark) {
+    drawEnd(view, view.mark);
+  }
 }
 
 // Against the truth a cell is: hit, and occupied; hit, and nothing is there; free, and yet occupied.
@@ -225,8 +230,6 @@ function drawDistances(view) {
   const step = ringStep(view);
   const [column, row] = view.toScreen(0, 0);
   context.font = FONT;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
   for (let radius = step; radius <= 50; radius += step) {
     const words = `${radius} m`;
     const width = context.measureText(words).width + 8;
@@ -234,16 +237,9 @@ function drawDistances(view) {
     const place = SIDES.map(([right, down]) => [column + right * reach, row + down * reach]).find(
         ([x, y]) => !view.names.some(({ left, right, top, bottom }) =>
           left < x + width / 2 && right > x - width / 2 && top < y + 8 && bottom > y - 8));
-    if (!place) {
-      continue;
+    if (place) {
+      drawWords(view, words, place, palette.ringText);
     }
-    const [x, y] = place;
-    context.fillStyle = palette.shade;
-    context.beginPath();
-    context.roundRect(x - width / 2, y - 8, width, 16, 4);
-    context.fill();
-    context.fillStyle = palette.ringText;
-    context.fillText(words, x, y + 0.5);
   }
 }
 

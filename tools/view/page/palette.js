@@ -87,15 +87,19 @@ export const FATES = [
 // Of classes by their number, at their surest; the surer, the stronger. Names and colours are those
 // of tools/formats/picture/class_picture.cpp. What is unknown is dark in either theme.
 const CLASSES = [
-  { name: "unknown", colour: [30, 33, 38] },
-  { name: "drivable", colour: [150, 214, 170] },
-  { name: "free, not drivable", colour: [120, 150, 130] },
-  { name: "free", colour: [172, 200, 222] },
-  { name: "moving", colour: [255, 40, 160] },
-  { name: "stopped", colour: [250, 190, 40] },
-  { name: "standing", colour: [214, 120, 40] },
-  { name: "infrastructure", colour: [140, 80, 40] },
-  { name: "occupied, not yet known by what", colour: [240, 230, 120] },
+  { name: "unknown", colour: [30, 33, 38],
+    meaning: "No sensor has measured this place lately, or not clearly enough." },
+  { name: "drivable", colour: [150, 214, 170], meaning: "Nothing is here, and the map shows a road." },
+  { name: "free, not drivable", colour: [120, 150, 130], meaning: "Nothing is here, but the map shows no road." },
+  { name: "free", colour: [172, 200, 222], meaning: "Nothing is here: beams have passed through." },
+  { name: "moving", colour: [255, 40, 160], meaning: "Something is here that has moved to this place." },
+  { name: "stopped", colour: [250, 190, 40], meaning: "Something stands on the road and may drive off." },
+  { name: "standing", colour: [214, 120, 40],
+    meaning: "Something has stayed here, such as a wall or a parked car." },
+  { name: "infrastructure", colour: [140, 80, 40],
+    meaning: "Something has stayed here, where the map shows a building." },
+  { name: "occupied, unclassified", colour: [240, 230, 120],
+    meaning: "Something is here. It is not yet known whether it moves." },
 ];
 const WEAKEST = 0.55;
 const SUREST = 7;
@@ -108,6 +112,7 @@ export const surenessOf = (byte) => byte & 7;
 export const isFree = (byte) => byte > 0 && classOf(byte) < MOVING;
 export const isSomething = (byte) => classOf(byte) >= MOVING;
 export const nameOfClass = (number) => CLASSES[number].name;
+export const meaningOfClass = (number) => CLASSES[number].meaning;
 
 // Of objects by their state (docs/spec.md 3.12), each in the colour of a class.
 export const [YOUNG, STANDS, MOVES, STOPPED] = [1, 2, 3, 4];

@@ -4,7 +4,7 @@ import { onPress } from "./controls.js";
 
 const PANELS = ["overlays", "legend", "charts"];
 const SMALL = "(max-width: 820px), (max-height: 560px)";
-const PHONE = "(max-width: 700px)";
+const PHONE = "(max-width: 700px), (max-height: 420px)";
 
 export function toggle(panel) {
   const isFolded = document.getElementById(panel).classList.toggle("folded");

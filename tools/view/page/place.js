@@ -23,7 +23,8 @@ function agoOf({ stamp_us: stamp, end }, cause) {
 }
 
 // Packets without a time of their own have no slices that would be counted by it.
-const latestBreak = (end) => [LOST, JUMP, RESTART, CONTRADICTED, DRIFTING]
+const BREAKING = [LOST, JUMP, RESTART, CONTRADICTED, DRIFTING];
+const latestBreak = (end) => BREAKING
     .filter((cause) => end.causes[cause].times > 0)
     .sort((a, b) => end.causes[b].since_us - end.causes[a].since_us)[0];
 
@@ -91,6 +92,12 @@ export const deviationOf = ({ has_place: isKnown, sigma_m: m, sigma_deg: deg }) 
 // Of the frame: slices that were placed, and those that were not by any cause.
 export const slicesOf = ({ slices, end }) =>
   [slices, end ? end.causes.reduce((sum, cause) => sum + cause.slices, 0) : 0];
+
+// A name of the ground: what had its place under another name has lost it. null: this frame does not say.
+export function groundOf({ counts, frame }) {
+  const end = frame?.classes?.end;
+  return end ? [counts.restarts, ...BREAKING.map((one) => end.causes[one].times)].join() : null;
+}
 
 // Everything that ever kept something from being placed, the latest first.
 export function causesOf(classes) {

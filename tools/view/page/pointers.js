@@ -3,6 +3,7 @@
 const WHEEL = 0.0015;
 const TRACKPAD_PINCH = 0.01; // browsers report it as a wheel with Ctrl, in smaller steps
 const LONGEST_STEP = 0.4;    // so that a wheel with Ctrl does not leap
+const CLICK = 6;             // pixels; a pointer that moves less far moves nothing
 const NEAREST_FINGERS = 8;   // pixels; nearer than that, what they tremble would be a scale
 
 // The middle of all places, and how far they are from it.
@@ -13,8 +14,11 @@ function gripOf(places) {
   return { column, row, spread: mean(places.map((at) => Math.hypot(at[0] - column, at[1] - row))) };
 }
 
-export function listenToPointers(canvas, view, { changed, hovered }) {
+const isFinger = ({ pointerType }) => pointerType === "touch";
+
+export function listenToPointers(canvas, view, { changed, hovered, clicked }) {
   const held = new Map(); // where the pressed mouse and the fingers are
+  let pressed = null; // where a pointer went down, as long as that may be a click
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -36,20 +40,30 @@ export function listenToPointers(canvas, view, { changed, hovered }) {
     if (event.button === 0) {
       held.set(event.pointerId, place(event));
       canvas.setPointerCapture(event.pointerId);
-      hovered(held.size === 1 ? place(event) : null);
+      pressed = held.size === 1 ? place(event) : null;
+      hovered(pressed, isFinger(event));
     }
   });
   canvas.addEventListener("pointermove", (event) => {
     const at = place(event);
-    if (held.has(event.pointerId)) {
+    if (!held.has(event.pointerId)) {
+      hovered(at);
+    } else if (pressed === null || Math.hypot(at[0] - pressed[0], at[1] - pressed[1]) >= CLICK) {
+      pressed = null;
       drag(event.pointerId, at);
+      hovered(null);
     }
-    hovered(held.size <= 1 ? at : null);
   });
+  canvas.addEventListener("pointerup", () => pressed && clicked(pressed));
   for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
-    canvas.addEventListener(end, (event) => held.delete(event.pointerId));
+    canvas.addEventListener(end, (event) => {
+      held.delete(event.pointerId);
+      pressed = null;
+    });
   }
-  canvas.addEventListener("pointerleave", () => hovered(null));
+  // A finger that goes up leaves its words, and one that stays opens no menu.
+  canvas.addEventListener("pointerleave", (event) => isFinger(event) || hovered(null));
+  canvas.addEventListener("contextmenu", (event) => isFinger(event) && event.preventDefault());
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     const step = -event.deltaY * (event.ctrlKey ? TRACKPAD_PINCH : WHEEL);
@@ -58,7 +72,9 @@ export function listenToPointers(canvas, view, { changed, hovered }) {
     changed();
   }, { passive: false });
   canvas.addEventListener("dblclick", () => {
-    view.showStreet();
-    changed();
+    if (!view.measured.isOn) {
+      view.showStreet();
+      changed();
+    }
   });
 }

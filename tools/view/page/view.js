@@ -6,7 +6,7 @@ import { Charts } from "./charts.js";
 import { addOverlaySwitches, listKeys, listenToKeys, onPress } from "./controls.js";
 import { GridCanvas } from "./grid_canvas.js";
 import { History, ShownGrid } from "./history.js";
-import { HoverText } from "./hover.js";
+import { Pointing } from "./hover.js";
 import { Legend } from "./legend.js";
 import { fetchOutlines } from "./map_outlines.js";
 import { readMessage } from "./messages.js";
@@ -37,14 +37,13 @@ class Page {
     this.strip = new Charts(byId("charts"));
     this.list = new ObjectList(byId("charts"));
     this.legend = new Legend(byId);
-    this.hover = new HoverText(byId("hover"));
+    this.pointing = new Pointing(this.view, byId, () => this.redraw());
     this.playback = new Playback(byId, (words) => this.ask(words));
     this.status = null;
     this.socket = null;
     this.lastMessageMs = 0;
     this.isHeld = false; // paused: a frame of the past may be shown
     this.wanted = -1; // the frame that is to be shown
-    this.pointer = null;
     this.isDirty = true; // the picture
     this.areWordsOld = true; // and what is beside it
     this.wordsMs = 0;
@@ -65,7 +64,7 @@ class Page {
     listenToFolds();
     foldSome();
     listKeys(byId("keys"));
-    for (const id of ["pause", "back", "step", "record", "layer", "scale", "theme", "live", "follow"]) {
+    for (const id of ["pause", "back", "step", "record", "layer", "scale", "theme", "live", "follow", "measure"]) {
       onPress(byId(id), () => this[id]());
     }
     onPress(byId("help-open"), () => this.help());
@@ -73,12 +72,10 @@ class Page {
     byId("scrub").addEventListener("input", (event) => this.hold(Number(event.target.value)));
     listenToPointers(byId("grid"), this.view, {
       changed: () => this.redraw(),
-      hovered: (place) => {
-        this.pointer = place;
-        this.showHover();
-      },
+      hovered: (...where) => this.pointing.hover(...where),
+      clicked: (place) => this.pointing.click(place),
     });
-    new ResizeObserver(() => this.redraw()).observe(byId("stage"));
+    new ResizeObserver(() => this.redraw()).observe(byId("grid"));
     matchMedia("(prefers-color-scheme: light)").addEventListener(
         "change", (event) => this.setTheme(event.matches ? "light" : "dark"));
     setInterval(() => this.showStateIfHidden(), HIDDEN_EVERY_MS);
@@ -148,7 +145,7 @@ class Page {
       this.isDirty = false;
       this.showFrame();
       this.view.draw();
-      this.showHover();
+      this.pointing.show();
       this.pictures += 1;
       this.drawMs += performance.now() - now;
     }
@@ -174,6 +171,7 @@ class Page {
       this.view.track = grid.classes ? trackOf(history.frames, grid.frame) : [];
       this.view.map = (grid.classes && grid.classes.end && grid.classes.end.map) ?? this.view.map;
       this.view.place = grid.classes ? lastPlaceOf(history.frames, grid.frame) : null;
+      this.view.measured.check(this.view);
       if (named() !== before) {
         this.restyle();
       }
@@ -251,11 +249,6 @@ class Page {
         : `${recording.open ? "Recording to" : "Recorded to"} ${recording.file}`;
   }
 
-  showHover() {
-    const cell = this.pointer && this.view.width ? this.view.cellAt(...this.pointer) : null;
-    this.hover.show(cell, this.view);
-  }
-
   redraw() {
     this.isDirty = true;
     this.areWordsOld = true;
@@ -306,6 +299,8 @@ class Page {
   }
 
   record() { this.ask(this.status && this.status.recording.open ? "stop" : "record"); }
+  measure() { this.pointing.measure(); }
+  quit() { this.pointing.quit(); }
   rewind() { this.playback.rewind(); }
   forward() { this.playback.forward(); }
 
@@ -376,6 +371,7 @@ class Page {
       dialog.close();
     } else {
       dialog.showModal();
+      dialog.scrollTop = 0; // the focus is on its last button
     }
   }
 }
