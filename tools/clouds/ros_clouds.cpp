@@ -118,8 +118,9 @@ SeenCloud cloud_of_laser_scan(std::span<const std::byte> message, const std::str
   return cloud;
 }
 
-void for_each_cloud(const std::string& path, const std::string& topic, TimeUnit unit,
-                    const std::function<void(SeenCloud&&)>& take) {
+std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
+                                        TimeUnit unit,
+                                        const std::function<void(SeenCloud&&)>& take) {
   std::string its = topic;
   std::uint64_t number = 0;
   const auto take_message = [&](const ros::RecordedMessage& message) {
@@ -132,11 +133,13 @@ void for_each_cloud(const std::string& path, const std::string& topic, TimeUnit 
     take(message.type == kPointCloud2 ? cloud_of_point_cloud2(message.data, unit, message.where)
                                       : cloud_of_laser_scan(message.data, message.where));
   };
-  ros::for_each_message(path, {kPointCloud2, "sensor_msgs/msg/LaserScan"}, topic, take_message);
+  std::vector<std::string> remarks =
+      ros::for_each_message(path, {kPointCloud2, "sensor_msgs/msg/LaserScan"}, topic, take_message);
   if (number == 0) {
     throw UsageError(path + ": it has no PointCloud2 and no LaserScan of sensor_msgs" +
                      (topic.empty() ? "" : " on " + topic));
   }
+  return remarks;
 }
 
 }  // namespace iog::tools

@@ -1,11 +1,12 @@
 // Messages of ROS 2 as clouds: sensor_msgs/PointCloud2 and sensor_msgs/LaserScan, serialised
-// (formats/ros/cdr_writer.hpp), and the MCAP files that have them.
+// (formats/ros/cdr_writer.hpp), and the recordings that have them.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
 
@@ -21,9 +22,11 @@ namespace iog::tools {
 [[nodiscard]] SeenCloud cloud_of_laser_scan(std::span<const std::byte> message,
                                             const std::string& what);
 
-// Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. UsageError
-// if the file cannot be read, or if several topics have clouds and none is chosen.
-void for_each_cloud(const std::string& path, const std::string& topic, TimeUnit unit,
-                    const std::function<void(SeenCloud&&)>& take);
+// Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
+// remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
+// clouds and none is chosen.
+std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
+                                        TimeUnit unit,
+                                        const std::function<void(SeenCloud&&)>& take);
 
 }  // namespace iog::tools

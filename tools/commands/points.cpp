@@ -18,6 +18,7 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
@@ -51,8 +52,7 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, const std::string& out) {
-  std::vector<std::string> words;
+void report(const SentClouds& sent, std::vector<std::string> words, const std::string& out) {
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
@@ -68,6 +68,7 @@ void make_capture(const PointsOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   PointsSender sender(car, sensor_of(options, car));
   std::optional<PcapWriter> capture;  // not before the first cloud is known to be one
+  std::vector<std::string> remarks;
   Progress progress("clouds");
   const auto take = [&](SeenCloud&& cloud) {
     const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
@@ -78,20 +79,21 @@ void make_capture(const PointsOptions& options) {
     progress.show(sender.sent().clouds);
   };
   for (const std::string& input : options.inputs) {
-    if (input.ends_with(".mcap")) {
-      for_each_cloud(input, options.topic, options.unit, take);
+    if (ros::is_recording(input)) {
+      std::ranges::move(for_each_cloud(input, options.topic, options.unit, take),
+                        std::back_inserter(remarks));
     } else if (input.ends_with(".pcd")) {  // says no time
       const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
       take(read_pcd(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
     } else {
-      throw UsageError(input + ": read are .mcap and .pcd");
+      throw UsageError(input + ": read are .mcap, .db3, the folder of a bag and .pcd");
     }
   }
   if (!capture) {
     throw UsageError("there is no cloud in what is given");
   }
   capture->finish();
-  report(sender.sent(), options.out);
+  report(sender.sent(), std::move(remarks), options.out);
 }
 
 }  // namespace
@@ -102,7 +104,8 @@ void add_points(CLI::App& program) {
   const auto options = std::make_shared<PointsOptions>();
   command
       ->add_option("inputs", options->inputs,
-                   "MCAP files with sensor_msgs/PointCloud2 or LaserScan, or PCD files")
+                   "MCAP files or bags of ROS 2 with sensor_msgs/PointCloud2 or LaserScan, or PCD "
+                   "files")
       ->option_text("INPUT...")
       ->required();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
@@ -110,7 +113,7 @@ void add_points(CLI::App& program) {
       ->required();
   command->add_option("--sensor", options->sensor, "Which sensor of the car, by name or number")
       ->option_text("NAME  (default the one of points)");
-  command->add_option("--topic", options->topic, "Which topic of an MCAP file")
+  command->add_option("--topic", options->topic, "Which topic of a recording")
       ->option_text("TOPIC  (default the one with clouds)");
   static const std::map<std::string, TimeUnit> kUnits{{"s", TimeUnit::kSeconds},
                                                       {"ms", TimeUnit::kMilliseconds},

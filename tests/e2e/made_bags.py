@@ -1,0 +1,121 @@
+"""Recordings of ROS 2 as rosbag2 writes them, put together from its documentation: messages in CDR (OMG DDSI-RTPS 2.2,
+10.2), files of its storages sqlite3 and mcap (https://mcap.dev/spec), the folder of a bag."""
+
+import math
+import pathlib
+import sqlite3
+import struct
+import subprocess
+
+import numpy
+
+START_NS = 1_700_000_000_000_000_000
+FORMATS = {"x": 7, "y": 7, "z": 7, "intensity": 7, "ring": 4, "t": 6}  # sensor_msgs/PointField
+
+
+class Cdr:
+    """A number lies on a multiple of its size, counted from behind the four bytes of the encapsulation."""
+
+    def __init__(self):
+        self.bytes = b""
+
+    def put(self, kind: str, *values):
+        for value in values:
+            self.bytes += bytes(-len(self.bytes) % struct.calcsize(kind)) + struct.pack("<" + kind, value)
+        return self
+
+    def text(self, words: str):
+        self.put("I", len(words) + 1)
+        self.bytes += words.encode() + b"\0"
+        return self
+
+    def raw(self, data: bytes, count: int | None = None):
+        self.put("I", len(data) if count is None else count)
+        self.bytes += data
+        return self
+
+    def header(self, time_ns: int, frame: str):
+        return self.put("I", time_ns // 10**9, time_ns % 10**9).text(frame)
+
+    def message(self) -> bytes:
+        return b"\0\1\0\0" + self.bytes
+
+
+def point_cloud2(time_ns: int, points: numpy.ndarray, is_big_endian: bool = False) -> tuple[str, bytes]:
+    """Of a structured array, row by row."""
+    out = Cdr().header(time_ns, "lidar").put("I", 1, len(points), len(points.dtype.names))
+    for name in points.dtype.names:
+        out.text(name).put("I", points.dtype.fields[name][1]).put("B", FORMATS[name]).put("I", 1)
+    data = (points.byteswap() if is_big_endian else points).tobytes()
+    out.put("B", is_big_endian).put("I", points.itemsize, len(data)).raw(data).put("B", 1)
+    return "sensor_msgs/msg/PointCloud2", out.message()
+
+
+def laser_scan(time_ns: int, ranges: numpy.ndarray, first: float, step: float, scan_s: float) -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "laser").put("f", first, first + step * (len(ranges) - 1), step)
+    out.put("f", scan_s / len(ranges), scan_s, 0.1, 20.0).raw(ranges.astype("<f4").tobytes(), len(ranges)).put("I", 0)
+    return "sensor_msgs/msg/LaserScan", out.message()
+
+
+def odometry(time_ns: int, x_m: float, y_m: float, heading: float, speed: float) -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "odom").text("base_link")
+    out.put("d", x_m, y_m, 0, 0, 0, math.sin(heading / 2), math.cos(heading / 2), *[0] * 36, speed, *[0] * 5, *[0] * 36)
+    return "nav_msgs/msg/Odometry", out.message()
+
+
+Row = tuple[str, int, tuple[str, bytes]]  # topic, time, (type, message)
+
+
+def zstd(data: bytes) -> bytes:
+    return subprocess.run(["zstd", "-1", f"--stream-size={len(data)}"], input=data, capture_output=True, check=True,
+                          timeout=60).stdout
+
+
+def write_sqlite(path: pathlib.Path, rows: list[Row]) -> None:
+    path.unlink(missing_ok=True)
+    bag = sqlite3.connect(path)
+    bag.executescript("""
+        CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,
+          serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);
+        CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,
+          data BLOB NOT NULL);
+        CREATE INDEX timestamp_idx ON messages (timestamp ASC);""")
+    topics: dict[str, int] = {}
+    for topic, time_ns, (kind, data) in rows:
+        if topic not in topics:
+            topics[topic] = len(topics) + 1
+            bag.execute("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')", (topics[topic], topic, kind))
+        bag.execute("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)", (topics[topic], time_ns, data))
+    bag.commit()
+    bag.close()
+
+
+def write_mcap(path: pathlib.Path, rows: list[Row], encoding: str = "cdr", compression: str = "") -> None:
+    """All in one chunk."""
+    def string(text: str) -> bytes:
+        return struct.pack("<I", len(text)) + text.encode()
+
+    def record(code: int, content: bytes) -> bytes:
+        return struct.pack("<BQ", code, len(content)) + content
+
+    channels: dict[str, int] = {}
+    records = b""
+    for topic, time_ns, (kind, data) in rows:
+        if topic not in channels:
+            its = channels[topic] = len(channels) + 1
+            records += record(3, struct.pack("<H", its) + string(kind) + string("ros2msg") + string(""))
+            records += record(4, struct.pack("<HH", its, its) + string(topic) + string(encoding) + string(""))
+        records += record(5, struct.pack("<HIQQ", channels[topic], 0, time_ns, time_ns) + data)
+    packed = zstd(records) if compression == "zstd" else records
+    chunk = struct.pack("<QQQI", 0, 0, len(records), 0) + string(compression) + struct.pack("<Q", len(packed)) + packed
+    path.write_bytes(b"\x89MCAP0\r\n" + record(1, string("ros2") + string("")) + record(6, chunk) +
+                     record(15, bytes(4)) + record(2, bytes(20)) + b"\x89MCAP0\r\n")
+
+
+def write_metadata(folder: pathlib.Path, files: list[str], compression: str = '""') -> None:
+    listed = "".join(f"    - {name}\n" for name in files)
+    (folder / "metadata.yaml").write_text(
+        "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n  duration:\n    nanoseconds: 1\n"
+        "  topics_with_message_count:\n    - topic_metadata:\n        name: /points\n      message_count: 1\n"
+        f"  compression_format: {compression}\n  compression_mode: FILE\n  relative_file_paths:\n{listed}"
+        f"  files:\n    - path: {files[0]}\n      message_count: 1\n")
