@@ -10,7 +10,7 @@ import subprocess
 import numpy
 
 START_NS = 1_700_000_000_000_000_000
-FORMATS = {"x": 7, "y": 7, "z": 7, "intensity": 7, "ring": 4, "t": 6}  # sensor_msgs/PointField
+FORMATS = {"x": 7, "y": 7, "z": 7, "ring": 4, "time": 7}  # sensor_msgs/PointField
 
 
 class Cdr:
@@ -119,3 +119,50 @@ def write_metadata(folder: pathlib.Path, files: list[str], compression: str = '"
         "  topics_with_message_count:\n    - topic_metadata:\n        name: /points\n      message_count: 1\n"
         f"  compression_format: {compression}\n  compression_mode: FILE\n  relative_file_paths:\n{listed}"
         f"  files:\n    - path: {files[0]}\n      message_count: 1\n")
+
+
+def ranges_of(at_s: numpy.ndarray, origin: tuple[float, float, float], ahead: numpy.ndarray) -> numpy.ndarray:
+    """Along each direction to a street of two walls with a car that drives ahead and one that is parked; seen at each
+    point's time from a car that drives 5 m/s along x."""
+    start = numpy.stack([origin[0] + 5 * at_s, numpy.full_like(at_s, origin[1]), numpy.full_like(at_s, origin[2])])
+    nearest = numpy.full_like(at_s, numpy.inf)
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        for x_m, y_m, speed in ((12, 0, 8), (14, -6, 0)):
+            low, high = numpy.array([x_m, y_m - 0.9, 0.2]), numpy.array([x_m + 4.4, y_m + 0.9, 1.5])
+            move = numpy.stack([speed * at_s, 0 * at_s, 0 * at_s])
+            ends = numpy.stack([(low[:, None] + move - start) / ahead, (high[:, None] + move - start) / ahead])
+            enter, leave = ends.min(0).max(0), ends.max(0).min(0)
+            nearest = numpy.where((enter < leave) & (enter > 0), numpy.minimum(nearest, enter), nearest)
+        for axis, place in ((2, 0.0), (1, 9.0), (1, -9.0)):
+            there = (place - start[axis]) / ahead[axis]
+            nearest = numpy.where((there > 0) & (there < 80), numpy.minimum(nearest, there), nearest)
+    return nearest + numpy.random.default_rng(round(at_s[0] * 1000)).normal(0, 0.01, len(at_s))
+
+
+def street(seconds: float, is_scanner: bool) -> list[Row]:
+    """Ten turns a second of 16 lasers, clockwise as their driver gives them, or of a 2D scanner; and poses at 50 Hz."""
+    columns = 900
+    rows: list[Row] = []
+    for i in range(round(seconds * 50)):
+        now = START_NS + i * 20_000_000
+        rows.append(("/odom", now, odometry(now, 5 * i / 50, 0, 0, 5)))
+        if i % 5:
+            continue
+        if is_scanner:
+            angles = numpy.linspace(-2.35, 2.35, columns)
+            at_s = i / 50 + numpy.arange(columns) * 0.075 / columns
+            ranges = ranges_of(at_s, (0, 0, 0.4), numpy.stack([numpy.cos(angles), numpy.sin(angles), 0 * angles]))
+            rows.append(("/scan", now, laser_scan(now, ranges, -2.35, 4.7 / (columns - 1), 0.075)))
+            continue
+        ring = numpy.tile(numpy.arange(16), columns)
+        after_s = numpy.repeat(numpy.arange(columns) * 0.1 / columns, 16)
+        azimuth, elevation = -after_s * 20 * math.pi, numpy.radians(2.0 * ring - 15)
+        ahead = numpy.stack([numpy.cos(azimuth) * numpy.cos(elevation), numpy.sin(azimuth) * numpy.cos(elevation),
+                             numpy.sin(elevation)])
+        ranges = ranges_of(i / 50 + after_s, (0, 0, 1.6), ahead)
+        is_seen = ranges < 80
+        cloud = numpy.zeros(is_seen.sum(), [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("ring", "<u2"), ("time", "<f4")])
+        cloud["x"], cloud["y"], cloud["z"] = ranges[is_seen] * ahead[:, is_seen]
+        cloud["ring"], cloud["time"] = ring[is_seen], after_s[is_seen]
+        rows.append(("/points", now, point_cloud2(now, cloud)))
+    return rows
