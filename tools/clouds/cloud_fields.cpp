@@ -4,10 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <string_view>
 
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::tools {
 namespace {
@@ -34,7 +37,8 @@ double number_at(const CloudRecords& records, const CloudField& field, std::size
   const auto bytes = records.bytes.subspan(field.at + point * field.stride, field.bytes);
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < field.bytes; ++i) {
-    bits |= std::to_integer<std::uint64_t>(bytes[i]) << 8 * i;
+    const std::byte byte = bytes[records.is_big_endian ? field.bytes - 1 - i : i];
+    bits |= std::to_integer<std::uint64_t>(byte) << 8 * i;
   }
   const int spare = 64 - 8 * static_cast<int>(field.bytes);
   switch (field.kind) {
@@ -122,6 +126,17 @@ void add_times(const CloudRecords& records, const CloudField& field,
 }
 
 }  // namespace
+
+std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
+  std::vector<std::byte> bytes;
+  std::istringstream in(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
+  for (std::string word; in >> word;) {
+    bytes.resize(bytes.size() + 8);
+    wire::store_le64(std::span(bytes).last<8>(),
+                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
+  }
+  return bytes;
+}
 
 SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit, const std::string& what) {
   check(records, what);

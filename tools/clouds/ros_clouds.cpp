@@ -57,14 +57,11 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit uni
   for (std::size_t i = 0; i < fields; ++i) {
     records.fields.push_back(field_of(in, 0, what));
   }
-  const bool is_big_endian = in.u8() != 0;
+  records.is_big_endian = in.u8() != 0;
   const std::size_t stride = in.u32();
   const std::size_t row = in.u32();
   records.bytes = in.sequence(1);
   in.must_be_whole();
-  if (is_big_endian) {
-    throw UsageError(what + ": its points are big endian, which is not read");
-  }
   if (height > 1 && row != width * stride) {
     throw UsageError(what + ": its rows have gaps between them, which is not read");
   }

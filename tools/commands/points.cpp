@@ -1,6 +1,7 @@
 // iog points: recorded clouds and scans of any lidar as a capture of points.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -11,7 +12,9 @@
 #include <vector>
 
 #include "lidar/scanner_facts.hpp"
+#include "tools/clouds/cloud_set.hpp"
 #include "tools/clouds/pcd_file.hpp"
+#include "tools/clouds/ply_file.hpp"
 #include "tools/clouds/points_sender.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/commands/subcommands.hpp"
@@ -64,6 +67,21 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   }
 }
 
+// Of a file that says no time.
+SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+  if (path.ends_with(".pcd")) {
+    return read_pcd(path, unit, stamp_us);
+  }
+  if (path.ends_with(".ply")) {
+    return read_ply(path, unit, stamp_us);
+  }
+  if (path.ends_with(".bin")) {
+    return read_kitti_cloud(path, stamp_us);
+  }
+  throw UsageError(
+      path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
+}
+
 void make_capture(const PointsOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   PointsSender sender(car, sensor_of(options, car));
@@ -82,11 +100,11 @@ void make_capture(const PointsOptions& options) {
     if (ros::is_recording(input)) {
       std::ranges::move(for_each_cloud(input, options.topic, options.unit, take),
                         std::back_inserter(remarks));
-    } else if (input.ends_with(".pcd")) {  // says no time
-      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
-      take(read_pcd(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
+    } else if (std::filesystem::is_directory(input)) {
+      std::ranges::move(for_each_of_set(input, take), std::back_inserter(remarks));
     } else {
-      throw UsageError(input + ": read are .mcap, .db3, the folder of a bag and .pcd");
+      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
+      take(cloud_in(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
     }
   }
   if (!capture) {
@@ -103,9 +121,10 @@ void add_points(CLI::App& program) {
       "points", "Make a capture of any lidar's point clouds or scans, for a car with points");
   const auto options = std::make_shared<PointsOptions>();
   command
-      ->add_option("inputs", options->inputs,
-                   "MCAP files or bags of ROS 2 with sensor_msgs/PointCloud2 or LaserScan, or PCD "
-                   "files")
+      ->add_option(
+          "inputs", options->inputs,
+          "MCAP files or bags of ROS 2 with sensor_msgs/PointCloud2 or LaserScan; PCD, PLY "
+          "or KITTI's .bin files; or a folder of KITTI's data")
       ->option_text("INPUT...")
       ->required();
   command->add_option("--out", options->out, "The capture to write (.pcap)")
@@ -122,7 +141,8 @@ void add_points(CLI::App& program) {
   command->add_option("--time-unit", options->unit, "Of the points' own times")
       ->option_text("s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(kUnits));
-  command->add_option("--rate", options->clouds_per_second, "How many PCD files are of a second")
+  command
+      ->add_option("--rate", options->clouds_per_second, "How many files of clouds are of a second")
       ->option_text("HZ  (default 10)")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
