@@ -63,6 +63,65 @@ def odometry(time_ns: int, x_m: float, y_m: float, heading: float, speed: float)
     return "nav_msgs/msg/Odometry", out.message()
 
 
+def varint(value: int) -> bytes:
+    return bytes([value]) if value < 128 else bytes([value & 127 | 128]) + varint(value >> 7)
+
+
+def proto(*fields: tuple[int, object]) -> bytes:
+    """Protocol Buffers: an int is a varint, bytes and text have their length before them, and what struct packs is
+    given as (format, value)."""
+    out = b""
+    for number, value in fields:
+        if isinstance(value, int):
+            out += varint(number << 3) + varint(value)
+        elif isinstance(value, tuple):
+            packed = struct.pack(*value)
+            out += varint(number << 3 | (5 if len(packed) == 4 else 1)) + packed
+        else:
+            data = value.encode() if isinstance(value, str) else value
+            out += varint(number << 3 | 2) + varint(len(data)) + data
+    return out
+
+
+FOXGLOVE = {7: 7, 4: 3}  # foxglove.PackedElementField, by sensor_msgs/PointField
+
+
+def foxglove_head(time_ns: int) -> list[tuple[int, object]]:
+    pose = proto((1, proto()), (2, proto((4, ("<d", 1.0)))))
+    return [(1, proto((1, time_ns // 10**9), (2, time_ns % 10**9))), (2, "lidar"), (3, pose)]
+
+
+def foxglove_cloud(time_ns: int, points: numpy.ndarray) -> tuple[str, bytes]:
+    fields = [(5, proto((1, name), (2, ("<I", points.dtype.fields[name][1])), (3, FOXGLOVE[FORMATS[name]])))
+              for name in points.dtype.names]
+    return "foxglove.PointCloud", proto(*foxglove_head(time_ns), (4, ("<I", points.itemsize)), *fields,
+                                        (6, points.tobytes()))
+
+
+def foxglove_scan(time_ns: int, ranges: numpy.ndarray, first: float, last: float) -> tuple[str, bytes]:
+    return "foxglove.LaserScan", proto(*foxglove_head(time_ns), (4, ("<d", first)), (5, ("<d", last)),
+                                       (6, ranges.astype("<f8").tobytes()), (7, b""))
+
+
+def foxglove_cloud_in_cdr(time_ns: int, points: numpy.ndarray) -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "lidar").put("d", 0, 0, 0, 0, 0, 0, 1).put("I", points.itemsize, len(points.dtype.names))
+    for name in points.dtype.names:
+        out.text(name).put("I", points.dtype.fields[name][1]).put("B", FOXGLOVE[FORMATS[name]])
+    return "foxglove_msgs/msg/PointCloud", out.raw(points.tobytes()).message()
+
+
+def foxglove_scan_in_cdr(time_ns: int, ranges: numpy.ndarray, first: float, last: float) -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "lidar").put("d", 0, 0, 0, 0, 0, 0, 1, first, last).put("I", len(ranges)).put("d", *ranges)
+    return "foxglove_msgs/msg/LaserScan", out.put("I", 0).message()
+
+
+def livox(time_ns: int, points: numpy.ndarray) -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "livox").put("Q", time_ns).put("I", len(points)).put("B", 1, 0, 0, 0).put("I", len(points))
+    for x, y, z, _, time_s in points:
+        out.put("I", round(time_s * 1e9)).put("f", x, y, z).put("B", 9, 0x10, 2)
+    return "livox_ros_driver2/msg/CustomMsg", out.message()
+
+
 Row = tuple[str, int, tuple[str, bytes]]  # topic, time, (type, message)
 
 

@@ -72,8 +72,10 @@ void check(const CloudRecords& records, const std::string& what) {
     if (!is_known) {
       throw UsageError(what + ": field " + field.name + " has an unknown type");
     }
+    // The stride alone first, so that nothing overflows.
     if (records.count > 0 &&
-        field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size()) {
+        ((records.count > 1 && field.stride > records.bytes.size()) ||
+         field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size())) {
       throw UsageError(what + ": it ends before its " + std::to_string(records.count) + " points");
     }
   }

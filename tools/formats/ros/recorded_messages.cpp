@@ -40,8 +40,10 @@ class Messages {
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
     std::string where = file + ": message " + std::to_string(numbers_[topic.name]++) + " of " +
                         printable(topic.name);
-    if (topic.encoding != "cdr") {
-      throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not cdr");
+    const std::string_view known = topic.type.starts_with("foxglove.") ? "protobuf" : "cdr";
+    if (topic.encoding != known) {
+      throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not " +
+                       std::string(known));
     }
     (*take_)({topic.name, topic.type, unpacked(data, where), std::move(where)});
   }
