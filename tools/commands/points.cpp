@@ -19,12 +19,15 @@
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/replay/pace.hpp"
+#include "tools/replay/udp_sender.hpp"
 
 namespace iog::tools {
 namespace {
@@ -37,6 +40,50 @@ struct PointsOptions {
   std::string sensor;
   std::string vehicle = kDefaultVehicle;
   std::string out;
+  std::string target;
+};
+
+// Where datagrams go: into a capture, or to a target at the pace of the recording.
+class Destination {
+ public:
+  Destination(const PointsOptions& options, std::uint16_t port) : options_(&options) {
+    if (options.out.empty() == options.target.empty()) {
+      throw UsageError("give either --out FILE or --target ADDRESS");
+    }
+    if (!options.target.empty()) {
+      target_.emplace(options.target, std::vector<std::uint16_t>{port});
+    }
+  }
+
+  void take(const CapturedDatagram& datagram) {
+    if (target_) {
+      pace_.wait_for(clock_.move_to(datagram.time_us));
+      refused_ += target_->send(0, datagram.payload) ? 0U : 1U;
+      return;
+    }
+    if (!capture_) {  // not before the first cloud is known to be one
+      capture_.emplace(options_->out);
+    }
+    capture_->write(datagram);
+  }
+
+  // "in drive.pcap"
+  [[nodiscard]] std::string finish(std::vector<std::string>& remarks) {
+    if (capture_) {
+      capture_->finish();
+      return "in " + options_->out;
+    }
+    remark(refused_, "datagrams were refused by the system", remarks);
+    return "to " + options_->target;
+  }
+
+ private:
+  const PointsOptions* options_;
+  std::optional<PcapWriter> capture_;
+  std::optional<UdpSender> target_;
+  Pace pace_{1};
+  CaptureClock clock_;
+  std::uint64_t refused_ = 0;
 };
 
 // The one that is named, or the only one of points.
@@ -55,13 +102,13 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, std::vector<std::string> words, const std::string& out) {
+void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where) {
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
   std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
-            << " datagrams in " << out << '\n';
+            << " datagrams " << where << '\n';
   for (const std::string& word : words) {
     std::cout << word << '\n';
   }
@@ -82,18 +129,16 @@ SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_u
       path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
 }
 
-void make_capture(const PointsOptions& options) {
+void send_clouds(const PointsOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
-  PointsSender sender(car, sensor_of(options, car));
-  std::optional<PcapWriter> capture;  // not before the first cloud is known to be one
+  const std::size_t sensor = sensor_of(options, car);
+  PointsSender sender(car, sensor);
+  Destination destination(options, car.sensors[sensor].udp_port);
   std::vector<std::string> remarks;
   Progress progress("clouds");
   const auto take = [&](SeenCloud&& cloud) {
     const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
-    if (!capture) {
-      capture.emplace(options.out);
-    }
-    std::ranges::for_each(datagrams, [&](const auto& datagram) { capture->write(datagram); });
+    std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
     progress.show(sender.sent().clouds);
   };
   for (const std::string& input : options.inputs) {
@@ -107,18 +152,19 @@ void make_capture(const PointsOptions& options) {
       take(cloud_in(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
     }
   }
-  if (!capture) {
+  if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }
-  capture->finish();
-  report(sender.sent(), std::move(remarks), options.out);
+  const std::string where = destination.finish(remarks);
+  report(sender.sent(), std::move(remarks), where);
 }
 
 }  // namespace
 
 void add_points(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "points", "Make a capture of any lidar's point clouds or scans, for a car with points");
+      "points",
+      "Make a capture of any lidar's point clouds or scans, or send them, for a car with points");
   const auto options = std::make_shared<PointsOptions>();
   command
       ->add_option(
@@ -127,9 +173,11 @@ void add_points(CLI::App& program) {
           "or KITTI's .bin files; or a folder of KITTI's data")
       ->option_text("INPUT...")
       ->required();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")
-      ->option_text("FILE  (required)")
-      ->required();
+  command->add_option("--out", options->out, "The capture to write (.pcap)")->option_text("FILE");
+  command
+      ->add_option("--target", options->target,
+                   "Or an IPv4 address to send to, at the recording's pace")
+      ->option_text("ADDRESS");
   command->add_option("--sensor", options->sensor, "Which sensor of the car, by name or number")
       ->option_text("NAME  (default the one of points)");
   command->add_option("--topic", options->topic, "Which topic of a recording")
@@ -147,7 +195,7 @@ void add_points(CLI::App& program) {
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
   command->footer("docs/sensors.md, \"Any other lidar: points\", says how to describe the car.");
-  command->callback([options] { make_capture(*options); });
+  command->callback([options] { send_clouds(*options); });
 }
 
 }  // namespace iog::tools
