@@ -122,6 +122,21 @@ def livox(time_ns: int, points: numpy.ndarray) -> tuple[str, bytes]:
     return "livox_ros_driver2/msg/CustomMsg", out.message()
 
 
+def packets(kind: str, its: list[tuple[int, bytes]]) -> tuple[str, bytes]:
+    """A lidar's own, with their times: VelodyneScan, NebulaPackets or PandarScan."""
+    out = Cdr().header(its[0][0], "lidar").put("I", len(its))
+    for time_ns, data in its:
+        out.put("I", time_ns // 10**9, time_ns % 10**9)
+        if kind == "nebula_msgs/msg/NebulaPackets":
+            out.raw(data)
+        elif kind == "velodyne_msgs/msg/VelodyneScan":
+            out.bytes += data
+        else:
+            out.bytes += data.ljust(1500, b"\0")
+            out.put("I", len(data))
+    return kind, out.message()
+
+
 Row = tuple[str, int, tuple[str, bytes]]  # topic, time, (type, message)
 
 
