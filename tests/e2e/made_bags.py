@@ -145,7 +145,7 @@ def zstd(data: bytes) -> bytes:
                           timeout=60).stdout
 
 
-def write_sqlite(path: pathlib.Path, rows: list[Row]) -> None:
+def write_sqlite(path: pathlib.Path, rows: list[Row], encoding: str = "cdr") -> None:
     path.unlink(missing_ok=True)
     bag = sqlite3.connect(path)
     bag.executescript("""
@@ -158,7 +158,7 @@ def write_sqlite(path: pathlib.Path, rows: list[Row]) -> None:
     for topic, time_ns, (kind, data) in rows:
         if topic not in topics:
             topics[topic] = len(topics) + 1
-            bag.execute("INSERT INTO topics VALUES(?, ?, ?, 'cdr', '')", (topics[topic], topic, kind))
+            bag.execute("INSERT INTO topics VALUES(?, ?, ?, ?, '')", (topics[topic], topic, kind, encoding))
         bag.execute("INSERT INTO messages(topic_id, timestamp, data) VALUES(?, ?, ?)", (topics[topic], time_ns, data))
     bag.commit()
     bag.close()

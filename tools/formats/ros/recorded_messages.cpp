@@ -41,7 +41,7 @@ class Messages {
     std::string where = file + ": message " + std::to_string(numbers_[topic.name]++) + " of " +
                         printable(topic.name);
     const std::string_view known = topic.type.starts_with("foxglove.") ? "protobuf" : "cdr";
-    if (topic.encoding != known) {
+    if (!topic.encoding.empty() && topic.encoding != known) {  // old bags do not say it
       throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not " +
                        std::string(known));
     }
