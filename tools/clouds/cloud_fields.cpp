@@ -5,11 +5,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <string_view>
 
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -128,6 +130,22 @@ void add_times(const CloudRecords& records, const CloudField& field,
 }
 
 }  // namespace
+
+CloudField field_of_type(const std::string& name, std::size_t type, const std::string& what) {
+  using Kind = CloudField::Kind;
+  struct Type {
+    Kind kind;
+    std::size_t bytes;
+  };
+  constexpr Type kTypes[]{{Kind::kSigned, 1},   {Kind::kUnsigned, 1}, {Kind::kSigned, 2},
+                          {Kind::kUnsigned, 2}, {Kind::kSigned, 4},   {Kind::kUnsigned, 4},
+                          {Kind::kFloat, 4},    {Kind::kFloat, 8}};
+  if (type == 0 || type > std::size(kTypes)) {
+    throw UsageError(what + ": field " + printable(name) + " has an unknown type, " +
+                     std::to_string(type));
+  }
+  return {.name = name, .kind = kTypes[type - 1].kind, .bytes = kTypes[type - 1].bytes};
+}
 
 std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
   std::vector<std::byte> bytes;

@@ -48,6 +48,11 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit,
                                  const std::string& what);
 
+// A field of one of the types of sensor_msgs/PointField, 1 ... 8. UsageError, which begins with
+// `what`, for another.
+[[nodiscard]] CloudField field_of_type(const std::string& name, std::size_t type,
+                                       const std::string& what);
+
 // The numbers of a text, which blanks separate, as little-endian doubles.
 [[nodiscard]] std::vector<std::byte> doubles_in(std::span<const std::byte> text);
 

@@ -3,12 +3,10 @@
 #include <bit>
 #include <cstdint>
 #include <protozero/pbf_reader.hpp>
-#include <utility>
 
 #include "tools/clouds/laser_ranges.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -58,19 +56,12 @@ struct Cloud {
   CloudRecords records{};
   std::size_t stride = 0;
 
-  // foxglove.PackedElementField's types, 1 ... 8.
+  // foxglove.PackedElementField has each unsigned type before the signed one, PointField behind it.
   void add_field(const std::string& name, std::size_t at, std::size_t type,
                  const std::string& what) {
-    using Kind = CloudField::Kind;
-    constexpr std::pair<Kind, std::size_t> kTypes[]{
-        {Kind::kUnsigned, 1}, {Kind::kSigned, 1}, {Kind::kUnsigned, 2}, {Kind::kSigned, 2},
-        {Kind::kUnsigned, 4}, {Kind::kSigned, 4}, {Kind::kFloat, 4},    {Kind::kFloat, 8}};
-    if (type == 0 || type > std::size(kTypes)) {
-      throw UsageError(what + ": field " + printable(name) + " has an unknown type, " +
-                       std::to_string(type));
-    }
-    const auto& [kind, bytes] = kTypes[type - 1];
-    records.fields.push_back({.name = name, .kind = kind, .bytes = bytes, .at = at});
+    const bool is_integer = type >= 1 && type <= 6;
+    records.fields.push_back(field_of_type(name, is_integer ? ((type - 1) ^ 1U) + 1 : type, what));
+    records.fields.back().at = at;
   }
 };
 

@@ -1,8 +1,8 @@
 #include "tools/clouds/ply_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <map>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -14,32 +14,18 @@
 namespace iog::tools {
 namespace {
 
+// The names of each type, in the order of sensor_msgs/PointField's numbers, twice.
 CloudField field_of(const std::string& type, const std::string& name, const std::string& path) {
-  using Kind = CloudField::Kind;
-  static const std::map<std::string_view, CloudField> kTypes{
-      {"char", {.name = "", .kind = Kind::kSigned, .bytes = 1}},
-      {"uchar", {.name = "", .kind = Kind::kUnsigned, .bytes = 1}},
-      {"short", {.name = "", .kind = Kind::kSigned, .bytes = 2}},
-      {"ushort", {.name = "", .kind = Kind::kUnsigned, .bytes = 2}},
-      {"int", {.name = "", .kind = Kind::kSigned, .bytes = 4}},
-      {"uint", {.name = "", .kind = Kind::kUnsigned, .bytes = 4}},
-      {"float", {.name = "", .kind = Kind::kFloat, .bytes = 4}},
-      {"double", {.name = "", .kind = Kind::kFloat, .bytes = 8}},
-  };
-  // As many programs write them.
-  static const std::map<std::string_view, std::string_view> kSized{
-      {"int8", "char"}, {"uint8", "uchar"}, {"int16", "short"},   {"uint16", "ushort"},
-      {"int32", "int"}, {"uint32", "uint"}, {"float32", "float"}, {"float64", "double"},
-  };
-  const auto sized = kSized.find(type);
-  const auto found = kTypes.find(sized == kSized.end() ? type : sized->second);
-  if (found == kTypes.end()) {
+  constexpr std::size_t kTypes = 8;
+  constexpr std::array<std::string_view, 2 * kTypes> kNames{
+      "char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
+      "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  const auto found = std::ranges::find(kNames, type);
+  if (found == kNames.end()) {
     throw UsageError(path + ": property " + printable(name) + " has an unknown type, " +
                      printable(type));
   }
-  CloudField field = found->second;
-  field.name = name;
-  return field;
+  return field_of_type(name, static_cast<std::size_t>(found - kNames.begin()) % kTypes + 1, path);
 }
 
 // The vertices, which are its first element, and how they are written.

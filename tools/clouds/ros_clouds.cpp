@@ -16,27 +16,15 @@ namespace {
 
 using ros::CdrReader;
 
-// sensor_msgs/PointField: 1 ... 8.
-CloudField field_of(CdrReader& in, std::size_t stride, const std::string& what) {
-  using Kind = CloudField::Kind;
-  struct Type {
-    Kind kind;
-    std::size_t bytes;
-  };
-  constexpr Type kTypes[]{{Kind::kSigned, 1},   {Kind::kUnsigned, 1}, {Kind::kSigned, 2},
-                          {Kind::kUnsigned, 2}, {Kind::kSigned, 4},   {Kind::kUnsigned, 4},
-                          {Kind::kFloat, 4},    {Kind::kFloat, 8}};
-  CloudField field{.name = in.text(), .stride = stride};
-  field.at = in.u32();
+// sensor_msgs/PointField.
+CloudField field_in(CdrReader& in, const std::string& what) {
+  const std::string name = in.text();
+  const std::size_t at = in.u32();
   const std::size_t type = in.u8();
   static_cast<void>(in.u32());  // how many
   in.must_be_whole();
-  if (type == 0 || type > std::size(kTypes)) {
-    throw UsageError(what + ": field " + field.name + " has an unknown type, " +
-                     std::to_string(type));
-  }
-  field.kind = kTypes[type - 1].kind;
-  field.bytes = kTypes[type - 1].bytes;
+  CloudField field = field_of_type(name, type, what);
+  field.at = at;
   return field;
 }
 
@@ -51,7 +39,7 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit uni
   const std::uint64_t width = in.u32();
   const std::size_t fields = in.u32();
   for (std::size_t i = 0; i < fields; ++i) {
-    records.fields.push_back(field_of(in, 0, what));
+    records.fields.push_back(field_in(in, what));
   }
   records.is_big_endian = in.u8() != 0;
   const std::size_t stride = in.u32();
