@@ -12,14 +12,15 @@ namespace iog::tools {
 
 void add_info(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "info", "Say what is in a capture, a recording, a map or a folder of them");
+      "info", "Say what is in a capture, a recording, a bag, a map or a folder of them");
   const auto path = std::make_shared<std::string>();
   command->add_option("FILE", *path, "The file or folder to read")->option_text(" ")->required();
   // `iog info --pcap FILE` is how other commands name a capture; the word alone says nothing here.
   command->add_flag("--pcap")->group("");
   add_vehicle_file_option(*command);
   command->footer(
-      "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, maps of ROS\n"
+      "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, bags of ROS 2, "
+      "maps of ROS\n"
       "map_server (their YAML or PGM), maps of `iog map`, and folders that `iog record --out "
       "FOLDER` has\nwritten.\n");
   command->callback([path] { std::cout << summary_of_file(*path); });

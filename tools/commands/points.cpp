@@ -182,13 +182,13 @@ void add_points(CLI::App& program) {
       ->option_text("NAME  (default the one of points)");
   command->add_option("--topic", options->topic, "Which topic of a recording")
       ->option_text("TOPIC  (default the one with clouds)");
-  static const std::map<std::string, TimeUnit> kUnits{{"s", TimeUnit::kSeconds},
-                                                      {"ms", TimeUnit::kMilliseconds},
-                                                      {"us", TimeUnit::kMicroseconds},
-                                                      {"ns", TimeUnit::kNanoseconds}};
+  static const std::map<std::string, TimeUnit> units{{"s", TimeUnit::kSeconds},
+                                                     {"ms", TimeUnit::kMilliseconds},
+                                                     {"us", TimeUnit::kMicroseconds},
+                                                     {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Of the points' own times")
       ->option_text("s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
-      ->transform(CLI::CheckedTransformer(kUnits));
+      ->transform(CLI::CheckedTransformer(units));
   command
       ->add_option("--rate", options->clouds_per_second, "How many files of clouds are of a second")
       ->option_text("HZ  (default 10)")

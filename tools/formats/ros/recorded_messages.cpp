@@ -80,7 +80,7 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
     if (schema == reader.schemas().end()) {
       continue;
     }
-    const BagTopic topic{channel.topic, schema->second.name, channel.message_encoding};
+    const BagTopic topic{channel.topic, schema->second.name, channel.message_encoding, 0};
     if (messages.wants(topic)) {
       messages.take(name, topic, message->data);
     }

@@ -1,6 +1,5 @@
 #include "tools/formats/ros/sqlite_bag.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -78,6 +77,19 @@ std::string text_of(const Bag::Query& query, int column) {
 
 }  // namespace
 
+std::vector<BagTopic> topics_in_sqlite(const std::string& path, const std::string& what) {
+  const Bag bag(path, what);
+  const Bag::Query query = bag.query(
+      "SELECT name, type, serialization_format, count(messages.id) FROM topics LEFT JOIN messages "
+      "ON topic_id = topics.id GROUP BY topics.id ORDER BY name");
+  std::vector<BagTopic> topics;
+  while (bag.step(query)) {
+    topics.push_back({text_of(query, 0), text_of(query, 1), text_of(query, 2),
+                      static_cast<std::uint64_t>(sqlite3_column_int64(query.get(), 3))});
+  }
+  return topics;
+}
+
 void for_each_in_sqlite(
     const std::string& path, const std::string& what,
     const std::function<bool(const BagTopic&)>& wants,
@@ -86,7 +98,7 @@ void for_each_in_sqlite(
   std::map<std::int64_t, BagTopic> wanted;
   const Bag::Query topics = bag.query("SELECT name, type, serialization_format, id FROM topics");
   while (bag.step(topics)) {
-    BagTopic topic{text_of(topics, 0), text_of(topics, 1), text_of(topics, 2)};
+    BagTopic topic{text_of(topics, 0), text_of(topics, 1), text_of(topics, 2), 0};
     if (wants(topic)) {
       wanted.insert_or_assign(sqlite3_column_int64(topics.get(), 3), std::move(topic));
     }

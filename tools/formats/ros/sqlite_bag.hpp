@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace iog::tools::ros {
 
@@ -13,7 +15,12 @@ struct BagTopic {
   std::string name;
   std::string type;      // "sensor_msgs/msg/LaserScan"
   std::string encoding;  // "cdr"
+  std::uint64_t messages = 0;
 };
+
+// With the number of messages of each. UsageError as below.
+[[nodiscard]] std::vector<BagTopic> topics_in_sqlite(const std::string& path,
+                                                     const std::string& what);
 
 // Calls take(topic, message) with each message of a topic that wants(topic), in the order of
 // recording. UsageError, which begins with `what`, if the file is not of this kind or is damaged.
