@@ -44,7 +44,7 @@ CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& dri
   pcap->option_text("FILE...");
   all.add_option("--poses", drive.poses,
                  "Poses of this log instead of those in the capture (docs/drives.md): csv, nmea, "
-                 "ubx, oxts, tum, kitti, mcap")
+                 "ubx, oxts, tum, kitti, mcap, rosbag2")
       ->option_text("FILE | FOLDER")
       ->needs(pcap);
   all.add_option("--poses-mount", drive.poses_mount,
