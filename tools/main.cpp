@@ -1,32 +1,52 @@
 // iog: everything a PC does for the grid. One subcommand for each file of tools/commands.
 #include <CLI/CLI.hpp>
+#include <string_view>
+#include <vector>
 
+#include "tools/commands/completion.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/program/program.hpp"
 
+namespace iog::tools {
+namespace {
+
+// By what a user wants, in the order of --help.
+void add_commands(CLI::App& program) {
+  struct Group {
+    const char* title;
+    std::vector<void (*)(CLI::App&)> commands;
+  };
+  const std::vector<Group> groups{
+      {"From a capture", {add_info, add_fuse, add_view, add_record}},
+      {"Make a capture", {add_simulate, add_points, add_convert, add_pose}},
+      {"Live, with a target", {add_replay, add_relay, add_receive}},
+      {"Cars", {add_vehicles, add_mount, add_budget}},
+      {"Maps", {add_map, add_send_map}},
+      {"Boards", {add_image}},
+  };
+  for (const Group& group : groups) {
+    for (const auto add : group.commands) {
+      add(program);
+      program.get_subcommands([](CLI::App*) { return true; }).back()->group(group.title);
+    }
+  }
+  add_help(program);
+}
+
+}  // namespace
+}  // namespace iog::tools
+
 int main(int argc, char** argv) {
-  namespace tools = iog::tools;
-  CLI::App program("Occupancy grids from lidar scans: simulate, fuse, replay, receive, show",
-                   "iog");
+  CLI::App program("Occupancy and perception grids from lidar packets", "iog");
   program.require_subcommand(1);
   program.set_version_flag("--version", IOG_VERSION);
-  program.footer("Exit status: 0 done, 1 a check failed, 2 wrong use or unreadable input.");
-  tools::add_simulate(program);
-  tools::add_fuse(program);
-  tools::add_points(program);
-  tools::add_pose(program);
-  tools::add_replay(program);
-  tools::add_relay(program);
-  tools::add_send_map(program);
-  tools::add_receive(program);
-  tools::add_record(program);
-  tools::add_convert(program);
-  tools::add_info(program);
-  tools::add_map(program);
-  tools::add_mount(program);
-  tools::add_vehicles(program);
-  tools::add_budget(program);
-  tools::add_image(program);
-  tools::add_view(program);
-  return tools::run_program(program, argc, argv);
+  program.footer(
+      "`iog help COMMAND` explains a command.\n"
+      "Exit status: 0 done, 1 a check failed, 2 wrong use or unreadable input.");
+  iog::tools::add_commands(program);
+  if (argc > 1 && std::string_view(argv[1]) == iog::tools::kCompleteWord) {
+    iog::tools::print_completions(program, {argv + 2, argv + argc});
+    return 0;
+  }
+  return iog::tools::run_program(program, argc, argv);
 }

@@ -74,7 +74,7 @@ def goal_table(goals: list[Goal]) -> str:
 
 
 def counts(claims: list[Claim]) -> str:
-    """54 claims: 26 "equal", 12 "better", ..."""
+    """54 claims have these verdicts: 26 "equal", 12 "better", ..."""
     each = ", ".join(f'{sum(claim.verdict is verdict for claim in claims)} "{verdict.value}"'
                      for verdict in Verdict)
-    return f"{len(claims)} claims: {each}."
+    return f"{len(claims)} claims have these verdicts: {each}."

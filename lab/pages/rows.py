@@ -94,10 +94,19 @@ def _lines(text: str) -> list[list[str]]:
     return [[cell.strip() for cell in line.strip()[1:-1].split("|")] for line in joined if line]
 
 
+def merged(cells: list[list[str]], column: int) -> list[list[str]]:
+    """Rows that differ in this column alone become one row with all of its values."""
+    found: dict[tuple, list[str]] = {}
+    for row in cells:
+        found.setdefault((*row[:column], *row[column + 1:]), []).append(row[column])
+    return [[*others[:column], "; ".join(values), *others[column:]] for others, values in found.items()]
+
+
 @jinja2.pass_context
-def rows(context, data=({},), where: str = "True", caller=None, **named: str) -> str:
+def rows(context, data=({},), where: str = "True", merge=(), caller=None, **named: str) -> str:
     """{% call rows(data) %} headings, cells {% endcall %}. where: which rows. named: more names, by expressions.
-    A line without a field stands for itself; with several lines of fields each is filled for all rows."""
+    A line without a field stands for itself; with several lines of fields each is filled for all rows.
+    merge: numbers of the columns by which rows are merged."""
     names, (headings, *patterns) = context.get_all(), _lines(caller())
     cells = []
     for pattern in patterns:
@@ -108,6 +117,7 @@ def rows(context, data=({},), where: str = "True", caller=None, **named: str) ->
                 known[name] = value_of(expression, known)
             if not is_filled or value_of(where, known):
                 cells.append([filled(cell, known) for cell in pattern])
+    cells = functools.reduce(merged, merge, cells)
     return markdown.table(headings, cells) + "\n"  # of the line that ends with the block's end
 
 

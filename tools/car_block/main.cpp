@@ -2,6 +2,7 @@
 // ask for these grids, or without a car. A part of the build.
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -51,6 +52,10 @@ void fill(const Request& request, car_block::WritableBlock block) {
     return;
   }
   const Car car = read_car(request.paths[0]);
+  if (std::filesystem::path(request.paths[0]).stem() != car.description.name) {
+    throw UsageError(request.paths[0] +
+                     ": `name` must be the file's name, by which the build finds the car");
+  }
   if (request.grids && *request.grids != car.vehicle.grids) {
     throw UsageError(request.paths[0] + ": its grids are not " +
                      std::string(word_of(*request.grids)));

@@ -53,20 +53,19 @@ void check_all() {
 
 void add_budget(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "budget", "Say what a frame of a vehicle takes the target, by its cost model");
+      "budget", "Estimate a car's processing time per frame on the target, by the cost model");
   const auto name = std::make_shared<std::string>();
   const auto is_check = std::make_shared<bool>(false);
   command->add_flag(
       "--all", *is_check,
-      "A line a car: on how many cores it has its period; fails if one has it on none");
-  add_vehicle_options(*command, *name, "NAME  (default all of them)");
+      "Print one line per car with the cores that it needs; exit status 1 if these are too many");
+  add_vehicle_options(*command, *name, "NAME  (default all cars)");
   command->footer(
-      "Typical: the sensors see as much of what they could as the reference car's on two drives, "
-      "an "
-      "echo\n"
-      "a direction. Worst: all that the description allows, each direction as dear as the dearest "
-      "known.\n"
-      "Milliseconds of one core, from the packets to the last message.\n");
+      "Typical: the share of returns that the reference car has on two drives, with one echo per "
+      "direction.\n"
+      "Worst: all returns that the car file allows, each at the highest known cost. Times are "
+      "milliseconds of\n"
+      "one core, from the packets to the last message.\n");
   command->callback([name, is_check] {
     if (*is_check) {
       check_all();

@@ -179,56 +179,54 @@ void convert_packets(const ConvertOptions& options) {
 }  // namespace
 
 void add_convert(CLI::App& program) {
-  auto* const command = program.add_subcommand("convert",
-                                               "Make a capture of raw messages, of a data set's "
-                                               "point clouds and poses, or of packets in a bag");
+  auto* const command = program.add_subcommand(
+      "convert", "Make a capture from raw messages, KITTI clouds and poses, or packets in a bag");
   const auto options = std::make_shared<ConvertOptions>();
-  auto* const raw = command
-                        ->add_option("--raw", options->raw,
-                                     "A recording and its sensor, by name or number; once for each")
-                        ->option_text("FILE:SENSOR")
-                        ->take_all();
+  auto* const raw =
+      command
+          ->add_option("--raw", options->raw,
+                       "Raw recording and its sensor, by name or number; may be repeated")
+          ->option_text("FILE:SENSOR")
+          ->take_all();
   auto* const kitti =
       command
-          ->add_option(
-              "--kitti", options->kitti,
-              "Or a folder of KITTI's raw or odometry data, as the car's Velodyne sends it")
+          ->add_option("--kitti", options->kitti,
+                       "Folder of KITTI raw or odometry data, for the car's Velodyne")
           ->option_text("FOLDER[:SENSOR]")
           ->excludes(raw);
   auto* const bag =
       command
-          ->add_option("--bag", options->bag,
-                       "Or a recording of ROS 2 with packets of velodyne_msgs, nebula_msgs or "
-                       "pandar_msgs")
+          ->add_option(
+              "--bag", options->bag,
+              "Recording of ROS 2 with packets of velodyne_msgs, nebula_msgs or pandar_msgs")
           ->option_text("FILE | FOLDER[:SENSOR]")
           ->excludes(raw)
           ->excludes(kitti);
-  command->add_option("--topic", options->topic, "Which topic of the recording")
+  command->add_option("--topic", options->topic, "Topic of the recording")
       ->option_text("TOPIC  (default the one with packets)")
       ->needs(bag);
   command
       ->add_option("--mount", options->mount_m,
-                   "Where in the vehicle frame the receiver of the raw data's poses is")
+                   "Position of the receiver of KITTI's raw data in the vehicle frame")
       ->option_text("X Y  (metres, default 0 0)")
       ->expected(2)
       ->needs(kitti);
   add_vehicle_options(*command, options->vehicle);
-  command->add_option("--out", options->out, "The capture to write (.pcap)")
+  command->add_option("--out", options->out, "Capture to write (.pcap)")
       ->option_text("FILE  (required)")
       ->required();
   command->footer(
-      "A recording is, back to back, ibeo 0x2202 messages of a LUX or Velodyne payloads of 1206 "
+      "A raw recording consists of ibeo 0x2202 messages of a LUX, or of Velodyne payloads of 1206 "
       "bytes.\n"
-      "Packets are put in order of the sensors' own times. A LUX message that is longer than a\n"
-      "datagram of 1400 bytes becomes several of the same scan number, each with its own sector.\n"
-      "A folder of KITTI has velodyne_points and oxts (raw data), or velodyne, times.txt, "
-      "poses.txt "
-      "and\n"
-      "calib.txt (odometry, SemanticKITTI). Each point goes to the laser that looks there by the "
-      "car's\n"
-      "table, and to its nearest firing; poses are sent 100 times a second. docs/recordings.md "
-      "says "
-      "more.");
+      "Packets are sorted by the sensors' own times. A LUX message longer than a datagram of 1400 "
+      "bytes is\n"
+      "split into several with the same scan number, each with its own sector. A KITTI folder "
+      "contains\n"
+      "velodyne_points and oxts (raw data), or velodyne, times.txt, poses.txt and calib.txt "
+      "(odometry,\n"
+      "SemanticKITTI). Each point is assigned to the laser that looks in its direction, by the "
+      "car's table,\n"
+      "and to the nearest firing. Poses are sent 100 times per second (docs/recordings.md).");
   command->callback([options] {
     if (!options->bag.empty()) {
       convert_packets(*options);

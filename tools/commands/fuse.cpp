@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "tools/commands/next_steps.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/picture/class_picture.hpp"
@@ -256,66 +257,71 @@ void fuse(const FuseOptions& options) {
 }  // namespace
 
 void add_fuse(CLI::App& program) {
-  auto* const command =
-      program.add_subcommand("fuse", "Fuse a capture on this PC, with the target's own code");
+  auto* const command = program.add_subcommand(
+      "fuse", "Compute the grids of a capture on this PC, with the target's own code");
   const auto options = std::make_shared<FuseOptions>();
   add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
   command
-      ->add_option(
-          "--frame", options->frame,
-          "The frame to write, from 0 among those with evidence; else the last of whole scans")
-      ->option_text("N")
+      ->add_option("--frame", options->frame, "Frame to write; 0 is the first frame with evidence")
+      ->option_text("N  (default the last of whole scans)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--out-raw", options->out_raw, "Write its occupancy indexes as bytes")
+  command
+      ->add_option("--out-raw", options->out_raw,
+                   "Write the occupancy indexes of this frame as bytes")
       ->option_text("FILE");
   add_picture_options(*command, options->pictures);
-  command->add_option("--rule", options->rule, "Fusion rule, instead of the vehicle's own")
+  command->add_option("--rule", options->rule, "Fusion rule to use instead of the car's")
       ->option_text("hits_win | bayes")
       ->check(CLI::IsMember({"hits_win", "bayes"}));
   command->add_option("--hashes", options->hashes, "Write one line per frame with evidence")
       ->option_text("FILE");
   command
       ->add_option("--stream", options->stream,
-                   "Write the messages that the target would send, as a capture")
+                   "Write the messages that the target would send, as a capture (.pcap)")
       ->option_text("FILE");
   command
       ->add_option("--run-number", options->run_number,
-                   "The number of the run in these messages, as if the target had started anew")
+                   "Run number in these messages, as if the target had restarted")
       ->option_text("N  (default 1)")
       ->needs("--stream");
   command
       ->add_option("--classes-hashes", options->classes_hashes,
-                   "Write one line per frame of the class grid; needs poses")
+                   "Write one line per frame of the perception grid; needs poses")
       ->option_text("FILE");
   command
       ->add_option("--classes-png", options->classes_png,
-                   "Draw the class grid of the frame, or of the last one that has a place")
+                   "Draw the perception grid of this frame, or of the last frame with a pose, as a "
+                   ".png file")
       ->option_text("FILE");
   command
-      ->add_option(
-          "--as-received", options->as_received,
-          "Take each datagram when the target of this recorded stream took it, which repeats "
-          "its classes also where sensors' clocks are not those of the poses")
-      ->option_text("STREAM");
+      ->add_option("--as-received", options->as_received,
+                   "Repeat the arrival times of this recorded stream, to reproduce classes of "
+                   "unsynchronised sensors")
+      ->option_text("FILE");
   command
-      ->add_option("--map", options->map,
-                   "The map that the target has from the start, made by `iog map`")
+      ->add_option("--map", options->map, "City map that the target has from the start (.iogmap)")
       ->option_text("FILE");
   command->footer(
-      "The capture stands for its replay: sensors are told apart by destination port, their "
-      "source\n"
-      "addresses are not compared. Time is that of the capture; a pause counts as 1 s at most.\n"
+      "fuse processes the capture as if `iog replay` sent it. It assigns packets to sensors by "
+      "destination\n"
+      "port and does not check source addresses. Time is that of the capture. A pause counts as at "
+      "most 1 s.\n"
       "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and\n"
       "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
       "CRCs.\n"
-      "--classes-hashes: number, stamp on the poses' clock, slices and packets placed, packets "
-      "without a\n"
-      "pose, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of the "
-      "classes,\n"
-      "frames without evidence since the first in which the window's time went on.\n" +
+      "--classes-hashes: number, time on the poses' clock, slices and packets with a pose, packets "
+      "without\n"
+      "one, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of the "
+      "classes, and\n"
+      "the frames without evidence in which the window's time advanced, since the first line.\n" +
       std::string(kPictureFooter));
-  command->callback([options] { fuse(*options); });
+  const auto is_quiet = std::make_shared<bool>(false);
+  command->add_flag("--quiet", *is_quiet, "Do not suggest commands for this drive on a terminal");
+  command->callback([command, options, is_quiet] {
+    fuse(*options);
+    std::cout << (*is_quiet ? "" : rows_of_next_steps(*command));
+  });
 }
 
 }  // namespace iog::tools

@@ -40,19 +40,20 @@ void change_or_show(const ImageOptions& options) {
 
 void add_image(CLI::App& program) {
   auto* const command =
-      program.add_subcommand("image", "Show the car of a firmware image, or put another one there");
+      program.add_subcommand("image", "Show or replace the car in a firmware image");
   const auto options = std::make_shared<ImageOptions>();
-  command->add_option("image", options->path, "ELF, raw image, U-Boot image or card")
-      ->option_text("FILE  (required)")
+  command->add_option("FILE", options->path, "ELF, raw image, U-Boot image or card image")
+      ->option_text("(required)")
       ->required();
   add_vehicle_options(*command, options->vehicle, "NAME  (default: only show)");
-  auto* const out =
-      command->add_option("--out", options->out, "Write another file, leave this one");
+  auto* const out = command->add_option("--out", options->out,
+                                        "Write the result to this file, not to the image itself");
   out->option_text("FILE");
   command->footer(
-      "The file is written whole or not at all. Sensors, mounts, calibrations, network: all of a\n"
-      "car's file can change without a compiler, but not `grids`, and not the size of the grid.\n"
-      "Exit status 1 if the firmware would refuse what is in the image.");
+      "The file is written completely or not at all. Everything in a car file can change without a "
+      "compiler,\n"
+      "except `grids` and the size of the grid. Exit status 1 if the firmware would refuse the "
+      "image.");
   command->callback([options] { change_or_show(*options); });
 }
 

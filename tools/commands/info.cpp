@@ -12,17 +12,18 @@ namespace iog::tools {
 
 void add_info(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "info", "Say what is in a capture, a recording, a bag, a map or a folder of them");
+      "info", "Describe a capture, a recording, a bag, a map or a folder of pictures");
   const auto path = std::make_shared<std::string>();
-  command->add_option("FILE", *path, "The file or folder to read")->option_text(" ")->required();
+  command->add_option("FILE", *path, "File or folder to read")->option_text(" ")->required();
   // `iog info --pcap FILE` is how other commands name a capture; the word alone says nothing here.
   command->add_flag("--pcap")->group("");
   add_vehicle_file_option(*command);
   command->footer(
-      "Captures (pcap or pcapng) of sensors and of a target's stream, MCAP files, bags of ROS 2, "
-      "maps of ROS\n"
-      "map_server (their YAML or PGM), maps of `iog map`, and folders that `iog record --out "
-      "FOLDER` has\nwritten.\n");
+      "info reads captures (.pcap, .pcapng) of sensors or of a target's stream, MCAP files, bags "
+      "of "
+      "ROS 2, maps of ROS\n"
+      "map_server (YAML or PGM), maps of `iog map`, and folders written by `iog record --out "
+      "FOLDER`.\n");
   command->callback([path] { std::cout << summary_of_file(*path); });
 }
 

@@ -84,36 +84,41 @@ void make_map(const MapCommandOptions& command) {
 
 void add_map(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "map", "Make the map of a target from OpenStreetMap, GeoJSON or a Shapefile");
+      "map", "Make a target's city map from OpenStreetMap, GeoJSON or a Shapefile");
   const auto options = std::make_shared<MapCommandOptions>();
-  command->add_option("FILE", options->from, "The map to read")->option_text(" ")->required();
-  command->add_option("--out", options->out, "The block to write (.iogmap)")
+  command
+      ->add_option("FILE", options->from,
+                   "Map to read (.osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson, .shp)")
+      ->option_text(" ")
+      ->required();
+  command->add_option("--out", options->out, "Map to write (.iogmap)")
       ->option_text("FILE  (required)")
       ->required();
   command
       ->add_option("--origin", options->origin,
-                   "Where its plane touches the earth, in degrees within 80 and 180")
+                   "Origin of the map's plane, in degrees within 80 and 180")
       ->option_text("LAT,LON  (default the middle)");
   command
-      ->add_option("--extent", options->extent, "How much of it, around the origin or in degrees")
+      ->add_option("--extent", options->extent,
+                   "Part of the map to use: a distance from the origin, or limits in degrees")
       ->option_text("METRES or S,W,N,E  (default all)")
       ->delimiter(',')
       ->expected(1, 4);
   command
-      ->add_option("--accuracy", options->accuracy_mm, "95 of 100 corners are nearer to the truth")
+      ->add_option("--accuracy", options->accuracy_mm,
+                   "95 of 100 corners are closer than this to their true position")
       ->option_text("MM  (default 500 of OpenStreetMap, else 100)")
       ->check(CLI::Range(1U, map::kMaxAccuracyMm));
-  command->add_option("--kind", options->kind, "What polygons are that do not say it")
-      ->option_text("building or road")
+  command->add_option("--kind", options->kind, "Kind of the polygons that do not state theirs")
+      ->option_text("building | road")
       ->check(CLI::IsMember({"building", "road"}));
-  command->add_option("--attribution", options->attribution, "Whose data these are")
-      ->option_text("TEXT  (required but of OpenStreetMap)");
-  command->add_option("--png", options->png, "A picture of the block, too")->option_text("FILE");
+  command->add_option("--attribution", options->attribution, "Owner of the map data")
+      ->option_text("TEXT  (required, except for OpenStreetMap)");
+  command->add_option("--png", options->png, "Also draw the map (.png)")->option_text("FILE");
   command->footer(
-      "FILE is OpenStreetMap (.osm, .osm.pbf, .osm.gz, .osm.bz2), GeoJSON (.geojson) or a "
-      "Shapefile\n"
-      "(.shp), of any coordinate reference system that PROJ knows to a metre. The parts used\n"
-      "are in docs/map.md.\n");
+      "GeoJSON and Shapefiles may use any coordinate reference system that PROJ converts with an "
+      "accuracy of\n"
+      "1 m. docs/map.md lists the parts of the data that are used.\n");
   command->callback([options] { make_map(*options); });
 }
 

@@ -104,21 +104,20 @@ void fit_mounts(const MountOptions& options) {
 
 void add_mount(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "mount", "Find how the car's turning lidars are mounted, by the ground of a recording");
+      "mount", "Estimate the mounts of a car's spinning lidars from a recording of the road");
   const auto options = std::make_shared<MountOptions>();
   add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
   command->footer(
-      "Prints what is found of each unit and how sure it is, then a line for the car's file with "
-      "all keys\n"
-      "of its mount; x, y and yaw stay. The file may be wrong by 10 degrees and 1 m. Record a "
-      "drive "
-      "of 15 s\n"
-      "or more on an even road, with poses if there are any: turns while the car stands, brakes or "
-      "turns\n"
-      "are then left out. No line and status 1: too little of the ground was seen, or parts of the "
-      "drive\n"
-      "disagree; docs/sensors.md says what to do.\n");
+      "mount prints the estimate and its uncertainty for each unit, then a `mount` line for the "
+      "car file. x, y\n"
+      "and yaw stay as they are in the file, which may be wrong by 10 degrees and 1 m. Record a "
+      "drive of at\n"
+      "least 15 s on an even road. If there are poses, turns of the lidar are left out while the "
+      "car stands,\n"
+      "brakes or turns. If too little ground was seen, or parts of the drive disagree, mount "
+      "prints no line\n"
+      "and exits with status 1 (docs/sensors.md).\n");
   command->callback([options] { fit_mounts(*options); });
 }
 

@@ -11,12 +11,12 @@ constexpr double kMaxPlaceM = 50'000;
 void add_place_options(CLI::App& command, OsmOptions& options, CLI::Option* osm) {
   command
       .add_option("--osm-origin", options.origin,
-                  "Where on the earth the map's plane is; give iog map --origin the same")
+                  "Position of the map's origin on the earth; give the same to `iog map --origin`")
       ->option_text("LAT,LON  (default -48.876667,-123.393333: open sea)")
       ->needs(osm);
   command
       .add_option("--osm-place", options.place,
-                  "Where in that plane the drive's local frame is, and how far it is turned")
+                  "Position and heading of the drive's local frame on the map")
       ->option_text("EAST,NORTH,DEGREES  (default 312.5,-187.25,33)")
       ->expected(3)
       ->delimiter(',')
@@ -24,18 +24,20 @@ void add_place_options(CLI::App& command, OsmOptions& options, CLI::Option* osm)
       ->needs(osm);
   command
       .add_option("--map-sigma", options.sigma_mm,
-                  "Standard deviation that the poses state of that place; it is exact")
+                  "Standard deviation that the poses state for this position, which is exact")
       ->option_text("MM  (default 50)")
       ->check(CLI::Range(1.0, 65'535.0))
       ->needs(osm);
-  command.add_option("--map-heading-sigma", options.sigma_mrad, "And of that turn")
+  command
+      .add_option("--map-heading-sigma", options.sigma_mrad,
+                  "Standard deviation that the poses state for this heading")
       ->option_text("MRAD  (default 0.5)")
       ->check(CLI::Range(0.01, 655.35))
       ->needs(osm);
 }
 
 void add_error_options(CLI::App& command, OsmOptions& options, CLI::Option* osm) {
-  command.add_option("--osm-shift", options.shift_m, "The whole map is off by so much")
+  command.add_option("--osm-shift", options.shift_m, "Error of the map: shift it")
       ->option_text("EAST,NORTH  (metres)")
       ->expected(2)
       ->delimiter(',')
@@ -43,7 +45,7 @@ void add_error_options(CLI::App& command, OsmOptions& options, CLI::Option* osm)
       ->needs(osm);
   command
       .add_option("--osm-noise", options.errors.noise_m,
-                  "Each house is off, with this standard deviation on each axis")
+                  "Error of the map: move each house, with this standard deviation on each axis")
       ->option_text("METRES")
       ->check(CLI::Range(0.0, 100.0))
       ->needs(osm);
@@ -53,16 +55,19 @@ void add_error_options(CLI::App& command, OsmOptions& options, CLI::Option* osm)
         ->check(CLI::Range(0.0, 1.0))
         ->needs(osm);
   };
-  share("--osm-missing", options.errors.missing, "So many of the houses are not on the map");
-  share("--osm-outdated", options.errors.outdated, "So many of those on it have another outline");
-  share("--osm-no-width", options.errors.no_width, "So many of the roads have no width");
+  share("--osm-missing", options.errors.missing, "Error of the map: omit this share of the houses");
+  share("--osm-outdated", options.errors.outdated,
+        "Error of the map: change the outline of this share of the other houses");
+  share("--osm-no-width", options.errors.no_width,
+        "Error of the map: omit the width of this share of the roads");
   command
       .add_option("--osm-ghosts", options.errors.ghosts,
-                  "Houses that do not exist, by turns beside a road and on one")
+                  "Error of the map: add this number of houses that do not exist, beside and on "
+                  "roads in turn")
       ->option_text("N")
       ->check(CLI::Range(0U, 1'000U))
       ->needs(osm);
-  command.add_option("--osm-seed", options.seed, "Other errors of the same kinds")
+  command.add_option("--osm-seed", options.seed, "Seed of the errors")
       ->option_text("N  (default: that of --seed)")
       ->needs(osm);
 }
@@ -70,13 +75,12 @@ void add_error_options(CLI::App& command, OsmOptions& options, CLI::Option* osm)
 }  // namespace
 
 void add_osm_options(CLI::App& command, OsmOptions& options, CLI::Option* moving) {
-  CLI::Option* const osm =
-      command
-          .add_option("--osm", options.out,
-                      "Write the scene as an OpenStreetMap file, and let the poses say where in it "
-                      "the car is")
-          ->option_text("FILE  (needs --moving)")
-          ->needs(moving);
+  CLI::Option* const osm = command
+                               .add_option("--osm", options.out,
+                                           "Write the scene as an OpenStreetMap file, and let the "
+                                           "poses state the position on it")
+                               ->option_text("FILE  (needs --moving)")
+                               ->needs(moving);
   add_place_options(command, options, osm);
   add_error_options(command, options, osm);
 }

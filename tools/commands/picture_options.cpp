@@ -5,18 +5,20 @@
 namespace iog::tools {
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-  command.add_option("--out", options.folder, "Write frame_NNNNNN.png, map.pgm and map.yaml there")
+  command
+      .add_option(
+          "--out", options.folder,
+          "Write pictures and a ROS map into this folder: frame_NNNNNN.png, map.pgm, map.yaml")
       ->option_text("FOLDER");
-  command.add_option("--every", options.every, "Draw every Nth frame, not only the last")
+  command.add_option("--every", options.every, "Draw every Nth frame, not only the last one")
       ->option_text("N")
       ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--scale", options.scale.pixels_per_cell, "Pixels of a picture per cell of 0.1 m")
+  command.add_option("--scale", options.scale.pixels_per_cell, "Pixels per cell of 0.1 m")
       ->option_text("N  (1 to 8, default 1)")
       ->check(CLI::Range(1, 8));
   command
       .add_option("--radius", options.scale.radius_m,
-                  "Metres that a picture shows around the car; 51: the whole grid")
+                  "Distance from the car that a picture shows; 51: the whole grid")
       ->option_text("METRES  (5 to 51, default 51)")
       ->check(CLI::Range(5, 51));
 }

@@ -162,39 +162,38 @@ void send_clouds(const PointsOptions& options) {
 }  // namespace
 
 void add_points(CLI::App& program) {
-  auto* const command = program.add_subcommand(
-      "points",
-      "Make a capture of any lidar's point clouds or scans, or send them, for a car with points");
+  auto* const command =
+      program.add_subcommand("points", "Make a capture from point clouds or 2D scans of any lidar");
   const auto options = std::make_shared<PointsOptions>();
   command
       ->add_option(
-          "inputs", options->inputs,
-          "MCAP files or bags of ROS 2 with sensor_msgs/PointCloud2 or LaserScan; PCD, PLY "
-          "or KITTI's .bin files; or a folder of KITTI's data")
-      ->option_text("INPUT...")
+          "FILE", options->inputs,
+          "Recordings of ROS 2 with clouds or scans (.mcap, .db3, folders), point clouds (.pcd, "
+          ".ply, KITTI's .bin), or folders of KITTI")
+      ->option_text("...")
       ->required();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")->option_text("FILE");
+  command->add_option("--out", options->out, "Capture to write (.pcap)")->option_text("FILE");
   command
       ->add_option("--target", options->target,
-                   "Or an IPv4 address to send to, at the recording's pace")
+                   "Or IPv4 address to send to, at the recording's pace")
       ->option_text("ADDRESS");
-  command->add_option("--sensor", options->sensor, "Which sensor of the car, by name or number")
-      ->option_text("NAME  (default the one of points)");
-  command->add_option("--topic", options->topic, "Which topic of a recording")
+  command->add_option("--sensor", options->sensor, "Sensor of the car, by name or number")
+      ->option_text("NAME  (default the only one of type points)");
+  command->add_option("--topic", options->topic, "Topic of a recording")
       ->option_text("TOPIC  (default the one with clouds)");
   static const std::map<std::string, TimeUnit> units{{"s", TimeUnit::kSeconds},
                                                      {"ms", TimeUnit::kMilliseconds},
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
-  command->add_option("--time-unit", options->unit, "Of the points' own times")
-      ->option_text("s|ms|us|ns  (default the one of which a scan takes 5 to 500 ms)")
+  command->add_option("--time-unit", options->unit, "Unit of the points' own times")
+      ->option_text("s|ms|us|ns  (default the unit in which a scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(units));
-  command
-      ->add_option("--rate", options->clouds_per_second, "How many files of clouds are of a second")
+  command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
-  command->footer("docs/sensors.md, \"Any other lidar: points\", says how to describe the car.");
+  command->footer(
+      "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");
   command->callback([options] { send_clouds(*options); });
 }
 

@@ -163,20 +163,21 @@ void convert(const PoseLogOptions& options) {
 void add_map_options(CLI::App& command, PoseLogOptions& options) {
   CLI::Option* const map =
       command
-          .add_option("--map", options.map,
-                      "Say where the poses are on that map, made by iog map; oxts, nmea and ubx")
+          .add_option(
+              "--map", options.map,
+              "State the position on this map of `iog map` (.iogmap); for oxts, nmea and ubx")
           ->option_text("FILE");
-  command.add_option("--origin", options.origin, "Or on a map whose plane is there")
+  command.add_option("--origin", options.origin, "Origin of the map, instead of --map")
       ->option_text("LAT,LON  (degrees)")
       ->excludes(map);
   command
       .add_option("--map-sigma", options.map_sigma_mm,
-                  "Standard deviation of the log's place on the earth")
+                  "Standard deviation of the logged position on the earth")
       ->option_text("MM  (required with a map)")
       ->check(CLI::Range(1.0, 65'535.0));
   command
       .add_option("--map-heading-sigma", options.map_heading_sigma_mrad,
-                  "And of its directions against east and north")
+                  "Standard deviation of the logged heading against true north")
       ->option_text("MRAD  (default 2)")
       ->check(CLI::Range(0.01, 655.35));
 }
@@ -185,47 +186,46 @@ void add_map_options(CLI::App& command, PoseLogOptions& options) {
 
 void add_pose(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "pose", "Make pose messages of a log of where the car was, or send them to a target");
+      "pose", "Make pose messages from a log of positions, or send them to a target");
   const auto options = std::make_shared<PoseLogOptions>();
-  command->add_option("--from", options->from, "The log to read")->option_text("FILE | FOLDER");
+  command->add_option("--from", options->from, "Log to read")->option_text("FILE | FOLDER");
   command
       ->add_option("--standing", options->standing,
-                   "Or a capture of sensors on a car that stood still: --out is a copy with poses")
-      ->option_text("CAPTURE");
+                   "Copy this capture of a standing car to --out, with poses")
+      ->option_text("FILE");
   command
-      ->add_option("--format", options->format, "What it is, where name and content do not show it")
+      ->add_option("--format", options->format,
+                   "Format of the log, if name and content do not show it")
       ->option_text("csv | oxts | nmea | ubx | tum | kitti | mcap")
       ->check(CLI::IsMember(std::vector<std::string>(kPoseFormats.begin(), kPoseFormats.end())));
-  command->add_option("--out", options->out, "The capture to write (.pcap)")->option_text("FILE");
-  command->add_option("--target", options->target, "Or the IPv4 address to send to")
+  command->add_option("--out", options->out, "Capture to write (.pcap)")->option_text("FILE");
+  command->add_option("--target", options->target, "IPv4 address to send to, instead of --out")
       ->option_text("ADDRESS");
   command->add_option("--port", options->port, "UDP port of the target")
       ->option_text("PORT  (default 15010)")
       ->check(CLI::Range(1, 65'535));
   command
       ->add_option("--speed", options->speed,
-                   "1: as logged, 2: twice as fast, 0: as fast as it goes")
+                   "Speed: 1 as logged, 2 twice as fast, 0 as fast as possible")
       ->option_text("X")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--mount", options->mount_m,
-                   "Where in the vehicle frame the receiver is whose places were logged")
+                   "Position of the logged receiver in the vehicle frame")
       ->option_text("X Y  (metres, default 0 0)")
       ->expected(2);
   command
       ->add_option("--sigma", options->sigma_mm,
-                   "Standard deviation of the way during a second, if the log says none")
+                   "Standard deviation of the distance driven in one second, if the log has none")
       ->option_text("MM  (default 50)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--heading-sigma", options->heading_sigma_mrad,
-                   "Standard deviation of the turn during a second, if the log says none")
+                   "Standard deviation of the heading change in one second, if the log has none")
       ->option_text("MRAD  (default 2)")
       ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--run", options->run,
-                   "Number of the source's run; with --target else one of the clock's")
-      ->option_text("N  (default 1)")
+  command->add_option("--run", options->run, "Run number of the pose source")
+      ->option_text("N  (default 1; with --target from the clock)")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
   add_clock_offset_option(*command, options->clock_offset_s);
   add_map_options(*command, *options);

@@ -325,7 +325,7 @@ void receive(ReceiveOptions& options) {
 
 void add_receive(CLI::App& program) {
   auto* const command =
-      program.add_subcommand("receive", "Receive the grids of a target, check and draw them");
+      program.add_subcommand("receive", "Receive the grids of a target, check them and draw them");
   const auto options = std::make_shared<ReceiveOptions>();
   command->add_option("--port", options->port, "UDP port to receive on")
       ->option_text("PORT  (this or --serial)")
@@ -336,37 +336,37 @@ void add_receive(CLI::App& program) {
   add_believing_option(*command, options->key);
   add_vehicle_file_option(*command);
   add_picture_options(*command, options->pictures);
-  command
-      ->add_option("--frames", options->frames,
-                   "End after so many frames with evidence; else those of --expect")
-      ->option_text("N")
+  command->add_option("--frames", options->frames, "End after this number of frames with evidence")
+      ->option_text("N  (default the number in --expect)")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--idle-timeout", options->idle_timeout_s,
-                   "End after so many seconds without such a frame")
+                   "End after this time without a frame with evidence")
       ->option_text("SECONDS")
       ->check(CLI::PositiveNumber);
-  command->add_flag(
-      "--notify", options->notify,
-      "Print `listening`, `heard` with the first message, then for each frame `frame N` or "
-      "`nothing taken`, on standard output");
+  command->add_flag("--notify", options->notify,
+                    "Print `listening`, `heard` at the first message, then `frame N` or `nothing "
+                    "taken` per frame");
   command
       ->add_option("--hashes", options->hashes,
                    "Write one line per frame, as `iog fuse --hashes` does")
       ->option_text("FILE");
   command
       ->add_option("--expect", options->expect,
-                   "Compare with such a file; exit status 1 if they differ")
+                   "Compare the frames with a file of --hashes; exit status 1 if they differ")
       ->option_text("FILE");
   command
-      ->add_option("--classes-hashes", options->classes_hashes,
-                   "Write one line per frame of its classes, as `iog fuse --classes-hashes` does")
+      ->add_option(
+          "--classes-hashes", options->classes_hashes,
+          "Write one line per frame of the perception grid, as `iog fuse --classes-hashes` does")
       ->option_text("FILE");
   command
-      ->add_option("--expect-classes", options->expect_classes,
-                   "Compare with such a file; exit status 1 if they differ")
+      ->add_option(
+          "--expect-classes", options->expect_classes,
+          "Compare the frames with a file of --classes-hashes; exit status 1 if they differ")
       ->option_text("FILE");
-  command->add_option("--stream", options->stream, "Write the messages that come, as a capture")
+  command
+      ->add_option("--stream", options->stream, "Write the received messages as a capture (.pcap)")
       ->option_text("FILE");
   command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");
   command
@@ -374,11 +374,12 @@ void add_receive(CLI::App& program) {
                    "Write the numbers of the table as key=value lines")
       ->option_text("FILE");
   command->footer(
-      "Ctrl-C ends it, too; the table is printed all the same, with --notify on standard error.\n"
-      "Reports of silence are frames without evidence: they are counted, not numbered.\n"
-      "--serial shows of each tile the newest cells, beneath them the coarse grids (docs/spec.md "
-      "3.8);\n"
-      "frames are then counted by their numbers.\n" +
+      "Ctrl-C also ends the reception. The table is still printed, with --notify on standard "
+      "error.\n"
+      "Reports of silence are frames without evidence. They are counted, but have no number.\n"
+      "--serial shows the newest cells of each tile over the coarse grids (docs/spec.md 3.8) and "
+      "counts\n"
+      "frames by their numbers.\n" +
       std::string(kPictureFooter));
   command->callback([options] {
     catch_interrupts();

@@ -164,36 +164,34 @@ void record(RecordOptions options) {
 
 void add_sources(CLI::App& command, RecordOptions& options) {
   auto* const sources = command.add_option_group("source");
-  sources->add_option("--port", options.live.port, "Record what comes to this UDP port")
+  sources
+      ->add_option("--port", options.live.port,
+                   "Record the stream that a target sends to this UDP port")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   auto* const pcap = add_drive_options(command, *sources, options.drive,
-                                       "Fuse this capture of sensors (pcap or pcapng; .gz or "
-                                       ".zst), or several by time, and record that");
-  sources
-      ->add_option("--stream", options.stream,
-                   "Record what has been recorded as FILE.pcap or FILE.mcap")
+                                       "Fuse this capture of sensors (.pcap, .pcapng; also .gz or "
+                                       ".zst); several are merged by time");
+  sources->add_option("--stream", options.stream, "Record from a stream in FILE.pcap or FILE.mcap")
       ->option_text("FILE");
   sources->require_option(1);
   add_vehicle_options(command, options.vehicle, "NAME  (with --pcap; default reference_car)");
-  command
-      .add_option("--map", options.map,
-                  "The map that the target has from the start, made by `iog map`")
+  command.add_option("--map", options.map, "City map that the target has from the start (.iogmap)")
       ->option_text("FILE  (with --pcap)")
       ->needs(pcap);
   command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
       ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
-  command.add_option("--frames", options.live.frames, "End after so many frames with evidence")
+  command
+      .add_option("--frames", options.live.frames, "End after this number of frames with evidence")
       ->option_text("N  (with --port)")
       ->check(CLI::NonNegativeNumber);
   command
       .add_option("--idle-timeout", options.live.idle_timeout_s,
-                  "End after so many seconds without such a frame")
+                  "End after this time without a frame with evidence")
       ->option_text("SECONDS  (with --port)")
       ->check(CLI::PositiveNumber);
-  command.add_flag(
-      "--notify", options.live.notify,
-      "Say `listening`, then for each frame `frame N` or `nothing taken`, on standard output");
+  command.add_flag("--notify", options.live.notify,
+                   "Print `listening`, then `frame N` or `nothing taken` per frame");
 }
 
 void add_destinations(CLI::App& command, RecordOptions& options) {
@@ -202,33 +200,31 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
                   "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
       ->option_text("FILE | FOLDER  (required)")
       ->required();
-  command.add_option("--topics", options.topics, "What an MCAP file is to hold")
-      ->option_text(list_of_topics() + "  (default all but /points)")
+  command.add_option("--topics", options.topics, "Topics of an MCAP file: " + list_of_topics())
+      ->option_text("TOPIC,...  (default all but /points)")
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
-  command.add_flag("--points", options.has_points, "And scan points, on /points")
+  command.add_flag("--points", options.has_points, "Also record scan points on /points")
+      ->option_text("(needs --pcap)")
       ->needs(command.get_option("--pcap"));
-  command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files (zstd)");
+  command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files");
   command
       .add_option(
           "--stamp", options.stamp,
-          "The clock of the stamps in an MCAP file: the target's, which begins when it starts; "
-          "that of the log time, or that of the poses, to be joined with what others record")
+          "Clock of the timestamps in an MCAP file: of the target, of this PC, or of the poses")
       ->option_text("target | arrival | poses  (default target)")
       ->check(CLI::IsMember({"target", "arrival", "poses"}));
   command.add_option("--every", options.pictures.every, "Draw every Nth frame")
       ->option_text("N  (default 1)")
       ->check(CLI::PositiveNumber);
   command.add_flag("--maps", options.with_maps,
-                   "Write map_NNNNNN.pgm and .yaml for each picture, too");
-  command
-      .add_option("--scale", options.pictures.scale.pixels_per_cell,
-                  "Pixels of a picture per cell of 0.1 m")
+                   "Also write map_NNNNNN.pgm and map_NNNNNN.yaml for each picture");
+  command.add_option("--scale", options.pictures.scale.pixels_per_cell, "Pixels per cell of 0.1 m")
       ->option_text("N  (1 to 8, default 1)")
       ->check(CLI::Range(1, 8));
   command
       .add_option("--radius", options.pictures.scale.radius_m,
-                  "Metres that a picture shows around the car; 51: the whole grid")
+                  "Distance from the car that a picture shows; 51: the whole grid")
       ->option_text("METRES  (5 to 51, default 51)")
       ->check(CLI::Range(5, 51));
 }
@@ -237,19 +233,19 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
 
 void add_record(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "record", "Record grids for other tools: MCAP, pictures and maps, or the stream itself");
+      "record", "Record grids as MCAP (ROS 2, Foxglove), pictures, maps or the stream itself");
   const auto options = std::make_shared<RecordOptions>();
   add_sources(*command, *options);
   add_destinations(*command, *options);
   command->footer(
-      "docs/recordings.md says what opens the files. Ctrl-C ends a recording in good order; an\n"
-      "MCAP file of a recorder that was killed can be read up to its last chunk, a second at "
-      "most.\n"
-      "With --pcap and --stream the same input gives the same bytes. A folder gets "
-      "frame_NNNNNN.png\n"
-      "for every frame with evidence, classes_NNNNNN.png where it has classes, and the last one "
-      "as\n"
-      "map.pgm and map.yaml; those of an earlier run go.\n");
+      "docs/recordings.md lists the programs that open the files. Ctrl-C ends a recording cleanly. "
+      "If record\n"
+      "is killed, its MCAP file loses at most the last second. With --pcap and --stream, the same "
+      "input\n"
+      "gives the same bytes. A folder receives frame_NNNNNN.png for every frame with evidence,\n"
+      "classes_NNNNNN.png if the frame has classes, and the last frame as map.pgm and map.yaml. "
+      "Files of an\n"
+      "earlier run are removed.\n");
   command->callback([options] {
     catch_interrupts();
     record(*options);

@@ -120,29 +120,30 @@ void relay(const RelayOptions& options) {
 
 void add_relay(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "relay", "Connect to a car's ibeo units by TCP and send their scans to a target");
+      "relay", "Read a car's ibeo units by TCP and send their scans to a target");
   const auto options = std::make_shared<RelayOptions>();
   add_vehicle_options(*command, options->vehicle);
   command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default the vehicle's)");
+      ->option_text("ADDRESS  (default the car's)");
   command
       ->add_option("--port-base", options->port_base,
-                   "Instead of the vehicle's own ports: that of its sensor 0, its next sensor's is "
-                   "the next")
+                   "First of consecutive ports that replace those of the car's sensors")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   command
       ->add_option("--unit", options->units,
-                   "Only these sensors, and where their units are; TCP port 12002 if none is given")
+                   "Connect to these sensors only, at these addresses; default TCP port 12002")
       ->option_text("NAME=ADDRESS[:PORT] ...");
   command->footer(
-      "For the ibeo LUX and SICK LD-MRS, which wait for somebody to connect. Without --unit it\n"
-      "connects to the source_ipv4 of each in the car's file. Nothing is sent to a unit, which "
-      "has\n"
-      "to be set up to measure. Lost connections are made again, until interrupted. A target "
-      "takes\n"
-      "packets from the sensor's source_ipv4 and from its peer: run this on the peer, or let the\n"
-      "car's file name this host as source_ipv4 and give each --unit.");
+      "relay connects to ibeo LUX and SICK LD-MRS units, which are TCP servers. Without --unit, it "
+      "uses the\n"
+      "source_ipv4 of each sensor in the car file. It sends nothing to a unit, which must already "
+      "be set up\n"
+      "to measure. It restores lost connections until interrupted. A target accepts packets from a "
+      "sensor's\n"
+      "source_ipv4 and from its peer. So run relay on the peer, or name this host as source_ipv4 "
+      "in the car\n"
+      "file and give each --unit.");
   command->callback([options] {
     catch_interrupts();
     relay(*options);

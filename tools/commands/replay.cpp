@@ -315,32 +315,30 @@ void add_replay(CLI::App& program) {
   add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
   command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default the vehicle's, with --port-base 127.0.0.1)");
+      ->option_text("ADDRESS  (default the car's; with --port-base 127.0.0.1)");
   command
       ->add_option("--port-base", options->port_base,
-                   "Instead of the vehicle's own ports: that of its sensor 0, its next sensor's is "
-                   "the next; "
-                   "behind them those of its poses and its maps")
+                   "First of consecutive ports that replace the car's: of its sensors, then of "
+                   "poses and maps")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   command
       ->add_option("--speed", options->speed,
-                   "1: as recorded, 2: twice as fast, 0: as fast as it goes")
-      ->option_text("X")
+                   "Speed: 1 as recorded, 2 twice as fast, 0 as fast as possible")
+      ->option_text("X  (default 1; with --step 0)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--step", options->step,
                     "Report each frame as sent, then wait for a line on standard input");
-  command->add_option("--map", options->map, "Send this map first, made by `iog map`")
-      ->option_text("FILE");
+  command->add_option("--map", options->map, "Send this map first (.iogmap)")->option_text("FILE");
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);
-  command->add_flag("--loop", options->loop, "Begin again at the end, until interrupted");
+  command->add_flag("--loop", options->loop, "Restart at the end, until interrupted");
   command->footer(
-      "--speed is 1, with --step 0. For --step press Enter, or let `iog receive --notify` write "
-      "there.\n"
-      "A pause of the capture lasts 1 s at most. With --loop a capture should be longer than 30\n"
-      "frames: a target takes a repeated packet for a duplicate and drops it. Each round is\n"
-      "another run of whoever sends the poses.");
+      "--step waits for Enter, or for the output of `iog receive --notify` on standard input. A "
+      "pause of the\n"
+      "capture lasts at most 1 s. With --loop, a capture should be longer than 30 frames, because "
+      "a target\n"
+      "drops repeated packets as duplicates. Each lap restarts the pose source.");
   command->callback([options] {
     catch_interrupts();
     Replay replay(*options);

@@ -206,10 +206,10 @@ class SendMap {
 
 void add_send_map(CLI::App& program) {
   auto* const command =
-      program.add_subcommand("send-map", "Send a map to a target, until the target uses it");
+      program.add_subcommand("send-map", "Send a city map to a target until the target uses it");
   const auto options = std::make_shared<SendMapOptions>();
-  command->add_option("file", options->file, "The map, as `iog map` has made it")
-      ->option_text("FILE  (required)")
+  command->add_option("FILE", options->file, "Map of `iog map` (.iogmap)")
+      ->option_text("(required)")
       ->required();
   command->add_option("--target", options->target, "IPv4 address to send to")
       ->option_text("ADDRESS  (default 127.0.0.1)");
@@ -217,24 +217,26 @@ void add_send_map(CLI::App& program) {
       ->option_text("PORT  (default 15011)")
       ->check(CLI::Range(1, 65'535));
   command
-      ->add_option("--listen", options->listen,
-                   "UDP port to which the target's stream comes: ends when the target uses the map")
+      ->add_option(
+          "--listen", options->listen,
+          "Receive the target's stream on this UDP port, and end when the target uses the map")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   command->add_option("--bind", options->bind, "IPv4 address to listen on")
       ->option_text("ADDRESS  (default 127.0.0.1)")
       ->needs("--listen");
   add_signing_options(*command, options->signing);
-  command->add_option("--rate", options->rate, "Chunks of 1280 bytes a second")
+  command->add_option("--rate", options->rate, "Chunks of 1280 bytes per second")
       ->option_text("N  (default 1000)")
       ->check(CLI::Range(1.0, 100'000.0));
-  command->add_option("--rounds", options->rounds, "How often each chunk is sent at most")
+  command
+      ->add_option("--rounds", options->rounds, "Maximum number of times that each chunk is sent")
       ->option_text("N  (default 5)")
       ->check(CLI::Range(1, 1'000));
   command->footer(
-      "Exit status 1 if the target does not use the map in the end. Without --listen nobody\n"
-      "answers: all rounds are sent. Only one program can listen on a port; `iog view --forward\n"
-      "PORT` hands a stream on.");
+      "Exit status 1 if the target does not use the map at the end. Without --listen, all rounds "
+      "are sent.\n"
+      "Only one program can listen on a port; `iog view --forward PORT` forwards a stream.");
   command->callback([options] {
     catch_interrupts();
     SendMap(*options).run();

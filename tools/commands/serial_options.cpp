@@ -5,22 +5,22 @@ namespace iog::tools {
 void add_serial_options(CLI::App& command, SerialOptions& options) {
   command
       .add_option("--serial", options.path,
-                  "Instead of UDP: a terminal device, a Unix socket such as QEMU's, or a file")
-      ->option_text("PATH")
+                  "Read a terminal device, a Unix socket such as QEMU's, or a file, instead of UDP")
+      ->option_text("FILE")
       ->excludes("--port");
-  command.add_option("--baud", options.baud, "With --serial: the rate of a terminal device")
-      ->option_text("RATE  (default 115200)")
+  command.add_option("--baud", options.baud, "Rate of the terminal device")
+      ->option_text("RATE  (with --serial; default 115200)")
       ->needs("--serial");
   command
       .add_option("--max-age", options.max_age_s,
-                  "With --serial: show cells that are older as the coarse grids have them")
-      ->option_text("SECONDS  (default 5)")
+                  "Show cells older than this from the coarse grids")
+      ->option_text("SECONDS  (with --serial; default 5)")
       ->check(CLI::PositiveNumber)
       ->needs("--serial");
   command
       .add_option("--tiles", options.tiles,
-                  "With --serial: write frame, number and cells' CRC of each tile that was told of")
-      ->option_text("FILE")
+                  "Write frame, number and CRC of the cells of each received tile")
+      ->option_text("FILE  (with --serial)")
       ->needs("--serial");
 }
 

@@ -73,11 +73,11 @@ Freshness heard_freshness(const authentication::Key& key, const std::string& add
 void add_signing_options(CLI::App& command, SigningOptions& options) {
   command
       .add_option("--key", options.key,
-                  "Sign for a target whose car has `authentication`, with the key of that file")
+                  "Sign with the key of this file, for a car with `authentication`")
       ->option_text("FILE");
   command
       .add_option("--freshness", options.freshness,
-                  "The target's run and its last counter, as `iog receive` shows them")
+                  "Run and last counter of the target, as `iog receive` shows them")
       ->option_text("RUN:LAST")
       ->needs("--key");
 }
@@ -85,7 +85,7 @@ void add_signing_options(CLI::App& command, SigningOptions& options) {
 void add_listening_options(CLI::App& command, SigningOptions& options) {
   command
       .add_option("--listen", options.listen,
-                  "Or hear them first: the UDP port to which the target's stream comes")
+                  "UDP port of the target's stream, which states both, instead of --freshness")
       ->option_text("PORT")
       ->needs("--key")
       ->excludes("--freshness")
@@ -97,10 +97,7 @@ void add_listening_options(CLI::App& command, SigningOptions& options) {
 
 void add_believing_option(CLI::App& command, std::string& key) {
   command
-      .add_option(
-          "--key", key,
-          "Believe only what is signed with the key of that file, by a target whose car has "
-          "`authentication`")
+      .add_option("--key", key, "Accept only messages that are signed with the key of this file")
       ->option_text("FILE");
 }
 

@@ -249,57 +249,57 @@ void simulate(const SimulateOptions& options) {
 
 void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
   command
-      .add_option("--truth", options.truth, "Write the true occupancy there, as truth_NNNNNN.pgm")
+      .add_option("--truth", options.truth,
+                  "Write the true occupancy as truth_NNNNNN.pgm into this folder")
       ->option_text("FOLDER");
   command
       .add_option("--truth-cells", options.truth_cells,
-                  "Write what is true of the cells of the world, as a CSV")
+                  "Write the ground truth of the cells as a .csv file")
       ->option_text("FILE  (needs --moving)")
       ->needs(moving);
   command
       .add_option("--truth-points", options.truth_points,
-                  "Write what is true of the points of the packets, as a CSV")
+                  "Write the ground truth of the points as a .csv file")
       ->option_text("FILE  (needs --moving)")
       ->needs(moving);
   command
-      .add_option("--truth-every", options.truth_every, "Write the truth of every Nth frame only")
+      .add_option("--truth-every", options.truth_every, "Write the ground truth of every Nth frame")
       ->option_text("N  (default 25)")
       ->check(CLI::PositiveNumber);
 }
 
 void add_pose_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
-  command.add_option("--pose-rate", options.pose_rate_hz, "Poses a second")
+  command.add_option("--pose-rate", options.pose_rate_hz, "Poses per second")
       ->option_text("HZ  (1 to 125, default 100)")
       ->check(CLI::Range(1.0, 125.0))
       ->needs(moving);
   command
       .add_option("--pose-sigma", options.pose_sigma_mm,
-                  "Standard deviation of the way during a second, on each axis")
+                  "Standard deviation of the distance driven in one second, on each axis")
       ->option_text("MM  (default 20)")
       ->check(CLI::Range(0.0, 10'000.0))
       ->needs(moving);
   command
       .add_option("--pose-heading-sigma", options.pose_heading_sigma_mrad,
-                  "Standard deviation of the turn during a second")
+                  "Standard deviation of the heading change in one second")
       ->option_text("MRAD  (default 1)")
       ->check(CLI::Range(0.0, 500.0))
       ->needs(moving);
-  command.add_option("--pose-gap", options.pose_gaps, "No poses from then on for so long")
+  command.add_option("--pose-gap", options.pose_gaps, "Send no poses from SECOND on, for SECONDS")
       ->option_text("SECOND:SECONDS ...")
       ->needs(moving);
   command
       .add_option("--pose-freeze", options.pose_freezes,
-                  "From then on for so long all poses are that of then, and standing")
+                  "Repeat the pose of SECOND with speed 0, for SECONDS")
       ->option_text("SECOND:SECONDS ...")
       ->needs(moving);
   command
       .add_option("--pose-jump", options.pose_jumps,
-                  "From then on all poses are so far to the left")
+                  "Shift all poses to the left by METRES, from SECOND on")
       ->option_text("SECOND:METRES ...")
       ->needs(moving);
   command
-      .add_option("--pose-restart", options.pose_restarts_s,
-                  "From then on the poses are of another run of their source")
+      .add_option("--pose-restart", options.pose_restarts_s, "Restart the pose source at SECOND")
       ->option_text("SECOND ...")
       ->needs(moving);
 }
@@ -309,15 +309,14 @@ void add_town_options(CLI::App& command, SimulateOptions& options, CLI::Option* 
   CLI::Option* const town =
       command
           .add_option("--town", options.town,
-                      "Drive through this town instead, of an extract of OpenStreetMap")
+                      "Drive through this town of OpenStreetMap, not through a scene")
           ->option_text("FILE  (.osm, .osm.pbf, ...; needs --moving)")
           ->needs(moving)
           ->excludes(scene)
           ->excludes(command.get_option("--osm"));
   command
       .add_option("--town-origin", options.town_origin,
-                  "Where the plane of its map is and the drive begins; give iog map --origin the "
-                  "same")
+                  "Origin of the map and start of the drive; give the same to `iog map --origin`")
       ->option_text("LAT,LON  (default the middle)")
       ->needs(town);
 }
@@ -326,26 +325,28 @@ void add_town_options(CLI::App& command, SimulateOptions& options, CLI::Option* 
 
 void add_simulate(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "simulate", "Make up a drive and write what the car's scanners send as a capture");
+      "simulate", "Simulate a drive and write the packets of the car's scanners as a capture");
   const auto options = std::make_shared<SimulateOptions>();
-  command->add_option("--out", options->out, "The capture to write (.pcap)")
-      ->option_text("FILE  (required, but not with --osm: then only the map is written)");
-  command->add_option("--seed", options->seed, "Another seed, another world")
+  command->add_option("--out", options->out, "Capture to write (.pcap)")
+      ->option_text("FILE  (required; without it, --osm writes only the map)");
+  command->add_option("--seed", options->seed, "Seed of the random world")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--seconds", options->seconds, "Length of the drive, 25 frames a second")
+  command
+      ->add_option("--seconds", options->seconds, "Length of the drive, with 25 frames per second")
       ->option_text("N  (1 to 600, default 10)")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));
-  CLI::Option* const scene = command->add_option("--scene", options->scene, scene_option_help())
-                                 ->option_text("NAME  (default city)");
+  CLI::Option* const scene =
+      command->add_option("--scene", options->scene, "Where the drive goes: " + scene_names())
+          ->option_text("NAME  (default city)")
+          ->check(known_scenes());
   add_vehicle_options(*command, options->vehicle);
-  CLI::Option* const moving = command->add_flag(
-      "--moving", options->is_moving,
-      "Let everything move while the scanners sweep, and write the car's poses, too");
+  CLI::Option* const moving =
+      command->add_flag("--moving", options->is_moving,
+                        "Let everything move during a scan, and write the car's poses");
   command
-      ->add_flag(
-          "--attitude", options->has_attitude,
-          "Let the car lean when it brakes and where the road is bumpy, by 2 degrees at most")
+      ->add_flag("--attitude", options->has_attitude,
+                 "Let the car pitch and roll by up to 2 degrees, when it brakes and on bumps")
       ->option_text("(needs --moving)")
       ->needs(moving);
   add_truth_options(*command, *options, moving);
@@ -353,19 +354,21 @@ void add_simulate(CLI::App& program) {
   add_osm_options(*command, options->osm, moving);
   add_town_options(*command, *options, moving, scene);
   command->footer(
-      "Without --moving the world stands still during a scan, and all scanners scan at once. With "
-      "it\n"
-      "each point is measured from where the car is at that time, each scanner has a phase of its\n"
-      "own, and messages to UDP port 15010 say where the car is and how well it knows.\n"
-      "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, x to the right, y up: 0 "
-      "where\n"
-      "the cell's centre is covered by something within the vehicle's height band, 255 elsewhere.\n"
-      "docs/drives.md explains --truth-cells and --truth-points, and what happens in the scene "
-      "'street' when.\n"
-      "The same scene, seed, length, vehicle and options give the same bytes on every machine.\n"
-      "Scanners that turn do so ten times a second, with one return a beam; a car of such alone "
+      "Without --moving, the world stands still during a scan, and all scanners scan at the same "
+      "time. With\n"
+      "it, each point is measured from the car's position at that time, each scanner has its own "
+      "phase, and\n"
+      "messages to UDP port 15010 state the car's pose and its uncertainty. The true occupancy "
       "has\n"
-      "ten frames a second.");
+      "1024 x 1024 cells of 0.1 m around the car, with x to the right and y up. A cell is 0 if "
+      "something within\n"
+      "the car's height band covers its centre, and 255 otherwise. docs/drives.md explains "
+      "--truth-cells,\n"
+      "--truth-points and the events of the scene 'street'. The same options give the same bytes "
+      "on every\n"
+      "machine. Spinning scanners turn ten times per second, with one return per beam. A car with "
+      "only such\n"
+      "scanners has ten frames per second.");
   command->callback([options] { simulate(*options); });
 }
 

@@ -24,5 +24,7 @@ void add_vehicles(CLI::App& program);
 void add_budget(CLI::App& program);
 void add_image(CLI::App& program);
 void add_view(CLI::App& program);
+// The last, because it explains those that have been added.
+void add_help(CLI::App& program);
 
 }  // namespace iog::tools

@@ -1,5 +1,6 @@
 #include "tools/commands/vehicle_options.hpp"
 
+#include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -7,13 +8,18 @@ namespace {
 
 constexpr double kMostClockOffsetS = 4e9;  // more than the years of any clock
 
-constexpr const char* kFileHelp = "The car of this file (docs/vehicles.md)";
+constexpr const char* kFileHelp = "Read the car from this file (docs/vehicles.md)";
 
 }  // namespace
 
+CLI::Validator known_vehicles() { return CLI::Validator('{' + vehicle_names() + '}'); }
+
+CLI::Validator known_scenes() { return CLI::Validator('{' + scene_names() + '}'); }
+
 void add_vehicle_options(CLI::App& command, std::string& name, const std::string& text) {
-  auto* const by_name = command.add_option("--vehicle", name, vehicle_option_help())
+  auto* const by_name = command.add_option("--vehicle", name, "A car that `iog vehicles` lists")
                             ->option_text(text)
+                            ->check(known_vehicles())
                             ->each([](const std::string& given) { give_vehicle(given); });
   command
       .add_option_function<std::string>(
@@ -33,7 +39,7 @@ CLI::Option* add_vehicle_file_option(CLI::App& command) {
 CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds) {
   return command
       .add_option("--clock-offset", seconds,
-                  "Add this to the times of the poses, if the packets' clock is ahead")
+                  "Add this to the times of the poses, if the clock of the packets is ahead")
       ->option_text("SECONDS  (default 0; 37: packets by TAI, poses by UTC)")
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }
@@ -43,12 +49,12 @@ CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& dri
   auto* const pcap = command.add_option(names, drive.captures, text);
   pcap->option_text("FILE...");
   all.add_option("--poses", drive.poses,
-                 "Poses of this log instead of those in the capture (docs/drives.md): csv, nmea, "
-                 "ubx, oxts, tum, kitti, mcap, rosbag2")
+                 "Take the poses from this log: csv, nmea, ubx, oxts, tum, kitti, mcap or rosbag2 "
+                 "(docs/drives.md)")
       ->option_text("FILE | FOLDER")
       ->needs(pcap);
   all.add_option("--poses-mount", drive.poses_mount,
-                 "Where in the vehicle frame the receiver or lidar is whose poses were logged")
+                 "Position of the logged receiver or lidar in the vehicle frame")
       ->option_text("X Y [YAW]  (metres, degrees)")
       ->expected(2, 3)
       ->needs("--poses");

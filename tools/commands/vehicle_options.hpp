@@ -9,6 +9,11 @@
 
 namespace iog::tools {
 
+// Tell the shell which names it may offer. They check nothing, because find_vehicle() and
+// find_scene() do.
+[[nodiscard]] CLI::Validator known_vehicles();
+[[nodiscard]] CLI::Validator known_scenes();
+
 // --vehicle, of which the help says `text`, and --vehicle-file. name outlives the command.
 void add_vehicle_options(CLI::App& command, std::string& name,
                          const std::string& text = "NAME  (default reference_car)");
@@ -20,7 +25,7 @@ CLI::Option* add_vehicle_file_option(CLI::App& command);
 CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds);
 
 inline constexpr const char* kCapturesHelp =
-    "The capture to read (pcap or pcapng; .gz or .zst); several are merged by time";
+    "Capture to read (.pcap, .pcapng; also .gz or .zst); several are merged by time";
 
 // --pcap, and with it --poses, --poses-mount and --clock-offset. `names` may add a place on the
 // command line, `command` may be a group of `all`.

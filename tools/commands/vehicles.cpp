@@ -1,5 +1,6 @@
 // iog vehicles: the vehicle descriptions and their sensors.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
@@ -34,8 +35,13 @@ std::string words_of_heights(const description::SensorConfig& sensor) {
   return words.str();
 }
 
+// All, or only those of the files that were given.
 void show_all() {
+  const bool is_any_given = std::ranges::any_of(all_vehicles(), is_of_file);
   for (const CatalogueEntry& entry : all_vehicles()) {
+    if (is_any_given && !is_of_file(entry)) {
+      continue;
+    }
     std::cout << entry.vehicle->name << '\n'
               << "  in a stream    " << hex(entry.vehicle->id) << '\n';
     for (const description::SensorConfig& sensor : entry.sensors) {
@@ -78,29 +84,24 @@ void show_firmware(const std::string& name) {
 }  // namespace
 
 void add_vehicles(CLI::App& program) {
-  auto* const command = program.add_subcommand("vehicles", "List the vehicles and their sensors");
-  const auto name = std::make_shared<std::string>();
-  command->add_option("--ports", *name,
-                      "Only the UDP ports of this vehicle, one a line, for scripts: those of its "
-                      "sensors, then those of its poses and its maps, if it takes them");
-  const auto connected = std::make_shared<std::string>();
-  command->add_option("--network", *connected,
-                      "Only the network of this vehicle's box, in a line, for scripts: its MAC, "
-                      "address and bits of the prefix, its peer and the peer's port, and the port "
-                      "that it sends from");
-  const auto asking = std::make_shared<std::string>();
-  command->add_option(
-      "--grids", *asking,
-      "Only which grids this vehicle asks for, for scripts: indexes, classes or both");
-  const auto placed = std::make_shared<std::string>();
-  command->add_option(
-      "--placed-by", *placed,
-      "Only what places this vehicle's packets in time, for scripts: clocks, or arrival, "
-      "if some sensor's clock is not that of the poses; none without classes");
-  const auto carried = std::make_shared<std::string>();
-  command->add_option("--firmware", *carried,
-                      "Only the firmware of the build that `iog image` can put this one into, for "
-                      "scripts");
+  auto* const command = program.add_subcommand("vehicles", "List the cars and their sensors");
+  const auto add = [command](const char* option, const char* text) {
+    auto name = std::make_shared<std::string>();
+    command->add_option(option, *name, text)->option_text("NAME")->check(known_vehicles());
+    return name;
+  };
+  const auto name =
+      add("--ports",
+          "For scripts: UDP ports of the car's sensors, then of poses and maps, one per line");
+  const auto connected = add("--network",
+                             "For scripts: MAC, address and prefix bits of the target, address and "
+                             "port of its peer, its own port");
+  const auto asking = add("--grids", "For scripts: indexes, classes or both");
+  const auto placed = add(
+      "--placed-by",
+      "For scripts: clocks, arrival (a sensor lacks the clock of the poses) or none (no classes)");
+  const auto carried =
+      add("--firmware", "For scripts: the firmware of the build that takes this car");
   add_vehicle_file_option(*command);
   command->callback([name, connected, asking, placed, carried] {
     if (!carried->empty()) {

@@ -148,75 +148,74 @@ void view_grid(const ViewOptions& options) {
 
 // An option of one kind of source does nothing for another.
 void add_sources(CLI::App& command, ViewOptions& options) {
-  command.add_option("--port", options.port, "UDP port to receive a target's grid on")
+  command.add_option("--port", options.port, "UDP port of the target's stream")
       ->option_text("PORT  (default 15000)")
       ->check(CLI::Range(1, 65'535));
   auto* const bind = command.add_option("--bind", options.bind, "IPv4 address to receive on");
   bind->option_text("ADDRESS  (default 127.0.0.1)");
   command
       .add_option("--forward", options.forward,
-                  "Hand each message on to this port of this PC, for `iog receive`")
+                  "Forward each message to this port of this PC, for `iog receive`")
       ->option_text("PORT")
       ->check(CLI::Range(1, 65'535));
   auto* const pcap = add_drive_options(
       command, command, options.drive,
-      "Show a recording instead: a capture of sensors, or several, or of a grid, or an MCAP file",
+      "Show this recording of sensors or grids (.pcap, .pcapng, .mcap; also .gz or .zst)",
       "FILE,--pcap");
   auto* const simulate =
       command.add_option("--simulate", options.simulate,
-                         "Show a simulated drive instead, with its truth: " + scene_option_help());
-  simulate->option_text("SCENE")->excludes(pcap);
+                         "Show a simulated drive and its ground truth: " + scene_names());
+  simulate->option_text("SCENE")->check(known_scenes())->excludes(pcap);
   bind->excludes(pcap)->excludes(simulate);
   add_vehicle_options(command, options.vehicle);
-  command.add_option("--seed", options.seed, "Of the simulated drive")
+  command.add_option("--seed", options.seed, "Seed of the simulated drive")
       ->option_text("N  (default 1)")
       ->check(CLI::NonNegativeNumber)
       ->needs(simulate);
-  command.add_option("--speed", options.speed, "Of the recording: 2 is twice as fast")
+  command.add_option("--speed", options.speed, "Speed of the recording; 2: twice as fast")
       ->option_text("FACTOR  (default 1)")
       ->check(CLI::Range(0.01, 100.0))
       ->needs(pcap);
-  command.add_flag("--loop", options.loop, "The recording again and again")->needs(pcap);
+  command.add_flag("--loop", options.loop, "Repeat the recording")
+      ->option_text("(needs FILE)")
+      ->needs(pcap);
 }
 
 }  // namespace
 
 void add_view(CLI::App& program) {
-  auto* const command = program.add_subcommand("view", "Show the grid in a browser, live");
+  auto* const command = program.add_subcommand(
+      "view", "Show grids live in a browser: of a target, a capture or a simulated drive");
   const auto options = std::make_shared<ViewOptions>();
   add_sources(*command, *options);
-  command->add_option("--http", options->http, "TCP port of the page, 0 for any free one")
+  command->add_option("--http", options->http, "TCP port of the page; 0: any free port")
       ->option_text("PORT  (default 8080, or a free one)")
       ->check(CLI::Range(0, 65'535));
   command
       ->add_option(
           "--http-bind", options->http_bind,
-          "IP address of the page and of --foxglove; others than this PC see them only if it "
-          "is not loopback")
+          "IP address of the page and of --foxglove; only this PC reaches a loopback address")
       ->option_text("ADDRESS  (default 127.0.0.1)");
   command
       ->add_option("--foxglove", options->foxglove,
-                   "Serve Foxglove, too, by its WebSocket protocol; 0 for any free port")
+                   "Also serve Foxglove by its WebSocket protocol; 0: any free port")
       ->option_text("[PORT]  (default 8765)")
       ->expected(0, 1)
       ->default_str(kUsualFoxglovePort)
       ->check(CLI::Range(0, 65'535));
   command
-      ->add_option("--map", options->map,
-                   "Draw the outlines of this block while the target says that it uses it")
+      ->add_option("--map", options->map, "Draw the outlines of this map while the target uses it")
       ->option_text("FILE.iogmap");
   add_believing_option(*command, options->key);
   command->add_flag("--open", options->open, "Open the page with xdg-open");
   command
       ->add_option("--records", options->records,
-                   "Where the page's record button puts view_DATE_TIME.pcap")
+                   "Folder into which the page's record button writes captures")
       ->option_text("FOLDER  (default .)");
   command->footer(
-      "Ctrl-C ends it. A capture of the sensors' packets is fused in this process, so that its "
-      "scan\n"
-      "points can be shown, too. docs/view.md explains what there is to see, docs/foxglove.md "
-      "what\n"
-      "Foxglove gets.");
+      "Ctrl-C ends the program. It fuses captures of sensors itself, so that it can also show "
+      "their points.\n"
+      "docs/view.md explains the page, and docs/foxglove.md explains the data for Foxglove.");
   command->callback([options] {
     catch_interrupts();
     view_grid(*options);

@@ -4,26 +4,30 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tools/program/word_distance.hpp"
 
 namespace iog::tools {
 
-// Every option of a command, those of its option groups among them: "--port".
-[[nodiscard]] inline std::vector<std::string> option_names(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* const option :
-       command.get_options([](const CLI::Option*) { return true; })) {
-    for (const std::string& name : option->get_lnames()) {
-      names.push_back("--" + name);
-    }
-  }
+// Every option of a command that its help shows, those of its option groups among them.
+[[nodiscard]] inline std::vector<const CLI::Option*> options_of(const CLI::App& command) {
+  std::vector<const CLI::Option*> options =
+      command.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
   for (const CLI::App* const group :
        command.get_subcommands([](const CLI::App* each) { return each->get_name().empty(); })) {
-    for (std::string& name : option_names(*group)) {
-      names.push_back(std::move(name));
+    const std::vector<const CLI::Option*> more = options_of(*group);
+    options.insert(options.end(), more.begin(), more.end());
+  }
+  return options;
+}
+
+// "--port"
+[[nodiscard]] inline std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : options_of(command)) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
     }
   }
   return names;

@@ -261,13 +261,6 @@ class Listener {
   std::set<std::string> told_;
 };
 
-// The file's name is the car's: by it the build and --vehicle know it.
-void check_name(const std::string& path, const Car& car, const vehicle::Tell& tell) {
-  if (std::filesystem::path(path).stem() != car.description.name) {
-    tell({.field = "name", .allowed = "the name of the file without .toml"});
-  }
-}
-
 void check_key(const Car& car, const vehicle::Tell& tell) {
   if (!car.key_file.empty() && !vehicle::have_classes(car.description.grids)) {
     tell({.field = "authentication",
@@ -283,7 +276,6 @@ Car parse_car(std::string_view text, const std::string& path) {
   Car car = read_fields(file, path, mistakes);
   Listener listener(file, mistakes);
   const vehicle::Tell tell(listener);
-  check_name(path, car, tell);
   check_key(car, tell);
   description::check(car.description, car.sensors, tell);
   for (const description::SensorConfig& sensor : car.sensors) {

@@ -38,7 +38,11 @@ Catalogue& catalogue() {
   return all;
 }
 
-std::string known_names() {
+}  // namespace
+
+std::span<const CatalogueEntry> all_vehicles() { return catalogue().entries; }
+
+std::string vehicle_names() {
   std::string names;
   for (const CatalogueEntry& entry : all_vehicles()) {
     names += (names.empty() ? "" : ", ") + std::string(entry.vehicle->name);
@@ -46,16 +50,13 @@ std::string known_names() {
   return names;
 }
 
-}  // namespace
-
-std::span<const CatalogueEntry> all_vehicles() { return catalogue().entries; }
-
 const CatalogueEntry& find_vehicle(std::string_view name) {
   const auto all = all_vehicles();
   const auto found = std::ranges::find_if(
       all, [&](const CatalogueEntry& entry) { return entry.vehicle->name == name; });
   if (found == all.end()) {
-    throw UsageError("no vehicle '" + std::string(name) + "'; the known ones are " + known_names());
+    throw UsageError("no vehicle '" + std::string(name) + "'; the known ones are " +
+                     vehicle_names());
   }
   return *found;
 }
@@ -144,7 +145,5 @@ bool takes_port(const CatalogueEntry& entry, std::uint16_t udp_port) {
   return sensor_of_port(entry, udp_port) < entry.sensors.size() || is_pose_port(entry, udp_port) ||
          is_map_port(entry, udp_port);
 }
-
-std::string vehicle_option_help() { return "The car and its sensors: " + known_names(); }
 
 }  // namespace iog::tools

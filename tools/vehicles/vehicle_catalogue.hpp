@@ -23,6 +23,7 @@ struct CatalogueEntry {
 };
 
 [[nodiscard]] std::span<const CatalogueEntry> all_vehicles();
+[[nodiscard]] std::string vehicle_names();  // "reference_car, robot_2d, ..."
 
 // UsageError with the known names if there is no such vehicle.
 [[nodiscard]] const CatalogueEntry& find_vehicle(std::string_view name);
@@ -65,8 +66,6 @@ void give_vehicle(const std::string& name);
 // maps.
 [[nodiscard]] bool takes_port(const CatalogueEntry& entry, std::uint16_t udp_port);
 
-// For --help: "--vehicle NAME" and the names that it takes.
 inline constexpr const char* kDefaultVehicle = "reference_car";
-[[nodiscard]] std::string vehicle_option_help();
 
 }  // namespace iog::tools

@@ -1,4 +1,4 @@
-// What is left in clusters becomes a track: docs/objects.md, "born".
+// What is left in clusters becomes a track: docs/objects.md, "Cluster".
 #include <algorithm>
 #include <array>
 #include <cstdint>

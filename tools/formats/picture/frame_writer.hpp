@@ -43,15 +43,13 @@ class FrameWriter {
 // --out, --every, --scale and --radius; what stands below them in --help.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 inline constexpr const char* kPictureFooter =
-    "Pictures show the vehicle from above: x (forward) points up, y to the left, rings every 10 "
-    "m;\n"
-    "pale blue is free, orange to red is occupied, dark is unknown; the stronger the index, the\n"
-    "stronger the colour. An occupied cell is drawn 3 pixels wide at least. map.pgm and map.yaml "
-    "are the last frame of whole scans for ROS map_server: x to the\n"
-    "right, y up. classes_NNNNNN.png shows the classes of a target that sends them, in the world: "
-    "x to "
-    "the\n"
-    "right, y up, with the car's outline and a bar for scale; what is occupied is 3 pixels wide at "
-    "least.\n";
+    "Pictures show the car from above, with x (forward) up, y to the left and rings every 10 m. "
+    "Pale blue\n"
+    "is free, orange to red is occupied, and dark is unknown. A stronger colour is a stronger "
+    "index.\n"
+    "Occupied cells are drawn at least 3 pixels wide. map.pgm and map.yaml contain the last frame "
+    "of\n"
+    "whole scans for ROS map_server, with x to the right and y up. classes_NNNNNN.png shows the\n"
+    "perception grid in the world, with x to the right, y up, the car's outline and a scale bar.\n";
 
 }  // namespace iog::tools

@@ -15,14 +15,6 @@ namespace {
 constexpr std::array kScenes{SceneEntry{"city", make_city}, SceneEntry{"ring_road", make_ring_road},
                              SceneEntry{"hills", make_hills}, SceneEntry{"street", make_street}};
 
-std::string known_names() {
-  std::string names;
-  for (const SceneEntry& entry : kScenes) {
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  return names;
-}
-
 }  // namespace
 
 std::span<const SceneEntry> all_scenes() { return kScenes; }
@@ -30,11 +22,17 @@ std::span<const SceneEntry> all_scenes() { return kScenes; }
 const SceneEntry& find_scene(std::string_view name) {
   const auto* const found = std::ranges::find(kScenes, name, &SceneEntry::name);
   if (found == kScenes.end()) {
-    throw UsageError("no scene '" + std::string(name) + "'; the known ones are " + known_names());
+    throw UsageError("no scene '" + std::string(name) + "'; the known ones are " + scene_names());
   }
   return *found;
 }
 
-std::string scene_option_help() { return "Where the drive goes: " + known_names(); }
+std::string scene_names() {
+  std::string names;
+  for (const SceneEntry& entry : kScenes) {
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  return names;
+}
 
 }  // namespace iog::tools

@@ -17,12 +17,11 @@ struct SceneEntry {
 };
 
 [[nodiscard]] std::span<const SceneEntry> all_scenes();
+[[nodiscard]] std::string scene_names();  // "city, ring_road, ..."
 
 // UsageError with the known names if there is no such scene.
 [[nodiscard]] const SceneEntry& find_scene(std::string_view name);
 
-// For --help: "--scene NAME" and the names that it takes.
 inline constexpr const char* kDefaultScene = "city";
-[[nodiscard]] std::string scene_option_help();
 
 }  // namespace iog::tools

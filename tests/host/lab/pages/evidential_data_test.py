@@ -57,7 +57,7 @@ class Claims(unittest.TestCase):
         self.assertIs(self.verdicts["table 7.1", "rates of {D,N,M} and {I,S,U}"], Verdict.DEPARTS)
 
     def test_the_map_may_come_late(self):
-        self.assertIs(self.verdicts["section 5.1", "what is known of free, occupied and moving"], Verdict.EQUALS)
+        self.assertIs(self.verdicts["section 5.1", "masses of free, occupied and moving"], Verdict.EQUALS)
         order = DATA["evidential_map_order"]
         proven = select(order, context=["none", "road", "intermediate"], ageing=["classical", "conservative", "optimistic"])
         not_kept = [f"sets_not_kept_by_{operation}" for operation in ("scan", "specialisation", "ageing")]

@@ -47,9 +47,9 @@ class Page(unittest.TestCase):
         goals, rows = self.page(["flat,parked car,still,0,25,1,0,0,38,50,12\n", "flat,parked car,still,0,25,0,5,5,28,50,12\n",
                                  "moved,parked car,still,0,25,1,0,0,1,999,0\n", "moved,parked car,still,0,25,0,0,10,1,989,0\n"],
                                 {"flat": 2664, "moved": 2621})
-        self.assertEqual([row[2:] for row in rows if row[:2] == ["parked car", "0 to 25"]], [
-            ["flat", "100", "38.00", "12.00", "50.00", "0.00", "0.00", "28.00", "5.00"],
-            ["moved", "1,000", "0.10", "0.00", "99.90", "0.00", "0.00", "0.10", "1.00"]])
+        self.assertEqual([row[2:] for row in rows if row[:2] == ["parked car", "0 to 25 m"]], [
+            ["100 → 1,000", "38.00 → 0.10", "12.00 → 0.00", "50.00 → 99.90", "0.00", "0.00", "28.00 → 0.10",
+             "5.00 → 1.00"]])
         found = {goal.what.removeprefix("street: "): (goal.found, goal.is_met) for goal in goals}
         self.assertEqual(found, {
             "parked cars below 25 m: called moving": ("0.10 %", True),
@@ -72,7 +72,7 @@ class Page(unittest.TestCase):
 
     def test_of_things_that_the_drive_has_not_nothing_is_said(self):
         goals, rows = self.page(["flat,road ahead,,0,20,1,0,10,0,0,0\n"], {"flat": 2664})
-        self.assertEqual([row[0] for row in rows if row[2:3] == ["flat"]], ["road ahead"])
+        self.assertEqual([row[0] for row in rows if row[1:2] == ["0 to 20 m"]], ["road ahead"])
         self.assertEqual(len(goals), 2)  # and the area
 
     def test_an_object_that_moves_has_a_row_and_the_time_after_gaps_counts_only_where_it_is_said(self):

@@ -29,6 +29,11 @@ class Rows(unittest.TestCase):
                                   "| paper | 9 |\n| {walk} | {twice} |\n{% endcall %}", walks=WALKS),
                          [["walk", "twice"], ["paper", "9"], ["b", "60"]])
 
+    def test_rows_that_differ_in_one_column_are_merged(self):
+        self.assertEqual(rendered("{% call rows(each(drive=['a', 'b'], share=[1, 2, 1]), merge=[1, 0]) %}\n"
+                                  "| drive | name | share |\n| {drive} | s{share} | {share % 2} |\n{% endcall %}"),
+                         [["drive", "name", "share"], ["a; b", "s1; s1", "1"], ["a; b", "s2", "0"]])
+
     def test_expressions_know_what_the_template_has_set(self):
         self.assertEqual(rendered("{% set half = calc('lambda value: value / 2') %}"
                                   "{% call rows(each(r=[1, 3], walk=['a'])) %}\n| r | half |\n| {r} | {half(r):2} |\n{% endcall %}"),
