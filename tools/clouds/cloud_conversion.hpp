@@ -41,7 +41,6 @@ class CloudConversion {
   [[nodiscard]] std::size_t poses() const { return samples_.size(); }
 
  private:
-  [[nodiscard]] CloudPoint place_at(const CloudPoint& point, double time_us) const;
   void make_samples(double mount_x_m, double mount_y_m);
   void add_poses_until(std::uint64_t time_us, std::vector<CapturedDatagram>& datagrams);
   [[nodiscard]] std::vector<CapturedDatagram> with_poses(std::vector<CapturedDatagram> packets);

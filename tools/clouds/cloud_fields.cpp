@@ -4,10 +4,15 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::tools {
 namespace {
@@ -34,7 +39,8 @@ double number_at(const CloudRecords& records, const CloudField& field, std::size
   const auto bytes = records.bytes.subspan(field.at + point * field.stride, field.bytes);
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < field.bytes; ++i) {
-    bits |= std::to_integer<std::uint64_t>(bytes[i]) << 8 * i;
+    const std::byte byte = bytes[records.is_big_endian ? field.bytes - 1 - i : i];
+    bits |= std::to_integer<std::uint64_t>(byte) << 8 * i;
   }
   const int spare = 64 - 8 * static_cast<int>(field.bytes);
   switch (field.kind) {
@@ -68,8 +74,10 @@ void check(const CloudRecords& records, const std::string& what) {
     if (!is_known) {
       throw UsageError(what + ": field " + field.name + " has an unknown type");
     }
+    // The stride alone first, so that nothing overflows.
     if (records.count > 0 &&
-        field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size()) {
+        ((records.count > 1 && field.stride > records.bytes.size()) ||
+         field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size())) {
       throw UsageError(what + ": it ends before its " + std::to_string(records.count) + " points");
     }
   }
@@ -122,6 +130,33 @@ void add_times(const CloudRecords& records, const CloudField& field,
 }
 
 }  // namespace
+
+CloudField field_of_type(const std::string& name, std::size_t type, const std::string& what) {
+  using Kind = CloudField::Kind;
+  struct Type {
+    Kind kind;
+    std::size_t bytes;
+  };
+  constexpr Type kTypes[]{{Kind::kSigned, 1},   {Kind::kUnsigned, 1}, {Kind::kSigned, 2},
+                          {Kind::kUnsigned, 2}, {Kind::kSigned, 4},   {Kind::kUnsigned, 4},
+                          {Kind::kFloat, 4},    {Kind::kFloat, 8}};
+  if (type == 0 || type > std::size(kTypes)) {
+    throw UsageError(what + ": field " + printable(name) + " has an unknown type, " +
+                     std::to_string(type));
+  }
+  return {.name = name, .kind = kTypes[type - 1].kind, .bytes = kTypes[type - 1].bytes};
+}
+
+std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
+  std::vector<std::byte> bytes;
+  std::istringstream in(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
+  for (std::string word; in >> word;) {
+    bytes.resize(bytes.size() + 8);
+    wire::store_le64(std::span(bytes).last<8>(),
+                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
+  }
+  return bytes;
+}
 
 SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit, const std::string& what) {
   check(records, what);

@@ -1,6 +1,6 @@
 // Points whose coordinates are found by the names of their fields, as PCD files and
-// sensor_msgs/PointCloud2 keep them: little endian, x and y, and z if it is there, in metres; when
-// each was seen, if it is there: `t`, `time`, `timestamp`, `time_stamp` or `offset_time`.
+// sensor_msgs/PointCloud2 keep them: x and y, and z if it is there, in metres; when each was seen,
+// if it is there: `t`, `time`, `timestamp`, `time_stamp` or `offset_time`.
 #pragma once
 
 #include <cstddef>
@@ -39,6 +39,7 @@ struct CloudRecords {
   std::vector<CloudField> fields{};
   std::size_t count = 0;  // of points
   std::span<const std::byte> bytes{};
+  bool is_big_endian = false;
   std::uint64_t stamp_us = 0;  // of the scan
 };
 
@@ -46,5 +47,13 @@ struct CloudRecords {
 // the bytes, times that are those of no scan.
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit,
                                  const std::string& what);
+
+// A field of one of the types of sensor_msgs/PointField, 1 ... 8. UsageError, which begins with
+// `what`, for another.
+[[nodiscard]] CloudField field_of_type(const std::string& name, std::size_t type,
+                                       const std::string& what);
+
+// The numbers of a text, which blanks separate, as little-endian doubles.
+[[nodiscard]] std::vector<std::byte> doubles_in(std::span<const std::byte> text);
 
 }  // namespace iog::tools

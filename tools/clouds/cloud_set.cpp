@@ -1,7 +1,9 @@
 #include "tools/clouds/cloud_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include "tools/formats/capture/made_capture.hpp"
@@ -69,7 +71,27 @@ CloudSet read_odometry(const std::string& folder) {
   } else {
     set.remarks.emplace_back("no poses: there is no poses.txt");
   }
+  if (set.poses.in_space.empty()) {
+    set.remarks.emplace_back("no way back to where points were seen: each cloud is as of one time");
+  }
   return set;
+}
+
+void add(const CloudPoint& point, double after_us, SeenCloud& cloud) {
+  WirePoint sent = direction_of(point.x, point.y, point.z);
+  if (sent.third == 0) {
+    ++cloud.nowhere;
+    return;
+  }
+  sent.after_us = static_cast<std::uint32_t>(std::lround(std::max(0.0, after_us)));
+  cloud.points.push_back(sent);
+}
+
+CloudPoint moved(const Rigid& by, const CloudPoint& point) {
+  const auto row = [&](std::size_t i) {
+    return by[i] * point.x + by[i + 1] * point.y + by[i + 2] * point.z + by[i + 3];
+  };
+  return {row(0), row(4), row(8)};
 }
 
 }  // namespace
@@ -84,6 +106,63 @@ CloudSet read_cloud_set(const std::string& folder) {
   throw UsageError(folder +
                    ": neither velodyne_points, as in KITTI's raw data, nor velodyne, as in "
                    "its odometry data, is in this folder");
+}
+
+// A point of a corrected cloud stood still while the unit moved on, or had not come so far: the
+// unit's whole motion is taken back, as it pitches and rolls on a road.
+CloudPoint seen_at(const CloudSet& set, std::size_t cloud, const CloudPoint& point,
+                   double time_us) {
+  if (set.poses.in_space.empty()) {
+    return point;
+  }
+  const auto time_of = [](const ForwardTime& its) { return static_cast<double>(its.time_us); };
+  const auto after = std::ranges::upper_bound(set.forward, time_us, {}, time_of);
+  const auto to = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - set.forward.begin(), 1, std::ssize(set.forward) - 1));
+  const double from_us = time_of(set.forward[to - 1]);
+  const double part = (time_us - from_us) / (time_of(set.forward[to]) - from_us);
+  const Rigid then = between(set.poses.in_space[to - 1], set.poses.in_space[to], part);
+  return moved(inverse(then), moved(set.poses.in_space[cloud], point));
+}
+
+SeenCloud read_kitti_cloud(const std::string& path, std::uint64_t stamp_us) {
+  const PointCloud cloud = read_cloud(path);
+  SeenCloud seen{.time_us = stamp_us, .not_finite = cloud.not_finite};
+  std::ranges::for_each(cloud.points, [&](const CloudPoint& point) { add(point, 0, seen); });
+  return seen;
+}
+
+// When a point was seen depends on where it was then; each round comes nearer by the ratio of the
+// car's speed to that of the beam's end.
+std::vector<std::string> for_each_of_set(const std::string& folder,
+                                         const std::function<void(SeenCloud&&)>& take) {
+  constexpr int kRounds = 4;
+  CloudSet set = read_cloud_set(folder);
+  const Head head(set.forward, set.times);
+  const auto begin_us = static_cast<double>(head.first().time_us);
+  for (std::size_t i = 0; i < set.clouds.size(); ++i) {
+    if (set.clouds[i].empty()) {
+      continue;
+    }
+    const PointCloud cloud = read_cloud(set.clouds[i]);
+    const auto turn = static_cast<double>(set.forward[i].turn);
+    const double from_us = begin_us + head.time_at(turn - 0.5);
+    SeenCloud seen{.time_us = static_cast<std::uint64_t>(from_us),
+                   .has_times = true,
+                   .not_finite = cloud.not_finite};
+    for (const CloudPoint& point : cloud.points) {
+      CloudPoint there = point;
+      double time_us = 0;
+      for (int round = 0; round < kRounds; ++round) {
+        const double right = -std::atan2(there.y, there.x) / (2 * std::numbers::pi);
+        time_us = begin_us + head.time_at(turn + right);
+        there = seen_at(set, i, point, time_us);
+      }
+      add(there, time_us - from_us, seen);
+    }
+    take(std::move(seen));
+  }
+  return set.remarks;
 }
 
 }  // namespace iog::tools

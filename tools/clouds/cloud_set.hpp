@@ -8,11 +8,13 @@
 // all points are in the unit's frame when it looked forward.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "tools/clouds/cloud_fields.hpp"
 #include "tools/clouds/head.hpp"
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/poses/pose_log.hpp"
 
 namespace iog::tools {
@@ -30,5 +32,17 @@ struct CloudSet {
 // UsageError if the folder has neither form, a file of it cannot be read or is not what it has to
 // be, or there is no cloud.
 [[nodiscard]] CloudSet read_cloud_set(const std::string& folder);
+
+// Where a point of a cloud was in the unit's frame at a time, in microseconds since 1970.
+[[nodiscard]] CloudPoint seen_at(const CloudSet& set, std::size_t cloud, const CloudPoint& point,
+                                 double time_us);
+
+// One of the clouds, without times. UsageError as read_cloud().
+[[nodiscard]] SeenCloud read_kitti_cloud(const std::string& path, std::uint64_t stamp_us);
+
+// As read_cloud_set(), with the time of each point by its azimuth; calls take(cloud) with each.
+// Returns remarks: what is not there. UsageError as read_cloud_set() and Head.
+std::vector<std::string> for_each_of_set(const std::string& folder,
+                                         const std::function<void(SeenCloud&&)>& take);
 
 }  // namespace iog::tools

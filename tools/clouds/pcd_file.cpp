@@ -1,7 +1,6 @@
 #include "tools/clouds/pcd_file.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 #include <iterator>
 #include <map>
@@ -87,8 +86,8 @@ void add_fields(const PcdFile& file, CloudRecords& records) {
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
 }
 
-// Numbers in words, as many as there are, become doubles.
-Bytes doubles_of(const PcdFile& file, CloudRecords& records) {
+// Of numbers in words, as doubles_in() has them.
+void place_doubles(const PcdFile& file, CloudRecords& records) {
   std::size_t numbers = 0;  // of a point
   for (std::size_t i = 0; i < records.fields.size(); ++i) {
     CloudField& field = records.fields[i];
@@ -98,15 +97,6 @@ Bytes doubles_of(const PcdFile& file, CloudRecords& records) {
     numbers += file.head.contains("COUNT") ? file.number(file.words("COUNT")[i]) : 1;
   }
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = 8 * numbers; });
-  Bytes bytes;
-  std::istringstream in(
-      std::string(reinterpret_cast<const char*>(file.data.data()), file.data.size()));
-  for (std::string word; in >> word;) {
-    bytes.resize(bytes.size() + 8);
-    wire::store_le64(std::span(bytes).last<8>(),
-                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
-  }
-  return bytes;
 }
 
 // LZF (M. Lehmann): runs of up to 32 bytes, and repetitions of earlier ones. Whatever is wrong with
@@ -164,7 +154,8 @@ SeenCloud read_pcd(const std::string& path, TimeUnit unit, std::uint64_t stamp_u
   const std::string& data = file.words("DATA")[0];
   Bytes made;
   if (data == "ascii") {
-    made = doubles_of(file, records);
+    place_doubles(file, records);
+    made = doubles_in(file.data);
     records.bytes = made;
   } else if (data == "binary_compressed") {
     made = columns_of(file, records);

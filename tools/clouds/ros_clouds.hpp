@@ -1,11 +1,13 @@
-// Messages of ROS 2 as clouds: sensor_msgs/PointCloud2 and sensor_msgs/LaserScan, serialised
-// (formats/ros/cdr_writer.hpp), and the MCAP files that have them.
+// Messages of ROS 2 as clouds, serialised (formats/ros/cdr_writer.hpp): sensor_msgs/PointCloud2,
+// sensor_msgs/LaserScan, and CustomMsg of livox_ros_driver; and the recordings that have them or
+// Foxglove's.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
 
@@ -16,14 +18,16 @@ namespace iog::tools {
 [[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit unit,
                                               const std::string& what);
 
-// Its beams lie in the sensor's plane. An infinite range, or one beyond the longest, is a beam from
-// which nothing came back (REP 117).
 [[nodiscard]] SeenCloud cloud_of_laser_scan(std::span<const std::byte> message,
                                             const std::string& what);
 
-// Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. UsageError
-// if the file cannot be read, or if several topics have clouds and none is chosen.
-void for_each_cloud(const std::string& path, const std::string& topic, TimeUnit unit,
-                    const std::function<void(SeenCloud&&)>& take);
+[[nodiscard]] SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& what);
+
+// Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
+// remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
+// clouds and none is chosen.
+std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
+                                        TimeUnit unit,
+                                        const std::function<void(SeenCloud&&)>& take);
 
 }  // namespace iog::tools

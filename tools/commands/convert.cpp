@@ -1,19 +1,22 @@
-// iog convert: recordings that are no capture as one: raw messages, one file for each sensor, or
-// the point clouds of a data set.
+// iog convert: recordings that are no capture as one: raw messages, one file for each sensor, the
+// point clouds of a data set, or packets in a bag of ROS 2.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "tools/clouds/cloud_conversion.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/lux/raw_recording.hpp"
+#include "tools/formats/ros/recorded_packets.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
@@ -24,6 +27,8 @@ namespace {
 struct ConvertOptions {
   std::vector<std::string> raw;
   std::string kitti;
+  std::string bag;
+  std::string topic;
   std::vector<double> mount_m{0, 0};
   std::string vehicle = kDefaultVehicle;
   std::string out;
@@ -42,7 +47,7 @@ std::string names_of(const CatalogueEntry& car) {
   return names;
 }
 
-Input input_of(const std::string& text, const CatalogueEntry& car) {
+Input input_of(const std::string& option, const std::string& text, const CatalogueEntry& car) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos && car.sensors.size() == 1) {
     return {text, 0};
@@ -50,7 +55,7 @@ Input input_of(const std::string& text, const CatalogueEntry& car) {
   const std::string name = colon == std::string::npos ? "" : text.substr(colon + 1);
   const std::size_t sensor = sensor_of_name(car, name);
   if (sensor == car.sensors.size()) {
-    throw UsageError("--raw " + text + ": give FILE:SENSOR with one of the sensors of " +
+    throw UsageError(option + " " + text + ": give FILE:SENSOR with one of the sensors of " +
                      std::string(car.vehicle->name) + ": " + names_of(car));
   }
   return {text.substr(0, colon), sensor};
@@ -123,7 +128,7 @@ void convert_messages(const ConvertOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   std::vector<CapturedDatagram> datagrams;
   for (const std::string& text : options.raw) {
-    const Input input = input_of(text, car);
+    const Input input = input_of("--raw", text, car);
     RawRecording recording = read_raw_recording(input.path, car, input.sensor);
     std::cout << input.path << ": " << recording.datagrams.size() << " packets of "
               << car.sensors[input.sensor].name
@@ -144,11 +149,38 @@ void convert_messages(const ConvertOptions& options) {
             << '\n';
 }
 
+// Of a driver's recording, each with the time at which it came.
+void convert_packets(const ConvertOptions& options) {
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
+  const Input input = input_of("--bag", options.bag, car);
+  const description::SensorConfig& sensor = car.sensors[input.sensor];
+  const std::uint32_t source = sensor.source_ipv4 != 0 ? sensor.source_ipv4 : kUnnamedIpv4;
+  std::optional<PcapWriter> capture;  // not before the first packet is known to be one
+  Progress progress("packets");
+  std::uint64_t packets = 0;
+  const auto remarks = ros::for_each_packet(
+      input.path, options.topic, [&](std::uint64_t time_us, std::span<const std::byte> payload) {
+        if (!capture) {
+          capture.emplace(options.out);
+        }
+        capture->write({.time_us = time_us,
+                        .source = {source, sensor.udp_port},
+                        .destination = {kTargetIpv4, sensor.udp_port},
+                        .payload = {payload.begin(), payload.end()}});
+        progress.show(++packets);
+      });
+  capture->finish();
+  for (const std::string& remark : remarks) {
+    std::cout << remark << '\n';
+  }
+  std::cout << packets << " packets of " << sensor.name << " in " << options.out << '\n';
+}
+
 }  // namespace
 
 void add_convert(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "convert", "Make a capture from raw sensor messages, or from KITTI clouds and poses");
+      "convert", "Make a capture from raw messages, KITTI clouds and poses, or packets in a bag");
   const auto options = std::make_shared<ConvertOptions>();
   auto* const raw =
       command
@@ -162,6 +194,17 @@ void add_convert(CLI::App& program) {
                        "Folder of KITTI raw or odometry data, for the car's Velodyne")
           ->option_text("FOLDER[:SENSOR]")
           ->excludes(raw);
+  auto* const bag =
+      command
+          ->add_option(
+              "--bag", options->bag,
+              "Recording of ROS 2 with packets of velodyne_msgs, nebula_msgs or pandar_msgs")
+          ->option_text("FILE | FOLDER[:SENSOR]")
+          ->excludes(raw)
+          ->excludes(kitti);
+  command->add_option("--topic", options->topic, "Topic of the recording")
+      ->option_text("TOPIC  (default the one with packets)")
+      ->needs(bag);
   command
       ->add_option("--mount", options->mount_m,
                    "Position of the receiver of KITTI's raw data in the vehicle frame")
@@ -185,10 +228,15 @@ void add_convert(CLI::App& program) {
       "car's table,\n"
       "and to the nearest firing. Poses are sent 100 times per second (docs/recordings.md).");
   command->callback([options] {
-    if (options->raw.empty() == options->kitti.empty()) {
-      throw UsageError("give either --raw FILE:SENSOR or --kitti FOLDER");
+    if (!options->bag.empty()) {
+      convert_packets(*options);
+    } else if (!options->kitti.empty()) {
+      convert_clouds(*options);
+    } else if (!options->raw.empty()) {
+      convert_messages(*options);
+    } else {
+      throw UsageError("give --raw FILE:SENSOR, --kitti FOLDER or --bag FOLDER");
     }
-    options->kitti.empty() ? convert_messages(*options) : convert_clouds(*options);
   });
 }
 

@@ -12,15 +12,16 @@ namespace iog::tools {
 
 void add_info(CLI::App& program) {
   auto* const command = program.add_subcommand(
-      "info", "Describe a capture, a recording, a map or a folder of pictures");
+      "info", "Describe a capture, a recording, a bag, a map or a folder of pictures");
   const auto path = std::make_shared<std::string>();
   command->add_option("FILE", *path, "File or folder to read")->option_text(" ")->required();
   // `iog info --pcap FILE` is how other commands name a capture; the word alone says nothing here.
   command->add_flag("--pcap")->group("");
   add_vehicle_file_option(*command);
   command->footer(
-      "info reads captures (.pcap, .pcapng) of sensors or of a target's stream, MCAP files, maps "
-      "of ROS\n"
+      "info reads captures (.pcap, .pcapng) of sensors or of a target's stream, MCAP files, bags "
+      "of "
+      "ROS 2, maps of ROS\n"
       "map_server (YAML or PGM), maps of `iog map`, and folders written by `iog record --out "
       "FOLDER`.\n");
   command->callback([path] { std::cout << summary_of_file(*path); });

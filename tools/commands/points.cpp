@@ -1,6 +1,7 @@
 // iog points: recorded clouds and scans of any lidar as a capture of points.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -11,16 +12,22 @@
 #include <vector>
 
 #include "lidar/scanner_facts.hpp"
+#include "tools/clouds/cloud_set.hpp"
 #include "tools/clouds/pcd_file.hpp"
+#include "tools/clouds/ply_file.hpp"
 #include "tools/clouds/points_sender.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/replay/pace.hpp"
+#include "tools/replay/udp_sender.hpp"
 
 namespace iog::tools {
 namespace {
@@ -33,6 +40,50 @@ struct PointsOptions {
   std::string sensor;
   std::string vehicle = kDefaultVehicle;
   std::string out;
+  std::string target;
+};
+
+// Where datagrams go: into a capture, or to a target at the pace of the recording.
+class Destination {
+ public:
+  Destination(const PointsOptions& options, std::uint16_t port) : options_(&options) {
+    if (options.out.empty() == options.target.empty()) {
+      throw UsageError("give either --out FILE or --target ADDRESS");
+    }
+    if (!options.target.empty()) {
+      target_.emplace(options.target, std::vector<std::uint16_t>{port});
+    }
+  }
+
+  void take(const CapturedDatagram& datagram) {
+    if (target_) {
+      pace_.wait_for(clock_.move_to(datagram.time_us));
+      refused_ += target_->send(0, datagram.payload) ? 0U : 1U;
+      return;
+    }
+    if (!capture_) {  // not before the first cloud is known to be one
+      capture_.emplace(options_->out);
+    }
+    capture_->write(datagram);
+  }
+
+  // "in drive.pcap"
+  [[nodiscard]] std::string finish(std::vector<std::string>& remarks) {
+    if (capture_) {
+      capture_->finish();
+      return "in " + options_->out;
+    }
+    remark(refused_, "datagrams were refused by the system", remarks);
+    return "to " + options_->target;
+  }
+
+ private:
+  const PointsOptions* options_;
+  std::optional<PcapWriter> capture_;
+  std::optional<UdpSender> target_;
+  Pace pace_{1};
+  CaptureClock clock_;
+  std::uint64_t refused_ = 0;
 };
 
 // The one that is named, or the only one of points.
@@ -51,47 +102,61 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, const std::string& out) {
-  std::vector<std::string> words;
+void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where) {
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
   std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
-            << " datagrams in " << out << '\n';
+            << " datagrams " << where << '\n';
   for (const std::string& word : words) {
     std::cout << word << '\n';
   }
 }
 
-void make_capture(const PointsOptions& options) {
+// Of a file that says no time.
+SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+  if (path.ends_with(".pcd")) {
+    return read_pcd(path, unit, stamp_us);
+  }
+  if (path.ends_with(".ply")) {
+    return read_ply(path, unit, stamp_us);
+  }
+  if (path.ends_with(".bin")) {
+    return read_kitti_cloud(path, stamp_us);
+  }
+  throw UsageError(
+      path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
+}
+
+void send_clouds(const PointsOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
-  PointsSender sender(car, sensor_of(options, car));
-  std::optional<PcapWriter> capture;  // not before the first cloud is known to be one
+  const std::size_t sensor = sensor_of(options, car);
+  PointsSender sender(car, sensor);
+  Destination destination(options, car.sensors[sensor].udp_port);
+  std::vector<std::string> remarks;
   Progress progress("clouds");
   const auto take = [&](SeenCloud&& cloud) {
     const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
-    if (!capture) {
-      capture.emplace(options.out);
-    }
-    std::ranges::for_each(datagrams, [&](const auto& datagram) { capture->write(datagram); });
+    std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
     progress.show(sender.sent().clouds);
   };
   for (const std::string& input : options.inputs) {
-    if (input.ends_with(".mcap")) {
-      for_each_cloud(input, options.topic, options.unit, take);
-    } else if (input.ends_with(".pcd")) {  // says no time
-      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
-      take(read_pcd(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
+    if (ros::is_recording(input)) {
+      std::ranges::move(for_each_cloud(input, options.topic, options.unit, take),
+                        std::back_inserter(remarks));
+    } else if (std::filesystem::is_directory(input)) {
+      std::ranges::move(for_each_of_set(input, take), std::back_inserter(remarks));
     } else {
-      throw UsageError(input + ": read are .mcap and .pcd");
+      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
+      take(cloud_in(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
     }
   }
-  if (!capture) {
+  if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }
-  capture->finish();
-  report(sender.sent(), options.out);
+  const std::string where = destination.finish(remarks);
+  report(sender.sent(), std::move(remarks), where);
 }
 
 }  // namespace
@@ -103,30 +168,33 @@ void add_points(CLI::App& program) {
   command
       ->add_option(
           "FILE", options->inputs,
-          "Recordings with sensor_msgs/PointCloud2 or LaserScan (.mcap), or point clouds (.pcd)")
+          "Recordings of ROS 2 with clouds or scans (.mcap, .db3, folders), point clouds (.pcd, "
+          ".ply, KITTI's .bin), or folders of KITTI")
       ->option_text("...")
       ->required();
-  command->add_option("--out", options->out, "Capture to write (.pcap)")
-      ->option_text("FILE  (required)")
-      ->required();
+  command->add_option("--out", options->out, "Capture to write (.pcap)")->option_text("FILE");
+  command
+      ->add_option("--target", options->target,
+                   "Or IPv4 address to send to, at the recording's pace")
+      ->option_text("ADDRESS");
   command->add_option("--sensor", options->sensor, "Sensor of the car, by name or number")
       ->option_text("NAME  (default the only one of type points)");
-  command->add_option("--topic", options->topic, "Topic of an MCAP file")
+  command->add_option("--topic", options->topic, "Topic of a recording")
       ->option_text("TOPIC  (default the one with clouds)");
-  static const std::map<std::string, TimeUnit> kUnits{{"s", TimeUnit::kSeconds},
-                                                      {"ms", TimeUnit::kMilliseconds},
-                                                      {"us", TimeUnit::kMicroseconds},
-                                                      {"ns", TimeUnit::kNanoseconds}};
+  static const std::map<std::string, TimeUnit> units{{"s", TimeUnit::kSeconds},
+                                                     {"ms", TimeUnit::kMilliseconds},
+                                                     {"us", TimeUnit::kMicroseconds},
+                                                     {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Unit of the points' own times")
       ->option_text("s|ms|us|ns  (default the unit in which a scan takes 5 to 500 ms)")
-      ->transform(CLI::CheckedTransformer(kUnits));
-  command->add_option("--rate", options->clouds_per_second, "PCD files per second")
+      ->transform(CLI::CheckedTransformer(units));
+  command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
   command->footer(
       "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");
-  command->callback([options] { make_capture(*options); });
+  command->callback([options] { send_clouds(*options); });
 }
 
 }  // namespace iog::tools

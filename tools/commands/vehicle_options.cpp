@@ -48,9 +48,9 @@ CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& dri
                                const std::string& text, const std::string& names) {
   auto* const pcap = command.add_option(names, drive.captures, text);
   pcap->option_text("FILE...");
-  all.add_option(
-         "--poses", drive.poses,
-         "Take the poses from this log: csv, nmea, ubx, oxts, tum, kitti or mcap (docs/drives.md)")
+  all.add_option("--poses", drive.poses,
+                 "Take the poses from this log: csv, nmea, ubx, oxts, tum, kitti, mcap or rosbag2 "
+                 "(docs/drives.md)")
       ->option_text("FILE | FOLDER")
       ->needs(pcap);
   all.add_option("--poses-mount", drive.poses_mount,

@@ -12,6 +12,8 @@
 
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/mcap/reader.hpp"
+#include "tools/formats/ros/bag_files.hpp"
+#include "tools/formats/ros/sqlite_bag.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/info/capture_census.hpp"
 #include "tools/program/printable.hpp"
@@ -123,6 +125,9 @@ std::string seconds(std::uint64_t micros) {
 }
 
 std::string summary_of_file(const std::string& path) {
+  if (ros::is_recording(path) && !path.ends_with(".mcap")) {
+    return summary_of_bag(path);
+  }
   if (std::filesystem::is_directory(path)) {
     return summary_of_folder(path);
   }
@@ -201,6 +206,25 @@ std::string summary_of_mcap(const std::string& path) {
          condition_of(file) + row("topics", std::to_string(file.channels().size())) +
          topics_of(file, census->topics, static_cast<double>(duration_us) / 1e6) +
          stream_of(file, *census);
+}
+
+// Its files one by one.
+std::string summary_of_bag(const std::string& path) {
+  const std::vector<std::string> names = ros::files_of_recording(path);
+  std::string text = row("kind", "bag of ROS 2, " + std::to_string(names.size()) + " files");
+  for (const std::string& name : names) {
+    text += name + '\n';
+    const ros::PlainFile plain(name);
+    if (is_mcap_file(plain.path())) {
+      text += summary_of_mcap(plain.path());
+      continue;
+    }
+    for (const ros::BagTopic& topic : ros::topics_in_sqlite(plain.path(), name)) {
+      text += "  " + printable(topic.name) + ' ' + std::to_string(topic.messages) + " messages, " +
+              printable(topic.type) + ", " + printable(topic.encoding) + '\n';
+    }
+  }
+  return text;
 }
 
 }  // namespace iog::tools

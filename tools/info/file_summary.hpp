@@ -7,12 +7,13 @@
 
 namespace iog::tools {
 
-// A capture, an MCAP file, a map of ROS, a map block, or a folder of pictures and a map. UsageError
-// if it is nothing of these or cannot be read.
+// A capture, an MCAP file, a bag of ROS 2, a map of ROS, a map block, or a folder of pictures and a
+// map. UsageError if it is nothing of these or cannot be read.
 [[nodiscard]] std::string summary_of_file(const std::string& path);
 
 [[nodiscard]] std::string summary_of_capture(const std::string& path);
 [[nodiscard]] std::string summary_of_mcap(const std::string& path);
+[[nodiscard]] std::string summary_of_bag(const std::string& path);
 // The YAML of a map, and the picture that it names.
 [[nodiscard]] std::string summary_of_map(const std::string& path);
 [[nodiscard]] std::string summary_of_pgm(const std::string& path);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "tools/formats/mcap/format.hpp"
+#include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
@@ -28,6 +29,9 @@ std::string format_of_text(std::string_view text) {
 }
 
 std::string format_of(const std::string& path) {
+  if (ros::is_recording(path)) {
+    return "mcap";
+  }
   if (files::is_directory(path)) {
     const bool is_oxts = files::exists(path + "/oxts") || files::exists(path + "/timestamps.txt");
     return files::exists(path + "/poses.txt") ? "kitti" : is_oxts ? "oxts" : "";
@@ -71,8 +75,8 @@ PoseLog read_pose_log(const std::string& input, const std::string& format) {
     return read_ros_log(path, colon == std::string::npos ? "" : input.substr(colon + 1));
   }
   if (its.empty()) {
-    throw UsageError(path +
-                     ": no log of poses that is read: csv, oxts, nmea, ubx, tum, kitti, mcap");
+    throw UsageError(
+        path + ": no log of poses that is read: csv, oxts, nmea, ubx, tum, kitti, mcap or rosbag2");
   }
   const std::vector<std::byte> bytes = read_file(path);
   static_cast<void>(its == "nmea" ? text_in(path, bytes) : "");

@@ -70,12 +70,14 @@ struct PoseLog {
 // its first frame: x forward, y left. UsageError with file and line.
 [[nodiscard]] PoseLog read_kitti_log(const std::string& path);
 
-// nav_msgs/msg/Odometry of an MCAP file or, if it has none, base_link in tf2_msgs/msg/TFMessage; of
-// a topic if one is given. UsageError if several topics or parents have poses.
+// nav_msgs/msg/Odometry of an MCAP file or bag or, if it has none, base_link in
+// tf2_msgs/msg/TFMessage; of a topic if one is given. UsageError if several topics or parents have
+// poses.
 [[nodiscard]] PoseLog read_ros_log(const std::string& path, const std::string& topic);
 
-// A log of that format; empty: the one that its name or its first bytes show. "FILE.mcap:/topic"
-// names a topic. UsageError if it is none, cannot be read, or as of its format.
+// A log of that format; empty: the one that its name or its first bytes show; "mcap" is any
+// recording of ROS 2. "FILE.mcap:/topic" names a topic. UsageError if it is none, cannot be read,
+// or as of its format.
 inline constexpr std::array<std::string_view, 7> kPoseFormats{"csv", "oxts",  "nmea", "ubx",
                                                               "tum", "kitti", "mcap"};
 [[nodiscard]] PoseLog read_pose_log(const std::string& input, const std::string& format = {});

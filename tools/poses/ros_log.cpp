@@ -83,7 +83,7 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
 PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
-  ros::for_each_message(path, {kOdometry}, topic, [&](const ros::RecordedMessage& message) {
+  log.remarks = ros::for_each_message(path, {kOdometry}, topic, [&](const auto& message) {
     its = its.empty() ? std::string(message.topic) : its;
     if (message.topic != its) {
       throw UsageError(path + ": " + its + " and " + std::string(message.topic) +
@@ -92,7 +92,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
     log.poses.push_back(pose_of_odometry(message));
   });
   if (log.poses.empty()) {
-    ros::for_each_message(path, {kTransforms}, topic, [&](const ros::RecordedMessage& message) {
+    log.remarks = ros::for_each_message(path, {kTransforms}, topic, [&](const auto& message) {
       add_transforms(message, its, log);
     });
   }

@@ -65,8 +65,8 @@ TEST(Capture, WhatIsNoCaptureIsNamedWithWhatToDo) {
   const std::vector<std::pair<std::string, std::string>> known{
       {"\xFD"s + "7zXZ\0"s, "unxz"},
       {"BZh91AY&SY", "bunzip2"},
-      {"#ROSBAG V2.0\n", "a bag of ROS 1; iog reads what was on the network"},
-      {"SQLite format 3\0"s, "a bag of ROS 2 is; iog reads what was on the network"},
+      {"#ROSBAG V2.0\n", "a bag of ROS 1: convert it to one of ROS 2 first"},
+      {"SQLite format 3\0"s, "a bag of ROS 2 is: `iog points` makes a capture"},
       {"\x89MCAP0\r\n", "an MCAP file"},
       {"\xAF\xFE\xC0\xC2", "iog convert --raw"},
       {velodyne, "iog convert --raw"},

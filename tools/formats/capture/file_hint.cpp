@@ -14,9 +14,9 @@ struct Kind {
 };
 
 constexpr std::string_view kOfRos =
-    "; iog reads what was on the network: record it with tcpdump or Wireshark, or write the "
-    "payloads of the driver's packet topic out one behind the other, and `iog convert` makes a "
-    "capture of those of a LUX or a Velodyne";
+    ": `iog points` makes a capture of its clouds and scans, `iog convert --bag` of the packets of "
+    "a "
+    "lidar, and --poses reads its poses";
 
 // The file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite and MCAP;
 // docs/spec.md 1 and 6.
@@ -25,11 +25,11 @@ constexpr std::array<Kind, 9> kKinds{
      {"BZh"sv, "a bzip2 file: unpack it first, `bunzip2 -k FILE`"},
      {"\x04\x22\x4D\x18"sv, "an lz4 file: unpack it first, `unlz4 FILE`"},
      {"PK\x03\x04"sv, "a ZIP file: unpack it first, `unzip FILE`"},
-     {"#ROSBAG V"sv, "a bag of ROS 1"},
+     {"#ROSBAG V"sv,
+      "a bag of ROS 1: convert it to one of ROS 2 first, for example by rosbags-convert"},
      {"SQLite format 3\x00"sv, "an SQLite file, as a bag of ROS 2 is"},
      {"\x89MCAP0\r\n"sv,
-      "an MCAP file: of those that `iog record` has written, `iog info` and `iog record --stream` "
-      "take it; of one of ROS 2, record the network instead, with tcpdump or Wireshark"},
+      "an MCAP file; `iog record --stream` takes what iog has written. Of ROS 2"},
      {"\xAF\xFE\xC0\xC2"sv,
       "raw ibeo messages: `iog convert --raw FILE:SENSOR --out drive.pcap` makes a capture of "
       "scans "
@@ -51,7 +51,7 @@ std::string hint_of(std::span<const std::byte> begin) {
   const std::string_view bytes(reinterpret_cast<const char*>(begin.data()), begin.size());
   for (const Kind& kind : kKinds) {
     if (bytes.starts_with(kind.begin)) {
-      const bool is_of_ros = kind.begin.starts_with('#') || kind.begin.starts_with('S');
+      const bool is_of_ros = kind.begin.starts_with('S') || kind.begin.starts_with('\x89');
       return std::string(kind.hint).append(is_of_ros ? kOfRos : "");
     }
   }

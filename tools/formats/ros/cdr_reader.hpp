@@ -43,6 +43,8 @@ class CdrReader {
     const std::size_t count = u32();
     return in_.bytes(count * number_bytes);
   }
+  [[nodiscard]] std::span<const std::byte> array(std::size_t bytes) { return in_.bytes(bytes); }
+  [[nodiscard]] std::span<const std::byte> rest() { return in_.bytes(in_.remaining()); }
   [[nodiscard]] std::uint64_t stamp_us() {
     const std::uint64_t seconds = u32();
     return seconds * 1'000'000 + u32() / 1000;

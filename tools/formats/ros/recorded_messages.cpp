@@ -1,46 +1,133 @@
 #include "tools/formats/ros/recorded_messages.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <map>
 #include <utility>
+#include <zstd.h>
 
 #include "tools/formats/mcap/reader.hpp"
+#include "tools/formats/ros/bag_files.hpp"
+#include "tools/formats/ros/sqlite_bag.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools::ros {
+namespace {
 
-void for_each_message(const std::string& path, std::initializer_list<std::string_view> types,
-                      std::string_view topic,
-                      const std::function<void(const RecordedMessage&)>& take) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw UsageError(path + ": there is no such file");
+using namespace std::string_view_literals;
+
+bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
+  const auto expected = std::as_bytes(std::span(magic));
+  return bytes.size() >= magic.size() && std::ranges::equal(bytes.first(magic.size()), expected);
+}
+
+// A message that rosbag2 has compressed by itself is a frame of zstd (RFC 8878), which no CDR
+// begins as.
+class Messages {
+ public:
+  Messages(std::initializer_list<std::string_view> types, std::string_view topic,
+           const std::function<void(const RecordedMessage&)>& take)
+      : types_(types), topic_(topic), take_(&take) {}
+
+  [[nodiscard]] bool wants(const BagTopic& topic) const {
+    return std::ranges::find(types_, topic.type) != types_.end() &&
+           (topic_.empty() || topic.name == topic_);
   }
+
+  void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
+    std::string where = file + ": message " + std::to_string(numbers_[topic.name]++) + " of " +
+                        printable(topic.name);
+    const std::string_view known = topic.type.starts_with("foxglove.") ? "protobuf" : "cdr";
+    if (!topic.encoding.empty() && topic.encoding != known) {  // old bags do not say it
+      throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not " +
+                       std::string(known));
+    }
+    (*take_)({topic.name, topic.type, unpacked(data, where), std::move(where)});
+  }
+
+ private:
+  std::span<const std::byte> unpacked(std::span<const std::byte> data, const std::string& where) {
+    if (!begins_with(data, "\x28\xB5\x2F\xFD"sv)) {
+      return data;
+    }
+    constexpr unsigned long long kMostBytes = 256U << 20;
+    const unsigned long long bytes = ZSTD_getFrameContentSize(data.data(), data.size());
+    if (bytes <= kMostBytes) {
+      unpacked_.resize(bytes);
+      if (ZSTD_decompress(unpacked_.data(), bytes, data.data(), data.size()) == bytes) {
+        return unpacked_;
+      }
+    }
+    throw UsageError(where + ": what zstd has compressed is damaged, or larger than 256 MiB");
+  }
+
+  std::initializer_list<std::string_view> types_;
+  std::string_view topic_;
+  const std::function<void(const RecordedMessage&)>* take_;
+  std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
+  std::vector<std::byte> unpacked_;
+};
+
+void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
+               std::vector<std::string>& remarks) {
   mcap::Reader reader(file);
-  std::map<std::uint16_t, std::uint64_t> numbers;  // of messages of a channel
   while (const auto message = reader.next()) {
     const mcap::Channel& channel = reader.channels().at(message->channel_id);
     const auto schema = reader.schemas().find(channel.schema_id);
-    if (schema == reader.schemas().end() ||
-        std::ranges::find(types, schema->second.name) == types.end() ||
-        (!topic.empty() && channel.topic != topic)) {
+    if (schema == reader.schemas().end()) {
       continue;
     }
-    std::string where = path + ": message " + std::to_string(numbers[message->channel_id]++) +
-                        " of " + printable(channel.topic);
-    if (channel.message_encoding != "cdr") {
-      throw UsageError(where + ": its encoding is " + channel.message_encoding + ", not cdr");
+    const BagTopic topic{channel.topic, schema->second.name, channel.message_encoding, 0};
+    if (messages.wants(topic)) {
+      messages.take(name, topic, message->data);
     }
-    take({channel.topic, schema->second.name, message->data, std::move(where)});
   }
-  const std::uint64_t lost = reader.counts().unreadable_chunks + reader.counts().broken_chunks;
-  if (lost > 0) {
-    throw UsageError(path + ": " + std::to_string(lost) +
-                     " chunks are damaged, or compressed by what is not read");
+  const mcap::ReadCounts& counts = reader.counts();
+  if (counts.unreadable_chunks > 0 && !reader.compression().empty() &&
+      reader.compression() != "zstd") {
+    throw UsageError(name + ": its chunks are compressed by " + printable(reader.compression()) +
+                     "; only zstd is read");
   }
+  if (const std::uint64_t lost = counts.unreadable_chunks + counts.broken_chunks; lost > 0) {
+    throw UsageError(name + ": " + std::to_string(lost) + " chunks are damaged or too large");
+  }
+  if (!reader.is_finished()) {
+    remarks.push_back(name + ": its end is missing; it was read up to there");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> for_each_message(const std::string& path,
+                                          std::initializer_list<std::string_view> types,
+                                          std::string_view topic,
+                                          const std::function<void(const RecordedMessage&)>& take) {
+  Messages messages(types, topic, take);
+  std::vector<std::string> remarks;
+  for (const std::string& name : files_of_recording(path)) {
+    const PlainFile plain(name);
+    std::ifstream file(plain.path(), std::ios::binary);
+    std::array<char, 16> magic{};
+    file.read(magic.data(), magic.size());
+    const auto begin =
+        std::as_bytes(std::span(magic).first(static_cast<std::size_t>(file.gcount())));
+    file.clear();
+    if (begins_with(begin, "SQLite format 3\0"sv)) {
+      for_each_in_sqlite(
+          plain.path(), name, [&](const BagTopic& its) { return messages.wants(its); },
+          [&](const BagTopic& its, auto data) { messages.take(name, its, data); });
+    } else if (begins_with(begin, "#ROSBAG V"sv)) {
+      throw UsageError(name + ": a bag of ROS 1: convert it first, for example by rosbags-convert");
+    } else if (begins_with(begin, "\x89MCAP0\r\n"sv)) {
+      read_mcap(file, name, messages, remarks);
+    } else {
+      throw UsageError(name + ": neither MCAP nor a bag of SQLite");
+    }
+  }
+  return remarks;
 }
 
 }  // namespace iog::tools::ros

@@ -1,4 +1,4 @@
-// The messages of ROS 2 in a recording: an MCAP file.
+// The messages of ROS 2 in a recording: MCAP, or rosbag2's sqlite3; a file, or a bag's folder.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,23 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace iog::tools::ros {
 
 struct RecordedMessage {
   std::string_view topic;
   std::string_view type;            // "sensor_msgs/msg/LaserScan"
-  std::span<const std::byte> data;  // CDR
+  std::span<const std::byte> data;  // CDR; of Foxglove's own types Protocol Buffers
   std::string where;                // "drive.mcap: message 3 of /scan", for errors
 };
 
 // Calls take(message) with each message of one of these types, in the order of the file; of a
-// topic, if one is given. UsageError if the file cannot be read or parts of it are damaged, or such
-// a message is not in CDR.
-void for_each_message(const std::string& path, std::initializer_list<std::string_view> types,
-                      std::string_view topic,
-                      const std::function<void(const RecordedMessage&)>& take);
+// topic, if one is given. Returns remarks: what is not there. UsageError if a file cannot be read
+// or parts of it are damaged, or such a message is encoded otherwise.
+std::vector<std::string> for_each_message(const std::string& path,
+                                          std::initializer_list<std::string_view> types,
+                                          std::string_view topic,
+                                          const std::function<void(const RecordedMessage&)>& take);
 
 }  // namespace iog::tools::ros

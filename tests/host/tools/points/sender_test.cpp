@@ -143,7 +143,7 @@ TEST_F(PointsOfBag, TimesThatGoBackAreTold) {
 
 TEST_F(PointsOfBag, OneWithoutCloudsIsTold) {
   bag_.topics.clear();
-  EXPECT_EQ(told(), ": it has no PointCloud2 and no LaserScan of sensor_msgs");
+  EXPECT_EQ(told(), ": it has no clouds and no scans of sensor_msgs, foxglove or livox_ros_driver");
 }
 
 TEST(PointsSender, MorePointsThanTheCarTakesAreTold) {

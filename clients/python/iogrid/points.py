@@ -1,0 +1,87 @@
+"""Scans of any lidar as the datagrams that a target takes them in (docs/spec.md, 1.2.6)."""
+import dataclasses
+import struct
+
+import numpy
+
+TURN = 1_152_000  # steps of 1/3,200 degree
+MOST_POINTS = 85
+MOST_MM = 1_048_575
+POINT = numpy.dtype([("azimuth", "<u4"), ("elevation", "<i4"), ("range", "<u4"), ("after", "<u2"), ("flags", "u1"),
+                     ("class", "u1")])
+NOTHING = 4  # a flag: nothing came back
+TIME_FIELDS = ("t", "time", "timestamp", "time_stamp", "offset_time")
+
+
+@dataclasses.dataclass
+class Scan:
+    """Directions and ranges in the units of the wire, and the time of each point behind the first, or None."""
+
+    time_us: int
+    azimuth: numpy.ndarray
+    elevation: numpy.ndarray
+    range_mm: numpy.ndarray
+    after_us: numpy.ndarray | None = None
+    flags: int | numpy.ndarray = 0
+
+
+def _nearest(values: numpy.ndarray) -> numpy.ndarray:
+    return (numpy.sign(values) * numpy.floor(numpy.abs(values) + 0.5)).astype(numpy.int64)
+
+
+def of_places(x, y, z, time_us: int, after_us: numpy.ndarray | None = None) -> Scan:
+    """Of coordinates in metres. What is not finite, and what is at the sensor itself, is left out."""
+    x, y, z = (numpy.asarray(each, numpy.float64) for each in (x, y, z))
+    flat = numpy.hypot(x, y)
+    range_mm = numpy.minimum(numpy.floor(numpy.hypot(flat, z) * 1000 + 0.5), MOST_MM)
+    kept = numpy.isfinite(x) & numpy.isfinite(y) & numpy.isfinite(z) & (range_mm > 0)
+    azimuth = _nearest(numpy.degrees(numpy.arctan2(y[kept], x[kept])) * 3200) % TURN
+    return Scan(time_us, azimuth, _nearest(numpy.degrees(numpy.arctan2(z[kept], flat[kept])) * 3200), range_mm[kept],
+                None if after_us is None else after_us[kept])
+
+
+def of_ranges(ranges_m, first_rad: float, step_rad: float, time_us: int, apart_s: float = 0, least_m: float = 0,
+              most_m: float = numpy.inf) -> Scan:
+    """Of a 2D scanner. A range beyond the longest is a beam from which nothing came back (REP 117)."""
+    ranges = numpy.asarray(ranges_m, numpy.float64)
+    with numpy.errstate(invalid="ignore"):
+        kept = numpy.flatnonzero((ranges >= least_m) & (ranges > 0))
+    angle = numpy.degrees(first_rad + kept * step_rad)
+    ranges = ranges[kept]
+    is_seen = (ranges <= most_m) & (ranges * 1000 < MOST_MM)
+    has_times = 0 < apart_s * len(ranges_m) <= 1
+    return Scan(time_us, _nearest((angle - 360 * numpy.round(angle / 360)) * 3200) % TURN, numpy.zeros(len(kept), int),
+                numpy.where(is_seen, _nearest(numpy.where(is_seen, ranges, 0) * 1000), 0),
+                _nearest(kept * apart_s * 1e6) if has_times else None, numpy.where(is_seen, 0, NOTHING))
+
+
+def after_us_of(times: numpy.ndarray) -> tuple[float, numpy.ndarray] | None:
+    """Of a driver's times, in the unit of which a scan takes 5 to 500 ms: the first one and, behind it, each. None if
+    there is no such unit."""
+    times = times.astype(numpy.float64)
+    span = numpy.ptp(times) if len(times) else 0
+    for us in (1e6, 1e3, 1, 1e-3):
+        if 5_000 <= span * us <= 500_000:
+            return times.min() * us, _nearest((times - times.min()) * us)
+    return None
+
+
+def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bool = False) -> list[bytes]:
+    """In the order of the points' times or, of what turns and has none, of their azimuths."""
+    points = numpy.zeros(len(scan.azimuth), POINT)
+    points["azimuth"], points["elevation"], points["range"] = scan.azimuth, scan.elevation, scan.range_mm
+    points["flags"] = scan.flags
+    after_us = numpy.zeros(len(points), int) if scan.after_us is None else scan.after_us
+    if scan.after_us is not None or turns:
+        order = numpy.argsort(points["azimuth"] if scan.after_us is None else after_us, kind="stable")
+        points, after_us = points[order], after_us[order]
+    width = round(field_of_view_deg * 3200)
+    count = max(-(-len(points) // MOST_POINTS), 1)
+    made = []
+    for i in range(count):
+        its = slice(i * MOST_POINTS, (i + 1) * MOST_POINTS)
+        first_us = int(after_us[its].min(initial=2**62)) if len(points) else 0
+        points["after"][its] = numpy.minimum((after_us[its] - first_us) // 10, 0xFFFF)
+        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 2, len(points[its]), number, i, count,
+                                scan.time_us + first_us, (TURN - width // 2) % TURN, width) + points[its].tobytes())
+    return made

@@ -1,0 +1,132 @@
+"""Does clients/ros2/points_node.py send what `iog points` makes of the same messages? ROS 2 is not here: stand-ins of its
+messages have the fields of its definitions, and one of rclpy keeps who subscribes."""
+
+import importlib.util
+import socket
+import sys
+import types
+import unittest
+
+import streams
+
+import capture
+import made_bags
+import numpy
+
+CAR = """name = "it"
+footprint = { x_min_m = -0.3, x_max_m = 0.3, y_min_m = -0.2, y_max_m = 0.2 }
+[[sensors]]
+name = "front"
+mount = { x_m = 0, y_m = 0, z_m = 0.2 }
+range_max_mm = 30_000
+layers = { from_deg = -20, to_deg = 20, count = 16 }
+max_points_per_scan = 4_000
+"""
+KINDS = {"turning": 'type = "points_turning"\n', "wide": 'type = "points"\nscan_width_ticks = 8640\n'}  # 270 degrees
+
+
+class Node:
+    """Of rclpy; PARAMETERS are what somebody gave by -p."""
+
+    PARAMETERS: dict[str, object] = {}
+    subscriptions: dict[str, object] = {}
+
+    def __init__(self, name: str):
+        assert name == "iogrid_points"
+
+    def declare_parameter(self, name: str, value):
+        return types.SimpleNamespace(value=self.PARAMETERS.get(name, value))
+
+    def create_subscription(self, kind: str, topic: str, take, _quality) -> None:
+        self.subscriptions[topic] = take
+
+
+def load_node():
+    for name, content in {"rclpy": {"init": lambda: None}, "rclpy.node": {"Node": Node},
+                          "rclpy.qos": {"qos_profile_sensor_data": None}, "sensor_msgs": {},
+                          "sensor_msgs.msg": {"PointCloud2": "PointCloud2", "LaserScan": "LaserScan"}}.items():
+        sys.modules[name] = types.ModuleType(name)
+        vars(sys.modules[name]).update(content)
+    spec = importlib.util.spec_from_file_location("points_node", streams.ROOT / "clients/ros2/points_node.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    module.PAUSE_S = 0
+    return module
+
+
+def header(time_ns: int):
+    return types.SimpleNamespace(stamp=types.SimpleNamespace(sec=time_ns // 10**9, nanosec=time_ns % 10**9), frame_id="it")
+
+
+def cloud_message(time_ns: int, points: numpy.ndarray, is_bigendian: bool = False):
+    fields = [types.SimpleNamespace(name=name, offset=points.dtype.fields[name][1], datatype=made_bags.FORMATS[name], count=1)
+              for name in points.dtype.names]
+    data = (points.byteswap() if is_bigendian else points).tobytes()
+    return types.SimpleNamespace(header=header(time_ns), height=1, width=len(points), fields=fields, data=data,
+                                 is_bigendian=is_bigendian, point_step=points.itemsize, row_step=len(data), is_dense=False)
+
+
+def scan_message(time_ns: int, ranges: numpy.ndarray, first: float, step: float, apart_s: float):
+    first, step, apart_s = (float(numpy.float32(each)) for each in (first, step, apart_s))
+    return types.SimpleNamespace(header=header(time_ns), angle_min=first, angle_max=first + step * (len(ranges) - 1),
+                                 angle_increment=step, time_increment=apart_s, scan_time=0.1, ranges=ranges.tolist(),
+                                 range_min=float(numpy.float32(0.1)), range_max=20.0, intensities=[])
+
+
+def clouds(*names: str) -> list[numpy.ndarray]:
+    """Two, with points of no number and at the sensor."""
+    noise = numpy.random.default_rng(3)
+    kinds = {"x": "<f4", "y": "<f4", "z": "<f4", "ring": "<u2", "time": "<f4"}
+    made = []
+    for _ in range(2):
+        cloud = numpy.zeros(1000, [(name, kinds[name]) for name in names])
+        for name in names:
+            cloud[name] = noise.uniform(-10, 10, 1000)
+        cloud["x"][[3, 7]] = numpy.nan, numpy.inf
+        for name in ("x", "y", "z"):
+            cloud[name][11] = 0
+        if "time" in names:
+            cloud["time"] = noise.permutation(1000) / 16384 - 0.05  # behind its last point, as Velodyne's driver has it
+        made.append(cloud)
+    return made
+
+
+class PointsNode(unittest.TestCase):
+    def sent(self, car: str, topic: str, rows: list[made_bags.Row], messages: list, **parameters) -> None:
+        """The node's datagrams are those of `iog points`."""
+        streams.FOLDER.mkdir(parents=True, exist_ok=True)
+        bag, file, out = (streams.FOLDER / name for name in ("it.db3", "it.toml", "it.pcap"))
+        file.write_text(CAR + KINDS[car])
+        made_bags.write_sqlite(bag, rows)
+        streams.iog("points", bag, "--vehicle-file", file, "--out", out)
+        expected = [packet.payload for packet in capture.read(out)]
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as target:
+            target.bind(("127.0.0.1", 0))
+            target.settimeout(10)
+            Node.PARAMETERS = {"address": "127.0.0.1", "port": target.getsockname()[1], **parameters}
+            node = load_node().PointsNode()
+            for message in messages:
+                Node.subscriptions[topic](message)
+            node.socket.close()
+            self.assertEqual([target.recv(2000) for _ in expected], expected)
+
+    def test_clouds(self):
+        times = [made_bags.START_NS, made_bags.START_NS + 100_000_000]
+        for names in (("x", "y", "z", "ring", "time"), ("x", "y", "z")):
+            for is_big_endian in (False, True):
+                its = list(zip(times, clouds(*names)))
+                self.sent("turning", "cloud",
+                          [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
+                          [cloud_message(now, cloud, is_big_endian) for now, cloud in its], turns=True)
+
+    def test_scans(self):
+        ranges = numpy.float32(numpy.random.default_rng(4).uniform(0.05, 21, 1081))
+        ranges[[5, 9, 11]] = numpy.inf, numpy.nan, 0
+        for scan_s in (0.075, 0.0):
+            first, step, now = -2.356, 4.712 / 1080, made_bags.START_NS
+            self.sent("wide", "scan", [("/it", now, made_bags.laser_scan(now, ranges, first, step, scan_s))],
+                      [scan_message(now, ranges, first, step, scan_s / 1081)], field_of_view_deg=270.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

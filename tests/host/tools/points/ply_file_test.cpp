@@ -1,0 +1,94 @@
+// PLY as its description writes it, byte by byte; and what is told of wrong ones.
+#include "tools/clouds/ply_file.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "cloud_bytes.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+class PlyFile : public ::testing::Test {
+ protected:
+  SeenCloud ply(const std::string& words, const Bytes& bytes = {}) {
+    OutputFile out(path_);
+    out.write(words);
+    out.write(bytes);
+    out.finish();
+    return read_ply(path_, TimeUnit::kFound, 5);
+  }
+  std::string told_of(const std::string& words) {
+    return told_by([&] { static_cast<void>(ply(words)); }).substr(path_.size());
+  }
+
+  tests::TemporaryFolder folder_;
+  std::string path_ = folder_ / "it.ply";
+};
+
+std::string head(const std::string& format) {
+  return "ply\r\nformat " + format +
+         " 1.0\r\ncomment two points\r\nelement vertex 2\r\nproperty uchar red\r\n"
+         "property float64 x\r\nproperty float y\r\nproperty float32 z\r\nproperty uint time\r\n"
+         "element face 1\r\nproperty list uchar int vertex_index\r\nend_header\r\n";
+}
+
+// A number as a file of that byte order has it.
+template <typename Number>
+void add_number(Bytes& bytes, Number number, bool is_big_endian) {
+  Bytes its;
+  add(its, number);
+  if (is_big_endian) {
+    std::ranges::reverse(its);
+  }
+  bytes.insert(bytes.end(), its.begin(), its.end());
+}
+
+TEST_F(PlyFile, ReadsEachFormat) {
+  const auto expect_both = [](const SeenCloud& cloud) {
+    expect_two(cloud);
+    EXPECT_EQ(cloud.points[1].after_us, 50'000U);
+    EXPECT_EQ(cloud.time_us, 7U);  // 2 us behind its stamp
+  };
+  expect_both(ply(head("ascii") + "255 0 10 0 2\n255 1 0 1 50002\n3 0 1 1\n"));
+  for (const bool is_big_endian : {false, true}) {
+    Bytes bytes;
+    for (const bool is_second : {false, true}) {
+      add(bytes, 255, 1);
+      add_number(bytes, is_second ? 1.0 : 0.0, is_big_endian);
+      add_number(bytes, is_second ? 0.F : 10.F, is_big_endian);
+      add_number(bytes, is_second ? 1.F : 0.F, is_big_endian);
+      Bytes time;
+      add(time, is_second ? 50'002 : 2, 4);
+      if (is_big_endian) {
+        std::ranges::reverse(time);
+      }
+      bytes.insert(bytes.end(), time.begin(), time.end());
+    }
+    expect_both(ply(head(is_big_endian ? "binary_big_endian" : "binary_little_endian"), bytes));
+  }
+}
+
+TEST_F(PlyFile, TellsWhatIsWrong) {
+  EXPECT_EQ(told_of("solid\n"), ": this is no PLY file: its head has no end_header");
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\n"),
+            ": this is no PLY file: its head has no end_header");
+  EXPECT_EQ(told_of("ply\nelement face 1\n"), ": its first element is face, not vertex");
+  EXPECT_EQ(told_of("ply\nelement vertex 1\nproperty list uchar int x\n"),
+            ": property uchar has an unknown type, list");
+  EXPECT_EQ(told_of(head("binary_middle_endian")),
+            ": its format is binary_middle_endian; read are ascii, binary_little_endian, "
+            "binary_big_endian");
+  EXPECT_EQ(told_of(head("ascii") + "255 0 10 0"), ": it ends before its 2 points");
+  EXPECT_EQ(told_of(head("binary_big_endian")), ": it ends before its 2 points");
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
+            ": its points have no field y");
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 10000000\nproperty float x\n"
+                    "property float y\nend_header\n1\n"),
+            ": 10000000 points; no unit sees more than 1000000 in a scan");
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,27 @@
+// A scan of a 2D scanner, whose beams are evenly apart in its plane, as a cloud.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tools/clouds/cloud_fields.hpp"
+
+namespace iog::tools {
+
+struct LaserRanges {
+  std::uint64_t stamp_us = 0;
+  double first_rad = 0;
+  double step_rad = 0;
+  double apart_s = 0;  // from beam to beam; 0: not known
+  double least_m = 0;
+  double most_m = std::numeric_limits<double>::infinity();
+  std::vector<double> ranges_m{};
+};
+
+// An infinite range, or one beyond the longest, is a beam from which nothing came back (REP 117).
+// UsageError, which begins with `what`, if there are too many, or the angles are no numbers.
+[[nodiscard]] SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what);
+
+}  // namespace iog::tools

@@ -1,0 +1,105 @@
+#include "tools/clouds/ply_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
+
+namespace iog::tools {
+namespace {
+
+// The names of each type, in the order of sensor_msgs/PointField's numbers, twice.
+CloudField field_of(const std::string& type, const std::string& name, const std::string& path) {
+  constexpr std::size_t kTypes = 8;
+  constexpr std::array<std::string_view, 2 * kTypes> kNames{
+      "char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
+      "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
+  const auto found = std::ranges::find(kNames, type);
+  if (found == kNames.end()) {
+    throw UsageError(path + ": property " + printable(name) + " has an unknown type, " +
+                     printable(type));
+  }
+  return field_of_type(name, static_cast<std::size_t>(found - kNames.begin()) % kTypes + 1, path);
+}
+
+// The vertices, which are its first element, and how they are written.
+struct PlyHead {
+  std::string format{};
+  std::string element{};  // the one whose properties come
+  bool is_whole = false;
+};
+
+void take_line(const std::string& line, const std::string& path, PlyHead& head,
+               CloudRecords& records) {
+  std::istringstream in(line);
+  std::string key;
+  std::string first;
+  std::string second;
+  in >> key >> first >> second;
+  if (key == "format") {
+    head.format = first;
+  } else if (key == "element") {
+    if (head.element.empty() && first != "vertex") {
+      throw UsageError(path + ": its first element is " + printable(first) + ", not vertex");
+    }
+    head.element = first;
+    records.count = first == "vertex" ? std::strtoul(second.c_str(), nullptr, 10) : records.count;
+  } else if (key == "property" && head.element == "vertex") {
+    records.fields.push_back(field_of(first, second, path));
+  }
+  head.is_whole = key == "end_header";
+}
+
+// Points one behind another.
+void place_fields(bool are_words, CloudRecords& records) {
+  std::size_t stride = 0;
+  for (CloudField& field : records.fields) {
+    if (are_words) {
+      field.kind = CloudField::Kind::kFloat;
+      field.bytes = 8;
+    }
+    field.at = stride;
+    stride += field.bytes;
+  }
+  std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
+}
+
+}  // namespace
+
+SeenCloud read_ply(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+  const std::vector<std::byte> file = read_file(path);
+  CloudRecords records{.bytes = file, .stamp_us = stamp_us};
+  PlyHead head;
+  while (!records.bytes.empty() && !head.is_whole) {
+    const auto end = std::ranges::find(records.bytes, std::byte{'\n'});
+    const auto length = static_cast<std::size_t>(end - records.bytes.begin());
+    const std::string line(reinterpret_cast<const char*>(records.bytes.data()), length);
+    if (records.bytes.size() == file.size() && !line.starts_with("ply")) {
+      break;
+    }
+    take_line(line, path, head, records);
+    records.bytes = records.bytes.subspan(std::min(length + 1, records.bytes.size()));
+  }
+  if (!head.is_whole) {
+    throw UsageError(path + ": this is no PLY file: its head has no end_header");
+  }
+  records.is_big_endian = head.format == "binary_big_endian";
+  const bool is_ascii = head.format == "ascii";
+  if (!is_ascii && !records.is_big_endian && head.format != "binary_little_endian") {
+    throw UsageError(path + ": its format is " + printable(head.format) +
+                     "; read are ascii, binary_little_endian, binary_big_endian");
+  }
+  place_fields(is_ascii, records);
+  const std::vector<std::byte> doubles =
+      is_ascii ? doubles_in(records.bytes) : std::vector<std::byte>();
+  records.bytes = is_ascii ? std::span<const std::byte>(doubles) : records.bytes;
+  return cloud_of(records, unit, path);
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,16 @@
+// A cloud in a file of its own: PLY, the Polygon File Format (G. Turk, 1994): ascii,
+// binary_little_endian or binary_big_endian; the properties of its vertices.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tools/clouds/cloud_fields.hpp"
+
+namespace iog::tools {
+
+// stamp_us: of the scan, which the file does not have. UsageError if the file cannot be read or is
+// no such file, and as cloud_of().
+[[nodiscard]] SeenCloud read_ply(const std::string& path, TimeUnit unit, std::uint64_t stamp_us);
+
+}  // namespace iog::tools

@@ -1,0 +1,127 @@
+#include "tools/formats/ros/bag_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+#include <unistd.h>
+
+#include "tools/formats/capture/unpacked_file.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
+
+namespace iog::tools::ros {
+namespace {
+
+namespace files = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kEndings{".mcap", ".db3", ".mcap.zstd", ".db3.zstd"};
+
+bool is_file_of_bag(const std::string& path) {
+  return std::ranges::any_of(kEndings, [&](auto ending) { return path.ends_with(ending); });
+}
+
+// Numbers of splits have no leading zeros: the shorter name is earlier.
+std::vector<std::string> all_in(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const files::directory_entry& entry : files::directory_iterator(folder)) {
+    if (is_file_of_bag(entry.path())) {
+      found.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(found, {},
+                    [](const std::string& path) { return std::pair(path.size(), path); });
+  return found;
+}
+
+std::string value_in(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" -\"'");
+  const std::size_t end = line.find_last_not_of(" \"'\r");
+  return begin == std::string_view::npos ? "" : std::string(line.substr(begin, end + 1 - begin));
+}
+
+// Only what rosbag2 itself writes is understood, not all of YAML.
+std::vector<std::string> of_metadata(const std::string& folder) {
+  const std::string path = folder + "/metadata.yaml";
+  std::vector<std::string> found;
+  bool is_in_list = false;
+  for (const std::string& line : read_lines(path)) {
+    const std::string_view text =
+        std::string_view(line).substr(std::min(line.find_first_not_of(' '), line.size()));
+    constexpr std::string_view kCompression = "compression_format:";
+    if (text.starts_with(kCompression)) {
+      const std::string format = value_in(text.substr(kCompression.size()));
+      if (!format.empty() && format != "zstd") {
+        throw UsageError(path + ": the bag is compressed by " + printable(format) +
+                         "; only zstd is read");
+      }
+    }
+    is_in_list = text.starts_with("relative_file_paths:") || (is_in_list && text.starts_with("-"));
+    if (is_in_list && text.starts_with("-")) {
+      found.push_back(folder + "/" + files::path(value_in(text)).filename().string());
+      if (!files::exists(found.back())) {
+        throw UsageError(found.back() + ": this part of the bag is not there");
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+bool is_recording(const std::string& path) {
+  if (!files::is_directory(path)) {
+    return is_file_of_bag(path);
+  }
+  return files::exists(path + "/metadata.yaml") || !all_in(path).empty();
+}
+
+std::vector<std::string> files_of_recording(const std::string& path) {
+  if (!files::is_directory(path)) {
+    return {path};
+  }
+  std::vector<std::string> found =
+      files::exists(path + "/metadata.yaml") ? of_metadata(path) : all_in(path);
+  if (found.empty()) {
+    throw UsageError(path + ": no file of a bag is in this folder: .db3, .mcap, or these as .zstd");
+  }
+  return found;
+}
+
+PlainFile::PlainFile(const std::string& path) : path_(path) {
+  UnpackedFile packed(path);
+  if (packed.packer().empty()) {
+    return;
+  }
+  path_ = files::temp_directory_path() / "iog_bag_XXXXXX";
+  const int made = mkstemp(path_.data());
+  if (made < 0) {
+    throw file_error(path_, "cannot be made");
+  }
+  close(made);
+  is_copy_ = true;
+  try {
+    OutputFile out(path_);
+    std::vector<std::byte> bytes(1U << 20);
+    while (const std::size_t got = packed.read(bytes)) {
+      out.write(std::span(bytes).first(got));
+    }
+    out.finish();
+    if (!packed.trouble().empty()) {
+      throw UsageError(path + ": " + packed.trouble());
+    }
+  } catch (...) {
+    unlink(path_.c_str());
+    throw;
+  }
+}
+
+PlainFile::~PlainFile() {
+  if (is_copy_) {
+    unlink(path_.c_str());
+  }
+}
+
+}  // namespace iog::tools::ros
