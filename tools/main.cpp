@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   tools::add_info(program);
   tools::add_map(program);
   tools::add_mount(program);
+  tools::add_odometry(program);
   tools::add_vehicles(program);
   tools::add_budget(program);
   tools::add_image(program);

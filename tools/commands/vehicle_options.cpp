@@ -1,11 +1,21 @@
 #include "tools/commands/vehicle_options.hpp"
 
+#include <cmath>
+
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {
 
 constexpr double kMostClockOffsetS = 4e9;  // more than the years of any clock
+
+std::optional<double> offset_in(const std::string& text) {
+  double seconds = 0;
+  if (!CLI::detail::lexical_cast(text, seconds) || !(std::abs(seconds) <= kMostClockOffsetS)) {
+    throw CLI::ValidationError("--clock-offset", "seconds or auto, not " + text);
+  }
+  return seconds;
+}
 
 constexpr const char* kFileHelp = "The car of this file (docs/vehicles.md)";
 
@@ -38,21 +48,36 @@ CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& s
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }
 
+CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::string& text) {
+  auto* const poses = command.add_option("--poses", drive.poses, text);
+  poses->option_text("FILE | FOLDER");
+  command
+      .add_option("--poses-mount", drive.poses_mount,
+                  "Where in the vehicle frame the receiver or lidar is whose poses were logged")
+      ->option_text("X Y [YAW]  (metres, degrees)")
+      ->expected(2, 3)
+      ->needs(poses);
+  return poses;
+}
+
 CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& drive,
                                const std::string& text, const std::string& names) {
   auto* const pcap = command.add_option(names, drive.captures, text);
   pcap->option_text("FILE...");
-  all.add_option("--poses", drive.poses,
-                 "Poses of this log instead of those in the capture (docs/drives.md): csv, nmea, "
-                 "ubx, oxts, tum, kitti, mcap")
-      ->option_text("FILE | FOLDER")
+  add_log_options(all, drive,
+                  "Poses of this log instead of those in the capture (docs/drives.md): csv, nmea, "
+                  "ubx, oxts, tum, kitti, mcap")
       ->needs(pcap);
-  all.add_option("--poses-mount", drive.poses_mount,
-                 "Where in the vehicle frame the receiver or lidar is whose poses were logged")
-      ->option_text("X Y [YAW]  (metres, degrees)")
-      ->expected(2, 3)
-      ->needs("--poses");
-  add_clock_offset_option(all, drive.clock_offset_s)->needs(pcap);
+  all.add_option_function<std::string>(
+         "--clock-offset",
+         [&drive](const std::string& given) {
+           drive.finds_clock_offset = given == "auto";
+           drive.clock_offset_s = drive.finds_clock_offset ? std::nullopt : offset_in(given);
+         },
+         "Add this to the times of the poses, if the packets' clock is ahead; auto: found by the "
+         "motion in log and capture")
+      ->option_text("SECONDS | auto  (default 0; 37: packets by TAI, poses by UTC)")
+      ->needs(pcap);
   return pcap;
 }
 

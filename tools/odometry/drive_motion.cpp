@@ -16,8 +16,8 @@ namespace iog::tools {
 namespace {
 
 constexpr double kMovesMps = 1;
-constexpr std::uint64_t kSecondUs = 1'000'000;
-constexpr std::uint64_t kEveryUs = 20'000;
+constexpr std::int64_t kSecondUs = 1'000'000;
+constexpr std::int64_t kEveryUs = 20'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 // Measured against the poses of two recorded and four simulated drives. The root mean square of
@@ -86,7 +86,7 @@ TurnMotion motion_between(const TurnPose& from, const TurnPose& to) {
 MotionSigma sigma_at(std::span<const TurnPose> turns, std::size_t which) {
   double way_m = 0;
   std::size_t at = which;
-  for (; at > 0 && turns[which].time_us - turns[at - 1].time_us < kSecondUs; --at) {
+  for (; at > 0 && turns[which].time_us - turns[at - 1].time_us < std::uint64_t{kSecondUs}; --at) {
     if (!turns[at].is_sure) {
       return kUnsure;
     }
@@ -102,15 +102,14 @@ std::string csv_of(std::span<const TurnPose> turns) {
   std::ostringstream out;
   out << std::fixed
       << "time_s,x_m,y_m,heading_deg,speed_m_s,yaw_rate_deg_s,sigma_m,sigma_heading_deg\n";
-  add_row(out, seconds_of(turns[0]), turns[0].pose, motion_between(turns[0], turns[1]),
-          sigma_at(turns, 1));
   for (std::size_t i = 1; i < turns.size(); ++i) {
     const TurnPose& from = turns[i - 1];
     const TurnMotion motion = motion_between(from, turns[i]);
     const Pose whole = from.pose.inverse() * turns[i].pose;
-    const std::uint64_t took_us = turns[i].time_us - from.time_us;
-    const std::uint64_t rows = took_us < kSecondUs ? (took_us + kEveryUs - 1) / kEveryUs : 1;
-    for (std::uint64_t row = 1; row <= rows; ++row) {
+    const auto took_us = static_cast<std::int64_t>(turns[i].time_us - from.time_us);
+    const std::int64_t rows = took_us < kSecondUs ? (took_us + kEveryUs - 1) / kEveryUs : 1;
+    // During the first turn, the car moved as during the second one.
+    for (std::int64_t row = i == 1 ? -rows : 1; row <= rows; ++row) {
       const double part = static_cast<double>(row) / static_cast<double>(rows);
       add_row(out, seconds_of(from) + motion.seconds * part, from.pose * part_of(whole, part),
               motion, sigma_at(turns, i));

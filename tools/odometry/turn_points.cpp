@@ -43,8 +43,7 @@ std::optional<Turn> TurnPoints::take(const CapturedDatagram& datagram) {
     }
     if (&unit == &units_.front()) {
       if (cutter_->ends_before(packet.info())) {
-        whole = has_begun_ ? std::optional(std::move(turn_)) : std::nullopt;
-        has_begun_ = true;
+        whole = std::move(turn_);
         turn_ = {};
       }
       turn_.end_us = datagram.time_us;

@@ -29,8 +29,8 @@ class TurnPoints {
   // outlives this.
   explicit TurnPoints(const CatalogueEntry& car);
 
-  // The next datagram of the capture. Returns a turn that ended before it. The turn that the
-  // capture begins with is incomplete and left out.
+  // The next datagram of the capture. Returns a turn that ended before it. The last turn of a
+  // capture is left out.
   [[nodiscard]] std::optional<Turn> take(const CapturedDatagram& datagram);
 
  private:
@@ -44,7 +44,6 @@ class TurnPoints {
   const CatalogueEntry* car_;
   std::vector<Unit> units_;
   std::optional<TurnCutter> cutter_;  // of the first unit
-  bool has_begun_ = false;
   Turn turn_;
 };
 

@@ -41,12 +41,12 @@ PoseLog log_of(const std::vector<TurnPose>& turns) {
 
 TEST(DriveMotion, IsALogThatIsRead) {
   const PoseLog log = log_of(circle(31));
-  ASSERT_EQ(log.poses.size(), 151U);
+  ASSERT_EQ(log.poses.size(), 156U);  // from a turn before the first on
   EXPECT_TRUE(log.remarks.empty());
   for (std::size_t i = 0; i < log.poses.size(); ++i) {
     const LoggedPose& pose = log.poses[i];
-    const double heading = 0.4 * kDegree * static_cast<double>(i);
-    EXPECT_EQ(pose.time_us, 1'700'000'000'000'000 + i * 20'000);
+    const double heading = 0.4 * kDegree * (static_cast<double>(i) - 5);
+    EXPECT_EQ(pose.time_us, 1'699'999'999'900'000 + i * 20'000);
     EXPECT_NEAR(std::remainder(*pose.heading_rad - heading, 360 * kDegree), 0, 1e-5);
     // Between turns it moves along the chord, which is 4 mm off the circle.
     EXPECT_NEAR(pose.x_m, 10 / (20 * kDegree) * std::sin(heading), 0.01);
