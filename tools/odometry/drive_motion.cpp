@@ -56,7 +56,7 @@ std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const 
     }
     progress.show(files.datagrams(), files.part_read());
     std::optional<Turn> turn = points.take(*datagram);
-    if (!turn) {
+    if (!turn || (!turns.empty() && turn->end_us <= turns.back().time_us)) {
       continue;
     }
     turns.push_back(odometry.add(*std::move(turn)));

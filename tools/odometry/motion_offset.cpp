@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iomanip>
 #include <numbers>
 #include <optional>
@@ -17,6 +18,9 @@ constexpr double kCoarseS = 0.05;  // less than a turn
 constexpr double kAroundS = 0.1;   // of a peak, which is a parabola there
 constexpr double kSilenceS = 2.5;  // longer ones are not interpolated
 constexpr std::size_t kFewestTurns = 20;
+// Bounds of the time that all offsets take.
+constexpr std::size_t kMostTurns = 3'000;
+constexpr std::uint64_t kMostLogUs = 6 * 3'600'000'000ULL;
 // By how much a lidar's ranges and an odometry's headings are off.
 constexpr double kScaleSigma = 0.005;
 constexpr double kDriftSigmaRps = 0.001;
@@ -38,8 +42,8 @@ class LogTable {
       const double seconds = seconds_of(to) - seconds_of(from);
       const double turned = std::remainder(to.heading_rad - from.heading_rad, 2 * std::numbers::pi);
       const double first_s = seconds_of(from) - begin_s_;
-      for (double at = static_cast<double>(entries_.size()) * kStepS; at < first_s + seconds;
-           at += kStepS) {
+      while (static_cast<double>(entries_.size()) * kStepS < first_s + seconds) {
+        const double at = static_cast<double>(entries_.size()) * kStepS;
         const double part = (at - first_s) / seconds;
         entries_.push_back({way + way_in(from, to, seconds, part),
                             heading + turn_in(from, to, seconds, turned, part),
@@ -124,7 +128,7 @@ Comparison comparison_of(std::span<const TurnPose> turns) {
   Comparison all;
   double seconds = 0;
   for (std::size_t i = 1; i < turns.size(); ++i) {
-    if (turns[i].is_sure && turns[i - 1].is_sure) {
+    if (turns[i].is_sure && turns[i - 1].is_sure && all.turns.size() < kMostTurns) {
       const TurnMotion motion = motion_between(turns[i - 1], turns[i]);
       const double to_s = static_cast<double>(turns[i].time_us) / 1e6;
       all.turns.push_back({to_s - motion.seconds, to_s, motion});
@@ -191,8 +195,9 @@ struct Peaks {
 Peaks peaks_of(const Comparison& all, const LogTable& log, double first_s, double last_s) {
   Peaks peaks;
   std::vector<double> gains;
-  for (double at_s = first_s; at_s <= last_s; at_s += kCoarseS) {
-    gains.push_back(fit_at(all, log, at_s).gain);
+  const auto steps = static_cast<std::size_t>((last_s - first_s) / kCoarseS) + 1;
+  for (std::size_t i = 0; i < steps; ++i) {
+    gains.push_back(fit_at(all, log, first_s + static_cast<double>(i) * kCoarseS).gain);
   }
   const auto best = std::ranges::max_element(gains) - gains.begin();
   const auto apart = std::llround(kApartS / kCoarseS);
@@ -228,6 +233,9 @@ Vertex vertex_at(Comparison all, const LogTable& log, double peak_s) {
 }  // namespace
 
 MotionOffset offset_by_motion(std::span<const TurnPose> turns, std::span<const PoseSample> poses) {
+  if (poses.back().time_us - poses.front().time_us > kMostLogUs) {
+    return {.refusal = "the log of poses spans more than 6 hours"};
+  }
   Comparison all = comparison_of(turns);
   const LogTable log(poses);
   if (all.turns.size() < kFewestTurns) {

@@ -16,7 +16,7 @@ struct MotionOffset {
 };
 
 // Compares way and turn of each turn of a lidar with those of the poses in the same time. turns and
-// poses: at least two each, by rising times.
+// poses: at least one each, by rising times.
 [[nodiscard]] MotionOffset offset_by_motion(std::span<const TurnPose> turns,
                                             std::span<const PoseSample> poses);
 

@@ -1,5 +1,6 @@
 #include "tools/odometry/turn_points.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -46,8 +47,8 @@ std::optional<Turn> TurnPoints::take(const CapturedDatagram& datagram) {
         whole = std::move(turn_);
         turn_ = {};
       }
-      turn_.end_us = datagram.time_us;
     }
+    turn_.end_us = std::max(turn_.end_us, datagram.time_us);
     packet.for_each_point([&](const lidar::ScanPoint& point) { keep(datagram, unit, point); });
   }
   return whole;

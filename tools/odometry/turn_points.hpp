@@ -19,7 +19,7 @@ struct TimedPoint {
 };
 
 struct Turn {
-  std::uint64_t end_us = 0;  // of its last packet
+  std::uint64_t end_us = 0;  // of its last packet; no point is newer
   std::vector<TimedPoint> points{};
 };
 

@@ -10,6 +10,7 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/simulate/drives/drive.hpp"
 
 namespace iog::tools {
 namespace {
@@ -93,6 +94,21 @@ TEST(DriveMotion, WhatHasNoTurnsIsRefused) {
   EXPECT_TRUE(refusal_of({}, "roof_vlp16")
                   .ends_with("drive.pcap: 0 whole turns of a spinning lidar of roof_vlp16, and a "
                              "motion needs two"));
+}
+
+// Of a drive of a second: one turn, and a capture whose times stand still.
+TEST(DriveMotion, OneTurnIsRefused) {
+  const CatalogueEntry& car = find_vehicle("roof_vlp16");
+  Drive drive(car, 1, 1, find_scene("street"), Motion::kContinuous);
+  std::vector<CapturedDatagram> datagrams;
+  for (std::uint32_t frame = 0; frame < 3; ++frame) {
+    for (const CapturedDatagram& datagram : drive.datagrams(frame)) {
+      datagrams.push_back(datagram);
+      datagrams.back().time_us = 1'700'000'000'000'000;
+    }
+  }
+  const std::string one = "1 whole turns of a spinning lidar of roof_vlp16, and a motion needs two";
+  EXPECT_TRUE(refusal_of(datagrams, "roof_vlp16").ends_with(one));
 }
 
 }  // namespace

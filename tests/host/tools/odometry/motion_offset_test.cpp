@@ -112,5 +112,14 @@ TEST(MotionOffset, OfTooFewTurnsIsRefused) {
             "too few turns of the lidar determine the motion");
 }
 
+// A year between two poses is no drive, and would be a table of a year.
+TEST(MotionOffset, OfALogOfDaysIsRefused) {
+  const Rates rates{brakes, bends};
+  std::vector<PoseSample> poses = logged(rates, 16, 0, 100);
+  poses.front().time_us -= 365 * 86'400'000'000ULL;
+  EXPECT_EQ(offset_by_motion(seen(rates, 16), poses).refusal,
+            "the log of poses spans more than 6 hours");
+}
+
 }  // namespace
 }  // namespace iog::tools
