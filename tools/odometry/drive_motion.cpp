@@ -131,8 +131,8 @@ std::string words_of(std::span<const TurnPose> turns) {
     const auto first = std::ranges::find(turns, false, &TurnPose::is_sure);
     text << "; in " << unsure << " turns, the first after "
          << seconds_of(*first) - seconds_of(turns.front())
-         << " s, the surroundings do not determine the motion (an empty plain, a tunnel, a gap in "
-            "the capture): sigma is "
+         << " s, the surroundings do not determine the motion (an empty plain, a tunnel, a small "
+            "room, a gap in the capture): sigma is "
          << kUnsure.position_m << " m there, and targets do not use these poses";
   }
   return text.str();
