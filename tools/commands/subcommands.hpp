@@ -20,6 +20,7 @@ void add_convert(CLI::App& program);
 void add_info(CLI::App& program);
 void add_map(CLI::App& program);
 void add_mount(CLI::App& program);
+void add_odometry(CLI::App& program);
 void add_vehicles(CLI::App& program);
 void add_budget(CLI::App& program);
 void add_image(CLI::App& program);

@@ -1,5 +1,7 @@
 #include "tools/commands/vehicle_options.hpp"
 
+#include <cmath>
+
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -7,6 +9,14 @@ namespace iog::tools {
 namespace {
 
 constexpr double kMostClockOffsetS = 4e9;  // more than the years of any clock
+
+std::optional<double> offset_in(const std::string& text) {
+  double seconds = 0;
+  if (!CLI::detail::lexical_cast(text, seconds) || !(std::abs(seconds) <= kMostClockOffsetS)) {
+    throw CLI::ValidationError("--clock-offset", "seconds or auto, not " + text);
+  }
+  return seconds;
+}
 
 constexpr const char* kFileHelp = "Read the car from this file (docs/vehicles.md)";
 
@@ -44,21 +54,37 @@ CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& s
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }
 
+CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::string& text) {
+  auto* const poses = command.add_option("--poses", drive.poses, text);
+  poses->option_text("FILE | FOLDER");
+  command
+      .add_option("--poses-mount", drive.poses_mount,
+                  "Position of the logged receiver or lidar in the vehicle frame")
+      ->option_text("X Y [YAW]  (metres, degrees)")
+      ->expected(2, 3)
+      ->needs(poses);
+  return poses;
+}
+
 CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& drive,
                                const std::string& text, const std::string& names) {
   auto* const pcap = command.add_option(names, drive.captures, text);
   pcap->option_text("FILE...");
-  all.add_option("--poses", drive.poses,
-                 "Take the poses from this log: csv, nmea, ubx, oxts, tum, kitti, mcap or rosbag2 "
-                 "(docs/drives.md)")
-      ->option_text("FILE | FOLDER")
+  add_log_options(all, drive,
+                  "Take the poses from this log: csv, nmea, ubx, oxts, tum, kitti, mcap or "
+                  "rosbag2 (docs/drives.md)")
       ->needs(pcap);
-  all.add_option("--poses-mount", drive.poses_mount,
-                 "Position of the logged receiver or lidar in the vehicle frame")
-      ->option_text("X Y [YAW]  (metres, degrees)")
-      ->expected(2, 3)
-      ->needs("--poses");
-  add_clock_offset_option(all, drive.clock_offset_s)->needs(pcap);
+  all.add_option_function<std::string>(
+         "--clock-offset",
+         [&drive](const std::string& given) {
+           drive.finds_clock_offset = given == "auto";
+           drive.clock_offset_s = drive.finds_clock_offset ? std::nullopt : offset_in(given);
+         },
+         "Add this to the times of the poses if the clock of the packets is ahead. auto: estimate "
+         "it "
+         "from the motion in the log and the capture")
+      ->option_text("SECONDS | auto  (default 0; 37: packets by TAI, poses by UTC)")
+      ->needs(pcap);
   return pcap;
 }
 

@@ -21,8 +21,11 @@ void add_vehicle_options(CLI::App& command, std::string& name,
 // --vehicle-file alone, of commands that know the car by the stream.
 CLI::Option* add_vehicle_file_option(CLI::App& command);
 
-// --clock-offset, of commands that read a car's captures or a log of poses.
+// --clock-offset of a log of poses.
 CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds);
+
+// --poses, of which the help says `text`, and --poses-mount.
+CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::string& text);
 
 inline constexpr const char* kCapturesHelp =
     "Capture to read (.pcap, .pcapng; also .gz or .zst); several are merged by time";

@@ -11,8 +11,8 @@
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "pose/limits.hpp"
+#include "tools/odometry/motion_offset.hpp"
 #include "tools/poses/pose_encoder.hpp"
-#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
 
@@ -23,6 +23,8 @@ constexpr std::size_t kEnough = 25;  // packets of a sensor
 // Transport takes less than this, and clocks that differ by mistake differ by more.
 constexpr std::int64_t kAgreeUs = 250'000;
 constexpr std::int64_t kSecondUs = 1'000'000;
+// For an offset by motion: two minutes have some bends.
+constexpr double kEnoughMotionS = 120;
 
 std::int64_t difference(std::uint64_t later_us, std::uint64_t earlier_us) {
   return static_cast<std::int64_t>(later_us - earlier_us);
@@ -68,6 +70,14 @@ PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car,
 }
 
 }  // namespace
+
+ConvertedLog log_of(const DriveFiles& drive, const CatalogueEntry& car) {
+  PoseLog log = read_pose_log(drive.poses);
+  const PoseConversion conversion = conversion_of(drive, car, log.is_of_unit);
+  ConvertedLog poses = converted(std::move(log), conversion);
+  demand_poses(poses, drive.poses);
+  return poses;
+}
 
 std::string DriveFiles::name() const { return joined(captures, ", "); }
 
@@ -179,6 +189,9 @@ CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
       offset_us_(std::llround(drive.clock_offset_s.value_or(0) * 1e6)),
       files_(drive.captures),
       clocks_(car) {
+  if (drive.finds_clock_offset && !has_log_) {
+    throw UsageError("--clock-offset auto needs --poses, a log whose motion is compared");
+  }
   if (!has_log_ && offset_us_ == 0) {
     return;
   }
@@ -203,10 +216,10 @@ CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
   }
 }
 
-// Poses belong to packets of the same measuring time. If they arrive less than a second apart from
-// these, their times stay. Reads on until the clocks are known, and whether a log has poses beside
-// packets.
-std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
+// An offset by motion is of the captures' clock. Poses belong to packets of the same measuring
+// time. If they arrive less than a second apart from these, their times stay. Reads on until the
+// clocks are known, and whether a log has poses beside packets.
+std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
   CaptureSet files(drive.captures);
   CarClocks clocks(*car_);
   if (has_log_) {
@@ -216,7 +229,9 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
   std::int64_t delay_us = 0;
   const auto is_beside = [&] {
     const bool is_told = !has_log_ || drive.clock_offset_s;
-    delay_us = is_told ? clocks.poses_us() + offset_us_ - clocks.sensors_us() : 0;
+    delay_us = found_us_ ? *found_us_
+               : is_told ? clocks.poses_us() + offset_us_ - clocks.sensors_us()
+                         : 0;
     return !has_log_ || (difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
                          difference(packets.first_us, poses_.back().time_us) - delay_us <= 0);
   };
@@ -230,6 +245,7 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) const {
     std::ranges::for_each(poses_, [&clocks](const auto& pose) { clocks.add(pose); });
     throw UsageError(drive.poses + ": " + clocks.words_apart());
   }
+  offset_us_ = found_us_ ? *found_us_ + clocks.sensors_us() : offset_us_;
   return std::abs(delay_us) < kSecondUs && !has_log_ ? 0 : delay_us;
 }
 
@@ -248,11 +264,17 @@ void CarCapture::read_log(const DriveFiles& drive) {
                      " has no classes, so it has no use for poses; grids = \"classes\" or "
                      "\"both\" in a car's file asks for them");
   }
-  PoseLog log = read_pose_log(drive.poses);
-  const PoseConversion conversion = conversion_of(drive, *car_, log.is_of_unit);
-  const ConvertedLog poses = converted(std::move(log), conversion);
-  demand_poses(poses, drive.poses);
-  log_words_ = words_of(poses, conversion);
+  const ConvertedLog poses = log_of(drive, *car_);
+  log_words_ = words_of(poses, {});
+  if (drive.finds_clock_offset) {
+    const MotionOffset offset =
+        offset_by_motion(motion_in(drive.captures, *car_, kEnoughMotionS), poses.samples);
+    if (!offset.refusal.empty()) {
+      throw UsageError(drive.poses + ": --clock-offset auto: " + offset.refusal);
+    }
+    found_us_ = std::llround(offset.seconds * 1e6);
+    log_words_.push_back(words_of(offset));
+  }
   PoseEncoder encoder;
   for (const PoseSample& sample : poses.samples) {
     poses_.push_back(encoder.datagram_of(sample));

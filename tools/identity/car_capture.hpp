@@ -13,6 +13,7 @@
 
 #include "pose/message.hpp"
 #include "tools/formats/capture/capture_set.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -23,8 +24,12 @@ struct DriveFiles {
   std::string poses{};  // a log as of read_pose_log(); empty: they are in the captures
   std::vector<double> poses_mount{};  // x and y in metres, perhaps the yaw in degrees; empty: none
   std::optional<double> clock_offset_s{};  // added to the clock of the poses
+  bool finds_clock_offset = false;         // instead, by the motion in log and captures
   [[nodiscard]] std::string name() const;  // of the captures, for messages
 };
+
+// The log as poses of the car. UsageError as of read_pose_log(), or if no pose is left.
+[[nodiscard]] ConvertedLog log_of(const DriveFiles& drive, const CatalogueEntry& car);
 
 // How far each clock is ahead of the capture's, us, by the time stamps in the datagrams.
 class CarClocks {
@@ -77,8 +82,8 @@ class CarCapture {
   // Poses of a log come at their own times, instead of those in the captures: by the captures'
   // clock or, if an offset is given, by the sensors'; from a second before the first packet to a
   // second behind the last one. UsageError as of PcapReader and
-  // read_pose_log(), if packets and log have no time in common, and, with an offset or a log, for
-  // what can be read only once.
+  // read_pose_log(), if packets and log have no time in common, if the motion shows no offset that
+  // is to be found, and, with an offset or a log, for what can be read only once.
   CarCapture(const DriveFiles& drive, const CatalogueEntry& car);
 
   [[nodiscard]] std::optional<CapturedDatagram> next();
@@ -99,13 +104,14 @@ class CarCapture {
   // The offset in the pose's message, if it is one; those of a log are numbered anew.
   void put_ahead(CapturedDatagram& pose);
   // The delay of the poses, found at the beginning of the files.
-  [[nodiscard]] std::int64_t delay_of_poses(const DriveFiles& drive) const;
+  [[nodiscard]] std::int64_t delay_of_poses(const DriveFiles& drive);
   void read_poses(const DriveFiles& drive);
   void read_log(const DriveFiles& drive);
 
   const CatalogueEntry* car_;
   bool has_log_;
   std::int64_t offset_us_;
+  std::optional<std::int64_t> found_us_;  // how much the log is behind the captures by motion
   CaptureSet files_;
   CarClocks clocks_;
   pose::Encoder encoder_;
