@@ -222,7 +222,8 @@ TEST(SurfaceWalk, AForgedRampHidesNothing) {
 TEST(SurfaceWalk, ACarBesideAHighUnitIsNotTheFirstGround) {
   Turn turn;
   for (std::int32_t sector = 40; sector < 90; ++sector) {
-    for (const auto& [bin, z_mm] : {std::array{3, 420}, {4, 900}, {5, 1'400}, {9, 700}}) {
+    for (const auto& [bin, z_mm] :
+         {std::array<std::int32_t, 2>{3, 420}, {4, 900}, {5, 1'400}, {9, 700}}) {
       turn.push_back({sector, bin * 1024, z_mm});
     }
   }
@@ -247,7 +248,7 @@ TEST(SurfaceWalk, TheFirstGroundMayRiseFromTurnToTurn) {
     turn.clear();
     for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
       for (std::int32_t along_mm = 7'200; along_mm < 30'000; along_mm += 1'024) {
-        turn.push_back({sector, along_mm, std::max(0, along_mm - foot_mm) * 8 / 100});
+        turn.push_back({sector, along_mm, std::max<std::int32_t>(along_mm - foot_mm, 0) * 8 / 100});
       }
     }
     walk.close_turn(kShort, lows_of(kShort, turn), surface);
