@@ -83,6 +83,7 @@ class Frame {
 
   // The fusion, which contains the buffered packets.
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
+  [[nodiscard]] const fusion::SharedFusion& fusion() const { return fusion_; }
 
   // Sheds a packet that has waited too long. The packet's points are counted as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }

@@ -123,6 +123,7 @@ class FramePipeline {
 
   // For read access by observers.
   [[nodiscard]] const Perception& perception() const { return perception_; }
+  [[nodiscard]] const ground::Grounds& grounds() const { return frame_.fusion().grounds(); }
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {

@@ -102,6 +102,9 @@ class SharedFusion {
   // Core 0's own fusion. It is clear whenever the crew fuses parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
+  // The ground models. They change at the end of a frame.
+  [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
+
   // The outcomes of the frame's points.
   [[nodiscard]] const Fates& fates() const { return fates_; }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::int64_t kGroundMm = 20'000;
 constexpr std::int64_t kSteepest = 16;  // a ground beam falls by at least 1 in 16
-constexpr std::int64_t kRising = 32;    // a sky beam rises by at least 1 in 32
 constexpr std::uint32_t kFewestBeams = 4;
 constexpr std::uint32_t kBlockedPart = 16;
 constexpr std::uint32_t kOpenPart = 8;
@@ -38,6 +37,8 @@ BlockedSectors::BlockedSectors(const vehicle::Sensor& sensor, const SectorView& 
   }
   if (std::ranges::count(kinds_, Kind::kGround) > 0) {
     std::ranges::replace(kinds_, Kind::kLevel, Kind::kSky);
+  } else if (std::ranges::count(kinds_, Kind::kLevel) == 0) {
+    std::ranges::replace(kinds_, Kind::kSky, Kind::kOpen);
   }
   state_.levels.fill(kFull);
 }
@@ -62,7 +63,7 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
     if (turns_ && drop * kSteepest >= range && sensor_->origin_z * range_mm <= kGroundMm * drop) {
       low_layers_[sector][layer / 64] |= std::uint64_t{1} << layer % 64;
       kind = Kind::kGround;
-    } else if (kind == Kind::kSky && drop * kRising > -range) {
+    } else if (kind == Kind::kSky && drop >= sensor_->origin_z) {
       kind = Kind::kLevel;
     }
   }
@@ -105,7 +106,7 @@ void BlockedSectors::add(const Packet& packet) {
     }
     sector = its;
     all_[sector].add(point.echo == 0, comes_back);
-    if (is_judged(sector, point.layer)) {
+    if (is_judged(sector, point)) {
       sums_[sector].add(point.echo == 0, comes_back);
     }
   };
@@ -126,8 +127,9 @@ bool BlockedSectors::is_over(std::uint32_t swept_ticks, std::uint64_t swept) con
 
 // If a spinning unit has only a few beams in a sector, they are kept until its next turn.
 bool BlockedSectors::is_seen(std::size_t sector, std::uint64_t swept) const {
+  const Sums& sums = kinds_[sector] == Kind::kOpen ? all_[sector] : sums_[sector];
   return kinds_[sector] != Kind::kUnseen &&
-         (turns_ ? sums_[sector].beams >= kFewestBeams : (swept >> sector & 1U) != 0);
+         (turns_ ? sums.beams >= kFewestBeams : (swept >> sector & 1U) != 0);
 }
 
 int BlockedSectors::level_after(std::size_t sector) const {
@@ -135,6 +137,9 @@ int BlockedSectors::level_after(std::size_t sector) const {
   const int level = state_.levels[sector];
   if (kinds_[sector] == Kind::kLevel) {
     return level + (sums.returns > 0 ? kFull / 2 : -kFull / 32);
+  }
+  if (kinds_[sector] == Kind::kOpen) {
+    return level + (sums.are_below(kBlockedPart) ? -kFull / 32 : kFull / 2);
   }
   const auto are_below = [&](std::uint32_t part) {
     const bool have_given = state_.gave[sector] >= kAllGave / 4;
@@ -159,12 +164,13 @@ BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
   for (std::size_t i = 0; i < kSectors; ++i) {
     const std::uint64_t bit = std::uint64_t{1} << i;
     after.seen |= is_seen(i, swept) ? bit : 0;
-    if (kinds_[i] != Kind::kGround && kinds_[i] != Kind::kLevel) {
+    if (kinds_[i] == Kind::kUnseen || kinds_[i] == Kind::kSky) {
       continue;
     }
     judged |= bit;
     if (is_seen(i, swept)) {
-      const int level = after.empty_turns == kEmptyTurns ? 0 : level_after(i);
+      const bool is_empty_unit = after.empty_turns == kEmptyTurns && kinds_[i] != Kind::kOpen;
+      const int level = is_empty_unit ? 0 : level_after(i);
       after.levels[i] = static_cast<std::int16_t>(std::clamp(level, 0, int{kFull}));
       if (level > 0 && kinds_[i] == Kind::kGround) {
         after.gave[i] =
@@ -203,6 +209,7 @@ AzimuthParts BlockedSectors::silent_azimuths(const Packet& packet) const {
   AzimuthParts silent(sensor_->azimuths.ticks_per_turn());
   std::array<bool, AzimuthParts::kParts> are_blocked{};
   std::array<bool, AzimuthParts::kParts> are_met{};
+  std::array<bool, AzimuthParts::kParts> are_open{};
   std::size_t sector = 0;
   packet.for_each_point([&](const lidar::ScanPoint& point) {
     const std::size_t part = silent.part_of(point.azimuth_ticks);
@@ -210,12 +217,14 @@ AzimuthParts BlockedSectors::silent_azimuths(const Packet& packet) const {
     sector = its == kSectors ? sector : its;
     are_met[part] = true;
     are_blocked[part] |= its != kSectors && (state_.blocked >> its & 1U) != 0;
-    if (its == kSectors || is_judged(its, point.layer)) {
+    are_open[part] |= its != kSectors && kinds_[its] == Kind::kOpen;
+    if (its == kSectors || is_judged(its, point)) {
       sums[part].add(point.echo == 0, is_return(point));
     }
   });
   const auto is_silent = [&](std::size_t part) {
-    return are_blocked[part] || sums[part].are_below(kBlockedPart) || sums[part].beams == 0;
+    return are_blocked[part] || sums[part].are_below(kBlockedPart) ||
+           (sums[part].beams == 0 && !are_open[part]);
   };
   for (std::size_t i = 0; i < AzimuthParts::kParts; ++i) {
     for (const std::size_t beside : {i + AzimuthParts::kParts - 1, i, i + 1}) {

@@ -11,9 +11,12 @@
 //   three turns in which one eighth of its ground beams, or else of all its beams, cause a return.
 // - sky: the other sectors of a spinning lidar. They are blocked while all its ground sectors are
 //   blocked.
-// - level: sectors of a unit that does not spin or sees no ground, if they have a beam that rises
-//   by less than 1 in 32. 32 scans without a return block the sector, and two scans with a return
-//   open it. Three scans without any return block all sectors of the unit.
+// - level: sectors of a unit that does not spin or has no ground beams, if one of their beams meets
+//   the car's plane within the unit's range. 32 scans without a return block the sector, and two
+//   scans with a return open it. Three scans without any return block all sectors of the unit.
+// - open: all sectors of a unit no beam of which meets the car's plane within its range, such as a
+//   level 2D scanner. Only the beams that return something are judged. 32 scans in which less than
+//   one sixteenth of them are returns block the sector, and two other scans open it.
 //
 // Returns closer than the sensor's minimum range are ignored. So are returns that the sensor flags
 // as dirt or rain. Only whole turns and scans are judged. They are sums over packets, so the order
@@ -92,7 +95,7 @@ class BlockedSectors {
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
-  enum class Kind : std::uint8_t { kUnseen, kGround, kLevel, kSky };
+  enum class Kind : std::uint8_t { kUnseen, kGround, kLevel, kSky, kOpen };
   static constexpr std::size_t kMaxSampled = 32;
   static constexpr std::int16_t kFull = 96;  // maximum level; a sector at level 0 is blocked
 
@@ -107,8 +110,10 @@ class BlockedSectors {
 
   [[nodiscard]] Kind kind_of(std::size_t sector);
   [[nodiscard]] std::size_t sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const;
-  [[nodiscard]] bool is_judged(std::size_t sector, std::uint8_t layer) const {
-    return kinds_[sector] != Kind::kGround || (low_layers_[sector][layer / 64] >> layer % 64 & 1U);
+  [[nodiscard]] bool is_judged(std::size_t sector, const lidar::ScanPoint& point) const {
+    return kinds_[sector] == Kind::kGround
+               ? (low_layers_[sector][point.layer / 64] >> point.layer % 64 & 1U) != 0
+               : kinds_[sector] != Kind::kOpen || point.range_mm != 0;
   }
   [[nodiscard]] bool is_return(const lidar::ScanPoint& point) const;
   [[nodiscard]] bool is_over(std::uint32_t swept_ticks, std::uint64_t swept) const;

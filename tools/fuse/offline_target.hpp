@@ -86,6 +86,12 @@ class OfflineTarget {
   Closed take(const CapturedDatagram& datagram);
 
   [[nodiscard]] const vehicle::Vehicle& vehicle() const { return *vehicle_; }
+  // By which it judges the packets of the open frame.
+  [[nodiscard]] const ground::Grounds& grounds() const {
+    return std::visit(
+        [](const auto& pipeline) -> const ground::Grounds& { return pipeline->grounds(); },
+        pipeline_);
+  }
 
   // The same by a target's clock instead of the capture's: when it started; the next datagram,
   // taken then, or left for want of time; that time has passed, which ends a frame that is over.

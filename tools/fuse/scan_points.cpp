@@ -22,25 +22,47 @@ void append(const PointPlace& place, vehicle::Fate fate, std::vector<SeenPoint>&
 
 }  // namespace
 
-void append_points(const CatalogueEntry& car, const CapturedDatagram& packet,
-                   std::vector<SeenPoint>& points) {
-  const std::size_t number = sensor_of_port(car, packet.destination.port);
-  if (number == car.sensors.size()) {
-    return;
+ScanPoints::ScanPoints(const CatalogueEntry& car, OfflineTarget& target)
+    : car_(&car), target_(&target), fusion_(std::make_unique<fusion::FrameFusion>(*car.vehicle)) {
+  fusion_->follow(target.grounds());
+}
+
+std::vector<SeenPoint> ScanPoints::points_of(const CapturedDatagram& packet) {
+  const std::size_t number = sensor_of_port(*car_, packet.destination.port);
+  if (number == car_->sensors.size()) {
+    return {};
   }
-  const vehicle::Sensor& sensor = car.vehicle->sensors[number];
+  const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
   const intake::Packet decoded =
       intake::Packet::decode(sensor.format, packet.payload, sensor.unit());
   if (!decoded.is_sound()) {
-    return;
+    return {};
   }
-  const PointPlacer placer(car.sensors[number]);
+  std::vector<vehicle::Fate> fates;
+  fusion_->add_all(sensor, decoded, [&](vehicle::Fate fate) { fates.push_back(fate); });
+  fusion_->clear();
+  std::vector<SeenPoint> points;
+  const PointPlacer placer(car_->sensors[number]);
+  auto fate = fates.begin();
   decoded.for_each_point([&](const lidar::ScanPoint& point) {
     if (point.range_mm != 0) {
-      const vehicle::Beam beam = vehicle::aim(sensor, point.layer, point.azimuth_ticks);
-      append(placer.place(point), vehicle::classify(sensor, beam, point).fate, points);
+      append(placer.place(point), *fate, points);
     }
+    ++fate;
   });
+  return points;
+}
+
+// The ground changes when a frame ends. The frame that a packet opens has the new one.
+OfflineTarget::Closed ScanPoints::take(const CapturedDatagram& packet,
+                                       std::vector<SeenPoint>& points) {
+  std::vector<SeenPoint> its = points_of(packet);
+  const OfflineTarget::Closed closed = target_->take(packet);
+  if (closed.before > 0) {
+    its = points_of(packet);
+  }
+  points.insert(points.end(), its.begin(), its.end());
+  return closed;
 }
 
 }  // namespace iog::tools

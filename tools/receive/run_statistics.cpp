@@ -54,7 +54,9 @@ void RunStatistics::add(const GridFrame& frame) {
     loop_times_ = stream::counts_of<LoopTimes>(frame.end);
     hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc.value_or(hottest_dc_));
     if (frame.end.unwatched) {
-      unwatched_ = frame.end.unwatched;
+      // A capture may end within a scan, and a target closes a frame without one behind the last.
+      unwatched_ = *frame.end.unwatched & newest_unwatched_;
+      newest_unwatched_ = *frame.end.unwatched;
       blocked_ = frame.end.blocked;
     }
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);

@@ -113,13 +113,15 @@ class LiveRecording {
 class CapturedTarget {
  public:
   CapturedTarget(const CatalogueEntry& car, Recorder& recorder)
-      : car_(&car),
-        recorder_(&recorder),
-        wants_points_(recorder.wants_points()),
+      : recorder_(&recorder),
         target_(
             *car.vehicle,
             [this](auto message) { messages_.emplace_back(message.begin(), message.end()); },
-            Stopwatch::kStands) {}
+            Stopwatch::kStands) {
+    if (recorder.wants_points()) {
+      points_.emplace(car, target_);
+    }
+  }
 
   void begin_with_map(const std::string& path) { target_.begin_with_map(read_block(path)); }
 
@@ -127,11 +129,9 @@ class CapturedTarget {
   void take(const CapturedDatagram& packet) {
     time_us_ = packet.time_us;
     const std::uint64_t first = recorder_->evidence_frames();
-    const OfflineTarget::Closed closed = target_.take(packet);
     std::vector<SeenPoint> points;
-    if (wants_points_) {
-      append_points(*car_, packet, points);
-    }
+    const OfflineTarget::Closed closed =
+        points_ ? points_->take(packet, points) : target_.take(packet);
     for (const std::vector<std::byte>& message : std::exchange(messages_, {})) {
       if (recorder_->evidence_frames() == first + closed.before) {
         recorder_->add_points(std::exchange(points, {}));
@@ -153,12 +153,11 @@ class CapturedTarget {
     recorder_->take(datagram_of_stream(time_us_, message));
   }
 
-  const CatalogueEntry* car_;
   Recorder* recorder_;
-  bool wants_points_;
   std::uint64_t time_us_ = 0;
   std::vector<std::vector<std::byte>> messages_;
   OfflineTarget target_;
+  std::optional<ScanPoints> points_;
 };
 
 }  // namespace

@@ -2,14 +2,13 @@
 
 #include <utility>
 
-#include "tools/fuse/scan_points.hpp"
-
 namespace iog::tools::view {
 
 SensorTarget::SensorTarget(const CatalogueEntry& car, Viewer& viewer)
-    : car_(&car), viewer_(&viewer), target_(*car.vehicle, [this](auto message) {
-        messages_.emplace_back(message.begin(), message.end());
-      }) {
+    : viewer_(&viewer),
+      target_(*car.vehicle,
+              [this](auto message) { messages_.emplace_back(message.begin(), message.end()); }),
+      points_(car, target_) {
   viewer.hold_frames();
 }
 
@@ -27,11 +26,12 @@ void SensorTarget::show_until(std::size_t held) {
 
 // Frames that the packet has closed without being in them hold the packets before it.
 void SensorTarget::take(const CapturedDatagram& packet, std::shared_ptr<const Truth> truth) {
-  const OfflineTarget::Closed closed = target_.take(packet);
+  std::vector<SeenPoint> points;
+  const OfflineTarget::Closed closed = points_.take(packet, points);
   hand_over();
   show_until(closed.after);
   surroundings_.truth = std::move(truth);
-  append_points(*car_, packet, surroundings_.points);
+  surroundings_.points.insert(surroundings_.points.end(), points.begin(), points.end());
   show_until(0);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/fuse/offline_target.hpp"
+#include "tools/fuse/scan_points.hpp"
 #include "tools/view/viewer.hpp"
 
 namespace iog::tools::view {
@@ -26,10 +27,10 @@ class SensorTarget {
   void hand_over();
   void show_until(std::size_t held);
 
-  const CatalogueEntry* car_;
   Viewer* viewer_;
   std::vector<std::vector<std::byte>> messages_;
   OfflineTarget target_;
+  ScanPoints points_;
   Surroundings surroundings_;  // of the frame that is open
 };
 

@@ -1,14 +1,19 @@
 // A missing return frees cells where the open sky is seen, and none where the unit is covered.
 #include "app/frame.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
 #include <numbers>
 
+#include "fakes/flat_scan.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/vlp16_scene.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::app {
 namespace {
@@ -97,6 +102,34 @@ TEST(Frame, ACoverThatComesLaterClearsNothing) {
   }
   EXPECT_GT(drive.free_cells(), 60'000);
   EXPECT_EQ(drive.end.blocked, 0U);
+}
+
+// A robot's level scanner in a corridor: infinity ahead frees a wedge of 80 degrees to 20 m, in
+// every frame.
+TEST(Frame, InfinityAheadOfALevelScannerClears) {
+  const std::array sensors{
+      description::sensor_of(tests::FlatScanner::config(), tests::FlatScanner::kDescription)};
+  const vehicle::Vehicle car = description::vehicle_of(tests::FlatScanner::kDescription, sensors);
+  const auto frame = std::make_unique<Frame>(car, 0x0A000202);
+  tests::FlatScans scans;
+  for (std::uint64_t i = 1; i <= 40; ++i) {
+    frame->fusion().own().clear();
+    for (const auto& bytes : scans.scan([](int at) { return std::abs(at) < 40 ? 0 : 2'000; })) {
+      const auto packet = frame->receive({0x0A000202, 100, bytes});
+      ASSERT_TRUE(packet.has_value());
+      ASSERT_EQ(frame->classify(*packet), Frame::Outcome::kThisFrame);
+      frame->fuse(*packet, i * 100'000, work::Crew());
+    }
+    frame->finish(work::Crew(), [](auto /*stage*/) {});
+    for (const int x_dm : {5, 50, 100, 150, 190}) {
+      for (const int left_dm : {-x_dm / 2, 0, x_dm / 2}) {
+        const int along_dm = x_dm * 9 / 10;  // the side cells are less than 20 m away
+        EXPECT_LT(frame->fusion().own().view().at({512 + along_dm, 512 + left_dm}), 0)
+            << i << ' ' << along_dm << ' ' << left_dm;
+      }
+    }
+    frame->start_next(i * 100'000);
+  }
 }
 
 TEST(Frame, SaysHowItWasClosedAndFused) {

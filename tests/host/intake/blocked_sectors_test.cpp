@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "fakes/flat_scan.hpp"
 #include "fakes/lux_message.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fakes/vlp16_scene.hpp"
@@ -28,6 +29,11 @@ constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 vehicle::Sensor vlp16(const description::MountConfig& mount) {
   return description::sensor_of(tests::test_vlp16(100, mount), tests::LevelVlp16::kDescription);
+}
+
+vehicle::Sensor flat_scanner(double pitch_deg = 0) {
+  return description::sensor_of(tests::FlatScanner::config(pitch_deg),
+                                tests::FlatScanner::kDescription);
 }
 
 class Unit {
@@ -64,6 +70,13 @@ class Unit {
     end_frame();
   }
 
+  void flat_scan(const std::function<int(int azimuth_deg)>& range_mm) {
+    for (const std::vector<std::byte>& bytes : flat_scans_.scan(range_mm)) {
+      take(bytes);
+    }
+    end_frame();
+  }
+
   [[nodiscard]] const Surroundings& now() const { return now_; }
   [[nodiscard]] Blocked state() const { return now_.sensors[0]; }
   [[nodiscard]] const vehicle::Sensor& sensor() const { return sensor_; }
@@ -89,6 +102,7 @@ class Unit {
   Surroundings now_;
   tests::SceneTurns turns_;
   int scans_ = 0;
+  tests::FlatScans flat_scans_;
   std::uint64_t now_us_ = 0;
 };
 
@@ -249,6 +263,47 @@ TEST(BlockedSectors, AHalfOfALuxFromWhichNothingComesBackIsFoundInThirtyTwoScans
   }
   EXPECT_EQ(unit.state(), Blocked::kPartly);
   EXPECT_EQ(unit.now().blocked, 0x1FFU);
+}
+
+// No ground is in the range of a level 2D scanner, so infinity ahead is an open corridor.
+TEST(BlockedSectors, NothingAheadOfALevelScannerIsNoCover) {
+  const auto corridor = [](int azimuth) { return std::abs(azimuth) < 40 ? 0 : 2'000; };
+  const auto open = [](int /*azimuth*/) { return 0; };
+  Unit unit(flat_scanner());
+  for (int i = 0; i < 100; ++i) {
+    unit.flat_scan(i < 50 ? +corridor : +open);
+    ASSERT_EQ(unit.now().blocked, 0U) << i;
+    ASSERT_EQ(unit.state(), Blocked::kNot) << i;
+  }
+}
+
+// The same scanner, pitched down: its front beams meet the ground at 8 m.
+TEST(BlockedSectors, NothingAheadOfAScannerThatMeetsTheGroundIsACover) {
+  const auto no_ground = [](int azimuth) { return std::abs(azimuth) < 40 ? 0 : 2'000; };
+  Unit unit(flat_scanner(3));
+  for (int i = 0; i < 32; ++i) {
+    ASSERT_EQ(unit.now().blocked, 0U) << i;
+    unit.flat_scan(no_ground);
+  }
+  EXPECT_NE(unit.now().blocked & 1, 0U);
+}
+
+// Returns nearer than it measures are of a cover, also where no ground can be.
+TEST(BlockedSectors, ANearCoverOfALevelScannerIsFoundAndIsGoneInTheOpen) {
+  const auto near = [](int azimuth) { return azimuth < 0 ? 50 : 2'000; };
+  const auto open = [](int azimuth) { return azimuth < 0 ? 0 : 2'000; };
+  Unit unit(flat_scanner());
+  for (int i = 0; i < 32; ++i) {
+    ASSERT_EQ(unit.now().blocked, 0U) << i;
+    unit.flat_scan(near);
+  }
+  EXPECT_EQ(unit.state(), Blocked::kPartly);
+  EXPECT_EQ(unit.now().blocked & 0xFFFF, 0U);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_NE(unit.now().blocked, 0U);
+    unit.flat_scan(open);
+  }
+  EXPECT_EQ(unit.now().blocked, 0U);
 }
 
 }  // namespace

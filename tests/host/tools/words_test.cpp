@@ -187,6 +187,25 @@ TEST(RunTable, SaysHowMuchIsGroundOnceAnythingIs) {
   EXPECT_NE(wrong.table(false).find("MOUNT?"), std::string::npos);
 }
 
+// The frame that a target closes behind the last scan of a capture has no packets. Silence is
+// longer.
+TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {
+  GridFrame frame;
+  frame.has_end = true;
+  RunStatistics statistics;
+  const auto add = [&](std::uint64_t unwatched) {
+    frame.end.unwatched = unwatched;
+    statistics.add(frame);
+    return statistics.table(false);
+  };
+  constexpr std::uint64_t kAhead = 0xF000'0000'0000'000F;
+  constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
+  EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
+  EXPECT_NE(add(kAll).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
+  EXPECT_NE(add(kAll).find("unwatched at the end  all around\n"), std::string::npos);
+}
+
 TEST(Silence, SaysWhatWasWaitedForAndWhatToLookAt) {
   const std::string here = words_of_silence("127.0.0.1", 15000, std::chrono::seconds(3));
   EXPECT_TRUE(here.starts_with("nothing came to UDP 127.0.0.1:15000 in 3.0 s. Does")) << here;

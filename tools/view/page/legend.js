@@ -1,5 +1,6 @@
 // What the colours mean: the scale of the cells, and what only some overlays need.
 
+import { forEachPoint } from "./messages.js";
 import { linesOfObjects } from "./objects.js";
 import { hasTruth, quadtreeLeaves } from "./overlays.js";
 import { FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, meaningOfClass, nameOfClass,
@@ -7,8 +8,6 @@ import { FATES, MOVING, classOf, colourOfClass, colourOfIndex, css, meaningOfCla
 import { isOfTarget } from "./status.js";
 
 const [LOW, HIGH] = [-56, 14]; // colours do not change beyond
-const NO_RETURN = 1; // fates that have no place
-const DROPPED = [7, 8, 9]; // with their packets
 const NEVER = 255;
 
 const TITLES = { index: "Occupancy index", probability: "Probability of occupancy" };
@@ -104,7 +103,9 @@ function linesOfPoints(view, kind) {
   if (isOfTarget(kind) || !points || points.byteLength === 0) {
     return [[null, "scan points: the stream has none; --pcap has"]];
   }
-  return FATES.filter((_, fate) => fate !== NO_RETURN && !DROPPED.includes(fate))
+  const present = new Set();
+  forEachPoint(points, (x, y, fate) => present.add(fate));
+  return FATES.filter((_, fate) => present.has(fate))
       .map(({ name, colour }) => [colour[view.pictureTheme], name]);
 }
 
