@@ -128,17 +128,24 @@ double field_of_view_deg(std::vector<std::int32_t> azimuths) {
   return 360 - widest / kPartsPerDegree;
 }
 
-// Upwards, because a point outside of this width is malformed; but not for the noise of a float32.
-std::int64_t scan_width_ticks(double view_deg) {
-  return std::llround(std::ceil(view_deg * kTicksPerDegree - 0.01));
+// Of x as much to the left as to the right, so that all directions are in it: a point outside of it
+// is malformed. Upwards, but not for the noise of a float32.
+std::int64_t scan_width_ticks(const CloudTopic& topic) {
+  double half_deg = 0;
+  if (topic.angles) {
+    half_deg = std::max(std::abs(topic.angles->first_deg), std::abs(topic.angles->last_deg));
+  } else {
+    for (const std::int32_t azimuth : topic.azimuths) {
+      half_deg = std::max(half_deg, std::abs(std::remainder(azimuth / kPartsPerDegree, 360)));
+    }
+  }
+  return std::llround(std::ceil(std::min(2 * half_deg, 360.0) * kTicksPerDegree - 0.01));
 }
 
 // Lines of [[sensors]] and, in front of them, of the car.
 std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, double low_deg,
                      double high_deg) {
-  const double view_deg = topic.angles ? std::abs(topic.angles->last_deg - topic.angles->first_deg)
-                                       : field_of_view_deg(topic.azimuths);
-  const bool is_turning = !topic.is_scan && view_deg > kWholeTurnDeg;
+  const bool is_turning = !topic.is_scan && field_of_view_deg(topic.azimuths) > kWholeTurnDeg;
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
   if (!is_turning && topic.period_us() > 0) {
@@ -152,7 +159,7 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
        << ", count = " << (rings.empty() ? static_cast<std::size_t>(count) : rings.size())
        << " }\n";
   if (!is_turning) {
-    text << "    scan_width_ticks = " << scan_width_ticks(view_deg) << '\n';
+    text << "    scan_width_ticks = " << scan_width_ticks(topic) << '\n';
   }
   if (topic.angles && std::isfinite(topic.angles->most_m)) {
     text << "    range_max_mm = " << std::llround(topic.angles->most_m * 1000) << '\n';
