@@ -59,20 +59,20 @@ void CloudTopic::look_into(const SeenCloud& cloud) {
   most_points = std::max(most_points, cloud.points.size() + cloud.not_finite + cloud.nowhere);
   first_us = std::min(first_us, cloud.time_us);
   last_us = std::max(last_us, cloud.time_us);
-  for (const WirePoint& point : cloud.points) {
-    elevations.push_back(point.second);
-    azimuths.push_back(point.first);
+  for (std::size_t i = 0; messages < kLookedInto && i < cloud.points.size(); ++i) {
+    elevations.push_back(cloud.points[i].second);
+    azimuths.push_back(cloud.points[i].first);
   }
 }
 
 void CloudTopic::add(const ros::RecordedMessage& message) {
   is_scan = message.type.ends_with("LaserScan");
-  const bool is_of_foxglove = message.type.starts_with("foxglove");
-  if (messages++ < kLookedInto) {
+  const bool is_first = messages < kLookedInto;
+  if (is_first || !message.type.starts_with("sensor_msgs")) {
     look_into(cloud_of_message(message, TimeUnit::kFound));
   }
-  if (is_of_foxglove) {
-    last_us = messages <= kLookedInto ? last_us : 0;  // its head is not read
+  ++messages;
+  if (message.type.starts_with("foxglove")) {
     return;
   }
   ros::CdrReader in(message.data, message.where);
@@ -87,7 +87,7 @@ void CloudTopic::add(const ros::RecordedMessage& message) {
     }
     its.most_m = in.f32();
     most_points = std::max<std::uint64_t>(most_points, in.sequence(4).size() / 4);
-    angles = its;
+    angles = is_first ? its : angles;
   } else if (message.type.ends_with("PointCloud2")) {
     const std::uint64_t height = in.u32();
     most_points = std::max(most_points, height * in.u32());
@@ -142,6 +142,36 @@ std::int64_t scan_width_ticks(const CloudTopic& topic) {
   return std::llround(std::ceil(std::min(2 * half_deg, 360.0) * kTicksPerDegree - 0.01));
 }
 
+bool are_evenly_apart(const std::vector<double>& rings) {
+  const double apart_deg =
+      (rings.back() - rings.front()) / std::max(1.0, static_cast<double>(rings.size()) - 1);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const double even_deg = rings.front() + static_cast<double>(i) * apart_deg;
+    if (std::abs(rings[i] - even_deg) > apart_deg / 10) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The line `layers` or `lasers`; without rings a spacing of 0.4 degrees (docs/sensors.md).
+std::string layers_of(const std::vector<double>& rings, double low_deg, double high_deg) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2);
+  if (!rings.empty() && !are_evenly_apart(rings)) {
+    text << "    lasers = [";
+    for (const double ring : rings) {
+      text << (ring == rings.front() ? "" : ",") << " { elevation_deg = " << ring << " }";
+    }
+    return text.str() + " ]\n";
+  }
+  const double steps = std::clamp(std::ceil((high_deg - low_deg) / 0.4), 0.0, kMostRings - 1.0);
+  text << "    layers = { from_deg = " << low_deg << ", to_deg = " << high_deg
+       << ", count = " << (rings.empty() ? static_cast<std::size_t>(steps) + 1 : rings.size())
+       << " }\n";
+  return text.str();
+}
+
 // Lines of [[sensors]] and, in front of them, of the car.
 std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, double low_deg,
                      double high_deg) {
@@ -153,15 +183,11 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
          << "  # of the car: 1.5 times the time from scan to scan\n";
   }
   text << "    type = \"" << (is_turning ? "points_turning" : "points") << "\"\n";
-  const double apart_deg = 0.4;  // docs/sensors.md, without rings
-  const double count = std::clamp(std::ceil((high_deg - low_deg) / apart_deg) + 1, 1.0, 128.0);
-  text << "    layers = { from_deg = " << low_deg << ", to_deg = " << high_deg
-       << ", count = " << (rings.empty() ? static_cast<std::size_t>(count) : rings.size())
-       << " }\n";
+  text << layers_of(rings, low_deg, high_deg);
   if (!is_turning) {
     text << "    scan_width_ticks = " << scan_width_ticks(topic) << '\n';
   }
-  if (topic.angles && std::isfinite(topic.angles->most_m)) {
+  if (topic.angles && topic.angles->most_m * 1000 < lidar::kMaxRangeMm) {
     text << "    range_max_mm = " << std::llround(topic.angles->most_m * 1000) << '\n';
   }
   text << "    max_points_per_scan = " << topic.most_points << '\n';
@@ -171,7 +197,8 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
 std::string words_of(const std::string& name, const CloudTopic& topic) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  text << row("clouds on", printable(name)) << row("frame", printable(topic.frame));
+  text << row("clouds on", printable(name))
+       << (topic.frame.empty() ? "" : row("frame", printable(topic.frame)));
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
                             (topic.has_times ? "with times" : "without times"));
   if (topic.elevations.empty()) {
@@ -200,18 +227,25 @@ std::string words_of(const std::string& name, const CloudTopic& topic) {
          draft_of(topic, rings, low_deg, high_deg);
 }
 
-}  // namespace
+using CloudTopics = std::map<std::string, CloudTopic>;
 
-std::string describe_clouds(const std::string& path) {
-  std::map<std::string, CloudTopic> topics;
-  std::string text;
+// Returns why reading ended, or nothing at the end of the recording.
+std::string add_messages(const std::string& path, CloudTopics& topics) {
   try {
     static_cast<void>(for_each_cloud_message(path, "", [&](const ros::RecordedMessage& message) {
       topics[std::string(message.topic)].add(message);
     }));
   } catch (const UsageError& error) {
-    text = row("clouds", "not read on: " + std::string(error.what()));
+    return row("clouds", "not read on: " + std::string(error.what()));
   }
+  return {};
+}
+
+}  // namespace
+
+std::string describe_clouds(const std::string& path) {
+  CloudTopics topics;
+  std::string text = add_messages(path, topics);
   for (const auto& [name, topic] : topics) {
     text += topic.most_points > 0 ? words_of(name, topic) : "";
   }
