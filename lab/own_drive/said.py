@@ -90,9 +90,12 @@ def budgets_of(text: str) -> list[Budget]:
     return [Budget(name, int(points), float(ms), int(share), bool(slow)) for name, points, ms, share, slow in found]
 
 
-def cores_of(text: str, car: str) -> str:
-    """What `iog budget --all` says of a car; it lists all that it knows."""
-    return next((line.split(None, 1)[1] for line in text.splitlines() if line.startswith(car + " ")), "not known")
+def cores_of(text: str, car: str) -> dict[str, str]:
+    """How many cores keep the period in a "typical" and a "worst" frame, by `iog budget --all`, which lists all cars."""
+    line = next((line for line in text.splitlines() if line.startswith(car + " ")), "")
+    found = re.findall(r"(typical|worst) [\d.]+ ms, (not on|on) (\d+) cores?", line)
+    return {"typical": "not known", "worst": "not known"} | {
+        name: number if on == "on" else f"more than {number}" for name, on, number in found}
 
 
 def with_sensor_alone(text: str, number: int) -> str | None:

@@ -53,11 +53,20 @@ def facts(drive: Drive) -> list[tuple[str, str]]:
     return found
 
 
+def is_assumed(words: str) -> bool:
+    """A row of the poses about a standard deviation that the log does not state: usual with odometry."""
+    return "is assumed" in words
+
+
+def points_a_frame(drive: Drive, fused: Rows) -> int:
+    return round(sum(fused.counts("scan points").values()) / len(drive.frames))
+
+
 def attention(drive: Drive, fused: Rows, remarks: list[str], car: dict, budget: str) -> list[str]:
     """What a reader has to know before the rest."""
     frames, words = drive.frames, fused.loud + remarks
     words += [f"{key.capitalize()}: {value}" for key in ("not looked at", "capture") for value in fused.all(key)]
-    words += [f"Poses: {value}" for value in fused.all("poses")[:-1]]
+    words += [f"Poses: {value}" for value in fused.all("poses")[:-1] if not is_assumed(value)]
     if not frames.has_classes.any():
         words.append("This car sends the index grid alone (the key grids of its file, or the default of its units). "
                      "With grids = \"both\" and poses, it also has classes, moving objects and a map.")

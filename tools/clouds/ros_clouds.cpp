@@ -1,13 +1,14 @@
 #include "tools/clouds/ros_clouds.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
-#include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_order.hpp"
 
@@ -15,6 +16,15 @@ namespace iog::tools {
 namespace {
 
 using ros::CdrReader;
+
+const std::initializer_list<std::string_view> kCloudTypes{"sensor_msgs/msg/PointCloud2",
+                                                          "sensor_msgs/msg/LaserScan",
+                                                          "foxglove.PointCloud",
+                                                          "foxglove.LaserScan",
+                                                          "foxglove_msgs/msg/PointCloud",
+                                                          "foxglove_msgs/msg/LaserScan",
+                                                          "livox_ros_driver2/msg/CustomMsg",
+                                                          "livox_ros_driver/msg/CustomMsg"};
 
 // sensor_msgs/PointField.
 CloudField field_in(CdrReader& in, const std::string& what) {
@@ -99,8 +109,6 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
   return cloud_of(records, TimeUnit::kNanoseconds, what);
 }
 
-namespace {
-
 SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit) {
   const bool is_scan = message.type.ends_with("LaserScan");
   if (message.type.starts_with("foxglove")) {
@@ -115,7 +123,15 @@ SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit) {
                  : cloud_of_point_cloud2(message.data, unit, message.where);
 }
 
-}  // namespace
+bool is_cloud_type(std::string_view type) {
+  return std::ranges::find(kCloudTypes, type) != kCloudTypes.end();
+}
+
+std::vector<std::string> for_each_cloud_message(
+    const std::string& path, const std::string& topic,
+    const std::function<void(const ros::RecordedMessage&)>& take) {
+  return ros::for_each_message(path, kCloudTypes, topic, take);
+}
 
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
                                         TimeUnit unit,
@@ -131,12 +147,7 @@ std::vector<std::string> for_each_cloud(const std::string& path, const std::stri
     ++number;
     take(cloud_of_message(message, unit));
   };
-  std::vector<std::string> remarks = ros::for_each_message(
-      path,
-      {"sensor_msgs/msg/PointCloud2", "sensor_msgs/msg/LaserScan", "foxglove.PointCloud",
-       "foxglove.LaserScan", "foxglove_msgs/msg/PointCloud", "foxglove_msgs/msg/LaserScan",
-       "livox_ros_driver2/msg/CustomMsg", "livox_ros_driver/msg/CustomMsg"},
-      topic, take_message);
+  std::vector<std::string> remarks = for_each_cloud_message(path, topic, take_message);
   if (number == 0) {
     throw UsageError(
         path + ": it has no clouds and no scans of sensor_msgs, foxglove or livox_ros_driver" +

@@ -7,9 +7,11 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
+#include "tools/formats/ros/recorded_messages.hpp"
 
 namespace iog::tools {
 
@@ -22,6 +24,17 @@ namespace iog::tools {
                                             const std::string& what);
 
 [[nodiscard]] SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& what);
+
+// Whether messages of this type are clouds or scans.
+[[nodiscard]] bool is_cloud_type(std::string_view type);
+
+// Calls take(message) with each message of these types, as ros::for_each_message().
+std::vector<std::string> for_each_cloud_message(
+    const std::string& path, const std::string& topic,
+    const std::function<void(const ros::RecordedMessage&)>& take);
+
+// A message of one of these types as a cloud. UsageError as the functions above.
+[[nodiscard]] SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit);
 
 // Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
 // remarks: what is not there. UsageError if the recording cannot be read, or if several topics have

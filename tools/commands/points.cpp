@@ -95,9 +95,15 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
       fitting.push_back(i);
     }
   }
-  if (fitting.size() != 1) {
-    throw UsageError(std::string(car.vehicle->name) + " has " + std::to_string(fitting.size()) +
-                     " such sensors of type points or points_turning: give --sensor NAME of one");
+  const std::string name(car.vehicle->name);
+  if (fitting.empty()) {
+    throw UsageError(
+        (options.sensor.empty() ? name + " has no sensor" : options.sensor + " is no sensor") +
+        " of type points or points_turning: give --vehicle-file FILE of a car that has one");
+  }
+  if (fitting.size() > 1) {
+    throw UsageError(name + " has " + std::to_string(fitting.size()) +
+                     " sensors of type points or points_turning: give --sensor NAME of one");
   }
   return fitting[0];
 }

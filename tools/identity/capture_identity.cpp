@@ -8,6 +8,7 @@
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "tools/formats/capture/capture_set.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/program/exit_status.hpp"
@@ -63,6 +64,12 @@ bool is_name_of_ours(std::string_view name) {
     is_one = is_one || lidar::name_of(static_cast<lidar::Format>(number)) == name;
   }
   return is_one;
+}
+
+bool has_points_only(const CatalogueEntry& car) {
+  return std::ranges::all_of(car.sensors, [](const description::SensorConfig& sensor) {
+    return lidar::facts_of(sensor.format).is_points;
+  });
 }
 
 std::string port_words(std::uint16_t number) { return "UDP port " + std::to_string(number); }
@@ -218,7 +225,13 @@ std::string CaptureIdentity::words_of_best() const {
   std::size_t fewest = SIZE_MAX;
   std::vector<std::string> names;
   std::vector<std::string> reasons;
+  bool has_points = false;
   for (const CatalogueEntry& entry : all_vehicles()) {
+    // Points come from any lidar, so they do not tell one car of vehicles/ from a user's own.
+    if (!is_of_file(entry) && has_points_only(entry)) {
+      has_points = has_points || has_sender(entry);
+      continue;
+    }
     std::vector<std::string> its = misfits(entry);
     if (its.size() > fewest || !has_sender(entry)) {
       continue;
@@ -229,6 +242,9 @@ std::string CaptureIdentity::words_of_best() const {
     names.emplace_back(entry.vehicle->name);
     fewest = its.size();
     reasons = std::move(its);
+  }
+  if (names.empty() && has_points) {
+    return "a car of your own with a sensor of type points or points_turning";
   }
   if (names.empty()) {
     const std::string ports = words_of_ports();

@@ -10,12 +10,14 @@
 #include <optional>
 #include <sstream>
 
+#include "tools/clouds/ros_clouds.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
 #include "tools/formats/mcap/reader.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/formats/ros/sqlite_bag.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/info/capture_census.hpp"
+#include "tools/info/cloud_census.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/receive/stream_census.hpp"
@@ -37,6 +39,16 @@ std::string count_row(const std::string& name, std::uint64_t count, const std::s
   return count > 0 ? row(name, std::to_string(count) + what) : std::string();
 }
 
+// ", 10.0 Hz over 59.9 s"; empty of one message.
+std::string rate_of(std::uint64_t messages, double duration_s) {
+  std::ostringstream text;
+  if (messages > 1 && duration_s > 0) {
+    text << ", " << std::fixed << std::setprecision(1)
+         << static_cast<double>(messages - 1) / duration_s << " Hz over " << duration_s << " s";
+  }
+  return text.str();
+}
+
 std::string topics_of(const mcap::Reader& file, const std::map<std::uint16_t, TopicCensus>& census,
                       double duration_s) {
   std::ostringstream text;
@@ -46,12 +58,9 @@ std::string topics_of(const mcap::Reader& file, const std::map<std::uint16_t, To
     const TopicCensus topic = found != census.end() ? found->second : TopicCensus{};
     text << "  " << std::left << std::setw(20) << printable(channel.topic) << ' ' << topic.messages
          << " messages, " << topic.bytes << " bytes";
-    if (topic.messages > 1 && duration_s > 0) {
-      text << ", " << std::fixed << std::setprecision(1)
-           << static_cast<double>(topic.messages - 1) / duration_s << " Hz";
-    }
-    text << ", " << (schema != file.schemas().end() ? printable(schema->second.name) : "no schema")
-         << ", " << printable(channel.message_encoding) << '\n';
+    text << rate_of(topic.messages, duration_s) << ", "
+         << (schema != file.schemas().end() ? printable(schema->second.name) : "no schema") << ", "
+         << printable(channel.message_encoding) << '\n';
   }
   return text.str();
 }
@@ -198,13 +207,17 @@ std::string summary_of_mcap(const std::string& path) {
   }
   census->stream.finish();
   const std::uint64_t duration_us = census->duration_us();
+  const bool is_of_ros = std::ranges::any_of(
+      file.schemas(), [](const auto& schema) { return is_cloud_type(schema.second.name); });
+  const bool is_ours = file.metadata().contains(std::string(kRunMetadata));
+  const std::string clouds = is_of_ros && !is_ours ? describe_clouds(path) : "";
   const std::string compression =
       file.compression().empty() ? "none" : printable(file.compression());
   return row("kind", "MCAP, " + seconds(duration_us)) +
          row("written by", printable(file.library())) + row("profile", printable(file.profile())) +
          row("chunks", std::to_string(file.counts().chunks) + ", compression " + compression) +
          condition_of(file) + row("topics", std::to_string(file.channels().size())) +
-         topics_of(file, census->topics, static_cast<double>(duration_us) / 1e6) +
+         topics_of(file, census->topics, static_cast<double>(duration_us) / 1e6) + clouds +
          stream_of(file, *census);
 }
 
@@ -220,9 +233,12 @@ std::string summary_of_bag(const std::string& path) {
       continue;
     }
     for (const ros::BagTopic& topic : ros::topics_in_sqlite(plain.path(), name)) {
-      text += "  " + printable(topic.name) + ' ' + std::to_string(topic.messages) + " messages, " +
-              printable(topic.type) + ", " + printable(topic.encoding) + '\n';
+      const double duration_s = static_cast<double>(topic.duration_ns) / 1e9;
+      text += "  " + printable(topic.name) + ' ' + std::to_string(topic.messages) + " messages" +
+              rate_of(topic.messages, duration_s) + ", " + printable(topic.type) + ", " +
+              printable(topic.encoding) + '\n';
     }
+    text += describe_clouds(plain.path());
   }
   return text;
 }

@@ -165,17 +165,19 @@ std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion&
     words.push_back("not used: " + remark);
   }
   words.insert(words.end(), log.notes.begin(), log.notes.end());
-  const auto add_taken = [&words](std::size_t count, const char* of, double value,
-                                  const char* unit) {
+  const auto add_taken = [&words](std::size_t count, const char* of, double value, const char* unit,
+                                  const char* option) {
     if (count > 0) {
       std::ostringstream text;
-      text << "no standard deviation of the " << of << " in " << count << " poses, " << value * 1000
-           << unit << " taken";
+      text << "the log states no standard deviation of the " << of << " for " << count
+           << " poses: " << value * 1000 << unit << " is assumed (`iog pose " << option
+           << "` sets another)";
       words.push_back(text.str());
     }
   };
-  add_taken(log.taken_sigmas, "way", conversion.sigma_m, " mm");
-  add_taken(log.taken_sigma_headings, "turn", conversion.sigma_heading_rad, " mrad");
+  add_taken(log.taken_sigmas, "position", conversion.sigma_m, " mm", "--sigma");
+  add_taken(log.taken_sigma_headings, "heading", conversion.sigma_heading_rad, " mrad",
+            "--heading-sigma");
   return words;
 }
 

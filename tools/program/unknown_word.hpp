@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,6 +68,9 @@ namespace iog::tools {
   }
   if (!meant.empty()) {
     return text + "; did you mean " + meant + "?";
+  }
+  if (!is_option && std::ranges::count(option_names(*owner), "--pcap") > 0) {
+    return text + "; a capture needs --pcap in front of it";
   }
   const std::string name = owner == &program ? "" : " " + owner->get_name();
   return text + "; `" + program.get_name() + name + " --help` lists what there is";

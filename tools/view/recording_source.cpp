@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/formats/capture/capture_clock.hpp"
+#include "tools/formats/capture/file_hint.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
@@ -37,7 +38,10 @@ class ShownFile {
       : car_(&car), port_(options.port) {
     if (is_mcap_file(options.drive.captures[0])) {
       if (options.drive.captures.size() > 1 || !options.drive.poses.empty()) {
-        throw UsageError(options.drive.name() + ": an MCAP file is shown alone, without --poses");
+        throw UsageError(
+            options.drive.name() +
+            ": an MCAP file of `iog record` is shown alone, without --poses. For a bag of ROS 2" +
+            hint_of_ros());
       }
       stream_ = std::make_unique<StreamFile>(options.drive.captures[0]);
     } else {
@@ -111,7 +115,8 @@ class RecordingSource : public Source {
       throw UsageError(options_.drive.name() +
                        (file_->is_mcap()
                             ? ": no stream of a target in it; `iog record` writes one, "
-                              "with the topic /iogrid/messages"
+                              "with the topic /iogrid/messages. For a bag of ROS 2" +
+                                  hint_of_ros()
                             : ": no grid to port " + std::to_string(options_.port) + ", and " +
                                   others.refusal(*car_)));
     }

@@ -1,6 +1,8 @@
 #include "tools/formats/capture/file_hint.hpp"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
 
 namespace iog::tools {
@@ -59,5 +61,15 @@ std::string hint_of(std::span<const std::byte> begin) {
                                   "NAME --out drive.pcap` makes a capture of them"
                                 : "";
 }
+
+bool is_folder_of_bag(const std::string& path) {
+  const std::filesystem::directory_iterator entries(path);
+  return std::any_of(begin(entries), end(entries), [](const std::filesystem::path& entry) {
+    return entry.filename() == "metadata.yaml" || entry.extension() == ".db3" ||
+           entry.extension() == ".mcap";
+  });
+}
+
+std::string hint_of_ros() { return std::string(kOfRos); }
 
 }  // namespace iog::tools

@@ -12,4 +12,10 @@ namespace iog::tools {
 // that is known begins so.
 [[nodiscard]] std::string hint_of(std::span<const std::byte> begin);
 
+// Whether a folder has the description or a file of a bag of ROS 2.
+[[nodiscard]] bool is_folder_of_bag(const std::string& path);
+
+// ": `iog points` makes a capture …": what to do with a recording of ROS 2.
+[[nodiscard]] std::string hint_of_ros();
+
 }  // namespace iog::tools

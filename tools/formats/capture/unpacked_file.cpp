@@ -10,6 +10,7 @@
 #include <zlib.h>
 #include <zstd.h>
 
+#include "tools/formats/capture/file_hint.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 
@@ -130,7 +131,8 @@ UnpackedFile::UnpackedFile(const std::string& path) : buffer_(kBufferBytes) {
   }
   if (S_ISDIR(facts.st_mode)) {
     close(descriptor_);
-    throw UsageError(path + ": cannot be read: it is a folder");
+    throw UsageError(path + (is_folder_of_bag(path) ? ": a bag of ROS 2" + hint_of_ros()
+                                                    : ": cannot be read: it is a folder"));
   }
   file_bytes_ = S_ISREG(facts.st_mode) ? static_cast<std::uint64_t>(facts.st_size) : 0;
   // A pipe may hand over its first bytes one by one.

@@ -80,12 +80,14 @@ std::string text_of(const Bag::Query& query, int column) {
 std::vector<BagTopic> topics_in_sqlite(const std::string& path, const std::string& what) {
   const Bag bag(path, what);
   const Bag::Query query = bag.query(
-      "SELECT name, type, serialization_format, count(messages.id) FROM topics LEFT JOIN messages "
-      "ON topic_id = topics.id GROUP BY topics.id ORDER BY name");
+      "SELECT name, type, serialization_format, count(messages.id), max(timestamp) - "
+      "min(timestamp) FROM topics LEFT JOIN messages ON topic_id = topics.id GROUP BY topics.id "
+      "ORDER BY name");
   std::vector<BagTopic> topics;
   while (bag.step(query)) {
     topics.push_back({text_of(query, 0), text_of(query, 1), text_of(query, 2),
-                      static_cast<std::uint64_t>(sqlite3_column_int64(query.get(), 3))});
+                      static_cast<std::uint64_t>(sqlite3_column_int64(query.get(), 3)),
+                      static_cast<std::uint64_t>(sqlite3_column_int64(query.get(), 4))});
   }
   return topics;
 }

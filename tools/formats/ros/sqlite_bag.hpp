@@ -16,9 +16,10 @@ struct BagTopic {
   std::string type;      // "sensor_msgs/msg/LaserScan"
   std::string encoding;  // "cdr"
   std::uint64_t messages = 0;
+  std::uint64_t duration_ns = 0;  // from its first to its last message
 };
 
-// With the number of messages of each. UsageError as below.
+// With the number of messages of each and their duration. UsageError as below.
 [[nodiscard]] std::vector<BagTopic> topics_in_sqlite(const std::string& path,
                                                      const std::string& what);
 
