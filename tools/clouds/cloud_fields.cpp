@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kLongestScanUs = 500'000;
 constexpr double kShortestScanUs = 5'000;
+constexpr std::size_t kEnoughPoints = 100;
+constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};  // as TimeUnit, in microseconds
 
 const CloudField* field_of(const CloudRecords& records, std::string_view name) {
   const auto found = std::ranges::find(records.fields, name, &CloudField::name);
@@ -83,24 +85,25 @@ void check(const CloudRecords& records, const std::string& what) {
   }
 }
 
-// Microseconds in one of the units in which the points lie `span` apart.
-double microseconds_of(TimeUnit unit, double span, const std::string& what) {
-  constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};
-  if (unit != TimeUnit::kFound) {
-    return kUnits.at(static_cast<std::size_t>(unit) - 1);
+// The unit that a cloud shows whose points lie `span` apart. A cloud of few points may be a part of
+// a scan, which is a whole scan in a wrong unit.
+TimeUnit unit_of(double span, std::size_t points, CloudField::Kind kind) {
+  const auto found = std::ranges::find_if(kUnits, [&](double us) {
+    return span * us >= kShortestScanUs && span * us <= kLongestScanUs;
+  });
+  if (found == kUnits.end()) {
+    return TimeUnit::kFound;
   }
-  for (const double us : kUnits) {
-    if (span * us >= kShortestScanUs && span * us <= kLongestScanUs) {
-      return us;
-    }
-  }
-  throw UsageError(what + ": in no unit its points are 5 to 500 ms apart: give --time-unit");
+  const auto unit = static_cast<TimeUnit>(found - kUnits.begin() + 1);
+  const TimeUnit usual =
+      kind == CloudField::Kind::kFloat ? TimeUnit::kSeconds : TimeUnit::kNanoseconds;
+  return points >= kEnoughPoints || unit == usual ? unit : TimeUnit::kFound;
 }
 
 // When each of the points that are kept was seen; the earliest is the cloud's time, if it is one
 // that counts from 1970, or from the scan's stamp.
 void add_times(const CloudRecords& records, const CloudField& field,
-               const std::vector<std::size_t>& kept, TimeUnit unit, const std::string& what,
+               const std::vector<std::size_t>& kept, TimeUnit& unit, const std::string& what,
                SeenCloud& cloud) {
   std::vector<double> times;
   for (const std::size_t point : kept) {
@@ -113,7 +116,12 @@ void add_times(const CloudRecords& records, const CloudField& field,
   if (first == last) {
     return;
   }
-  const double us = microseconds_of(unit, last - first, what);
+  unit = unit == TimeUnit::kFound ? unit_of(last - first, times.size(), field.kind) : unit;
+  if (unit == TimeUnit::kFound) {
+    cloud.has_unknown_times = true;
+    return;
+  }
+  const double us = kUnits.at(static_cast<std::size_t>(unit) - 1);
   if (!((last - first) * us <= 1e6)) {
     throw UsageError(what + ": its points are more than a second apart");
   }
@@ -158,7 +166,7 @@ std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
   return bytes;
 }
 
-SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit, const std::string& what) {
+SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::string& what) {
   check(records, what);
   const CloudField& x_field = *field_of(records, "x");
   const CloudField& y_field = *field_of(records, "y");

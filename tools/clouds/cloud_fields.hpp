@@ -15,14 +15,17 @@ namespace iog::tools {
 
 // What a lidar saw in one scan.
 struct SeenCloud {
-  std::uint64_t time_us = 0;  // that of its first point
-  bool has_times = false;     // of its points
+  std::uint64_t time_us = 0;       // that of its first point
+  bool has_times = false;          // of its points
+  bool has_unknown_times = false;  // its points' times are left out: their unit is not known
   std::vector<WirePoint> points{};
   std::uint64_t not_finite = 0;  // left out: a coordinate is no number
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
 };
 
-// Of a point's time. Where nobody says it, a scan takes 5 to 500 ms.
+// Unit of the points' times. The first cloud that shows it decides for all later clouds: its points
+// are 5 to 500 ms apart in that unit, and it has at least 100 points, or the field's type agrees
+// (seconds in floats, nanoseconds in integers).
 enum class TimeUnit : std::uint8_t { kFound, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
 
 struct CloudField {
@@ -43,9 +46,10 @@ struct CloudRecords {
   std::uint64_t stamp_us = 0;  // of the scan
 };
 
-// UsageError, which begins with `what`: no x or y, more points than a unit sees, fields outside of
-// the bytes, times that are those of no scan.
-[[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit,
+// Sets unit if it is kFound and this cloud shows the unit. UsageError, which begins with `what`: no
+// x or y, more points than a unit sees, fields outside of the bytes, times that are those of no
+// scan.
+[[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
 // A field of one of the types of sensor_msgs/PointField, 1 ... 8. UsageError, which begins with

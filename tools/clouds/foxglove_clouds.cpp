@@ -168,7 +168,8 @@ auto read_either(ByteView message, bool is_cdr, const std::string& what, const R
 
 }  // namespace
 
-SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit unit, const std::string& what) {
+SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit& unit,
+                            const std::string& what) {
   Cloud cloud = read_either(message, is_cdr, what, [&](auto& in) { return cloud_in(in, what); });
   for (CloudField& field : cloud.records.fields) {
     field.stride = cloud.stride;

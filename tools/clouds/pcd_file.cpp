@@ -145,7 +145,7 @@ Bytes columns_of(const PcdFile& file, CloudRecords& records) {
 
 }  // namespace
 
-SeenCloud read_pcd(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+SeenCloud read_pcd(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
   const Bytes bytes = read_file(path);
   const PcdFile file = file_of(path, bytes);
   CloudRecords records{.bytes = file.data, .stamp_us = stamp_us};

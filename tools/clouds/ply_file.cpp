@@ -72,7 +72,7 @@ void place_fields(bool are_words, CloudRecords& records) {
 
 }  // namespace
 
-SeenCloud read_ply(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
   const std::vector<std::byte> file = read_file(path);
   CloudRecords records{.bytes = file, .stamp_us = stamp_us};
   PlyHead head;

@@ -45,6 +45,7 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   last_cloud_us_ = cloud.time_us;
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
+  sent_.unknown_times += cloud.has_unknown_times ? 1U : 0U;
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(

@@ -30,7 +30,7 @@ CloudField field_in(CdrReader& in, const std::string& what) {
 
 }  // namespace
 
-SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit unit,
+SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& unit,
                                 const std::string& what) {
   CdrReader in(message, what);
   CloudRecords records{.stamp_us = in.stamp_us()};
@@ -96,12 +96,13 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
                     {.name = "x", .at = 4, .stride = kStride},
                     {.name = "y", .at = 8, .stride = kStride},
                     {.name = "z", .at = 12, .stride = kStride}};
-  return cloud_of(records, TimeUnit::kNanoseconds, what);
+  TimeUnit unit = TimeUnit::kNanoseconds;
+  return cloud_of(records, unit, what);
 }
 
 namespace {
 
-SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit) {
+SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit& unit) {
   const bool is_scan = message.type.ends_with("LaserScan");
   if (message.type.starts_with("foxglove")) {
     const bool is_cdr = message.type.starts_with("foxglove_msgs");
@@ -118,7 +119,7 @@ SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit) {
 }  // namespace
 
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
-                                        TimeUnit unit,
+                                        TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take) {
   std::string its = topic;
   std::uint64_t number = 0;

@@ -15,7 +15,7 @@ namespace iog::tools {
 
 // UsageError, which begins with `what`, for one that is cut off or not little endian, and as
 // cloud_of().
-[[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit unit,
+[[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& unit,
                                               const std::string& what);
 
 [[nodiscard]] SeenCloud cloud_of_laser_scan(std::span<const std::byte> message,
@@ -27,7 +27,7 @@ namespace iog::tools {
 // remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
 // clouds and none is chosen.
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
-                                        TimeUnit unit,
+                                        TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take);
 
 }  // namespace iog::tools

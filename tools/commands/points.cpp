@@ -107,6 +107,8 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
+  remark(sent.unknown_times, "clouds before the first full one were sent without points' times",
+         words);
   std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
             << " datagrams " << where << '\n';
   for (const std::string& word : words) {
@@ -115,7 +117,7 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
 }
 
 // Of a file that says no time.
-SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+SeenCloud cloud_in(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
   if (path.ends_with(".pcd")) {
     return read_pcd(path, unit, stamp_us);
   }
@@ -129,7 +131,7 @@ SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_u
       path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
 }
 
-void send_clouds(const PointsOptions& options) {
+void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
   PointsSender sender(car, sensor);
@@ -154,6 +156,9 @@ void send_clouds(const PointsOptions& options) {
   }
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
+  }
+  if (options.unit == TimeUnit::kFound && sender.sent().unknown_times > 0) {
+    throw UsageError("no cloud shows the unit of its points' times: give --time-unit");
   }
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where);
@@ -186,7 +191,7 @@ void add_points(CLI::App& program) {
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which a scan takes 5 to 500 ms)")
+      ->option_text("s|ms|us|ns  (default the unit in which the first full scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(units));
   command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")

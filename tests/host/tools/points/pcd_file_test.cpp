@@ -24,7 +24,10 @@ class PcdFile : public ::testing::Test {
     out.finish();
     return path_;
   }
-  SeenCloud pcd() { return read_pcd(path_, TimeUnit::kFound, 5); }
+  SeenCloud pcd() {
+    TimeUnit unit = TimeUnit::kFound;
+    return read_pcd(path_, unit, 5);
+  }
   // Without the path.
   std::string told_of(const std::string& words) {
     file(words);

@@ -18,7 +18,8 @@ class PlyFile : public ::testing::Test {
     out.write(words);
     out.write(bytes);
     out.finish();
-    return read_ply(path_, TimeUnit::kFound, 5);
+    TimeUnit unit = TimeUnit::kMicroseconds;
+    return read_ply(path_, unit, 5);
   }
   std::string told_of(const std::string& words) {
     return told_by([&] { static_cast<void>(ply(words)); }).substr(path_.size());

@@ -115,14 +115,48 @@ TEST(RosClouds, FindTheUnitOfTimes) {
   expect_later(with(
                    "timestamp", 8, [](Bytes& b, int i) { add(b, 5'000.0 + 0.05 * i); }, 8),
                0);
-  expect_later(with(
-                   "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 7'000 : 57'000, 4); }, 4),
-               7'000);
-  EXPECT_EQ(told_by([&] {
-              static_cast<void>(with(
-                  "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 0 : 700, 4); }, 4));
-            }),
-            "it: in no unit its points are 5 to 500 ms apart: give --time-unit");
+}
+
+// `count` points, evenly over `span`, in a field t of unsigned 32-bit integers.
+SentCloud timed(std::uint32_t count, std::uint32_t span) {
+  SentCloud sent{.stride = 16, .count = count};
+  sent.fields.push_back({"t", 12, 6});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (const float metres : {10.F, 0.F, 0.F}) {
+      add(sent.points, metres);
+    }
+    add(sent.points, std::uint64_t{span} * i / (count - 1), 4);
+  }
+  return sent;
+}
+
+SeenCloud next_of(const SentCloud& sent, TimeUnit& unit) {
+  return cloud_of_point_cloud2(sent.message(), unit, "it");
+}
+
+// 20 us in nanoseconds would be a scan of 20 ms in microseconds.
+TEST(RosClouds, AFullCloudSaysTheUnitForAllThatFollow) {
+  TimeUnit unit = TimeUnit::kFound;
+  EXPECT_EQ(next_of(timed(100, 100'000'000), unit).points.back().after_us, 100'000U);
+  EXPECT_EQ(unit, TimeUnit::kNanoseconds);
+  EXPECT_EQ(next_of(timed(10, 20'000), unit).points.back().after_us, 20U);
+  EXPECT_EQ(next_of(timed(20, 1'900'000), unit).points.back().after_us, 1'900U);
+  TimeUnit other = TimeUnit::kFound;
+  EXPECT_EQ(next_of(timed(100, 50'000), other).points.back().after_us, 50'000U);
+  EXPECT_EQ(other, TimeUnit::kMicroseconds);
+}
+
+TEST(RosClouds, ANearlyEmptyCloudSaysNoUnit) {
+  for (const std::uint32_t span : {20'000U, 1'900'000U, 700U}) {
+    TimeUnit unit = TimeUnit::kFound;
+    const SeenCloud cloud = next_of(timed(10, span), unit);
+    EXPECT_EQ(unit, TimeUnit::kFound);
+    EXPECT_TRUE(cloud.has_unknown_times);
+    EXPECT_FALSE(cloud.has_times);
+    EXPECT_EQ(cloud.points.back().after_us, 0U);
+  }
+  TimeUnit unit = TimeUnit::kFound;
+  EXPECT_TRUE(next_of(timed(100, 700), unit).has_unknown_times);
 }
 
 // Not even if the unit is given: when such a point was seen is not known.
@@ -152,18 +186,18 @@ TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
             "it: 10000000 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[2].offset = 0xFFFF'FFFF; }),
             "it: it ends before its 2 points");
+  TimeUnit unit = TimeUnit::kFound;
   Bytes message = SentCloud{.points = two_points()}.message();
   for (std::size_t size = 4; size < message.size() - 1; ++size) {
-    EXPECT_EQ(told_by([&] {
-                static_cast<void>(
-                    cloud_of_point_cloud2(std::span(message).first(size), TimeUnit::kFound, "it"));
-              }),
-              "it: the message is cut off");
+    EXPECT_EQ(
+        told_by([&] {
+          static_cast<void>(cloud_of_point_cloud2(std::span(message).first(size), unit, "it"));
+        }),
+        "it: the message is cut off");
   }
   message[1] = std::byte{0};
-  EXPECT_EQ(
-      told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, TimeUnit::kFound, "it")); }),
-      "it: the message is not in CDR, little endian");
+  EXPECT_EQ(told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, unit, "it")); }),
+            "it: the message is not in CDR, little endian");
 }
 
 Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {

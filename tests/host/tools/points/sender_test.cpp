@@ -82,7 +82,8 @@ class PointsOfBag : public ::testing::Test {
   std::vector<CapturedDatagram> sent(const std::string& topic = {}) {
     write(bag_, path_);
     std::vector<CapturedDatagram> all;
-    for_each_cloud(path_, topic, TimeUnit::kFound, [&](SeenCloud&& cloud) {
+    TimeUnit unit = TimeUnit::kFound;
+    for_each_cloud(path_, topic, unit, [&](SeenCloud&& cloud) {
       std::ranges::move(sender_.send(std::move(cloud)), std::back_inserter(all));
     });
     return all;
