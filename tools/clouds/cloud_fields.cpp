@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
@@ -20,6 +21,7 @@ namespace {
 constexpr double kLongestScanUs = 500'000;
 constexpr double kShortestScanUs = 5'000;
 constexpr std::size_t kEnoughPoints = 100;
+constexpr std::size_t kMostFields = 64;
 constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};  // as TimeUnit, in microseconds
 
 const CloudField* field_of(const CloudRecords& records, std::string_view name) {
@@ -58,12 +60,16 @@ double number_at(const CloudRecords& records, const CloudField& field, std::size
              : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
 }
 
-void check(const CloudRecords& records, const std::string& what) {
+void check_count(const CloudRecords& records, const std::string& what) {
   if (records.count > kMostCloudPoints) {
     throw UsageError(what + ": " + std::to_string(records.count) +
                      " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
                      " in a scan");
   }
+}
+
+void check(const CloudRecords& records, const std::string& what) {
+  check_count(records, what);
   for (const std::string_view name : {"x", "y"}) {
     if (field_of(records, name) == nullptr) {
       throw UsageError(what + ": its points have no field " + std::string(name));
@@ -138,6 +144,32 @@ void add_times(const CloudRecords& records, const CloudField& field,
 }
 
 }  // namespace
+
+void set_stride(CloudRecords& records, std::size_t stride, const std::string& what) {
+  check_count(records, what);
+  const bool is_empty = records.count == 0 && records.bytes.empty();  // then its head may be, too
+  for (CloudField& field : records.fields) {
+    field.stride = stride;
+    if (!is_empty && field.at + field.bytes > stride) {
+      throw UsageError(what + ": field " + printable(field.name) + " ends at byte " +
+                       std::to_string(field.at + field.bytes) + " of a point, which has " +
+                       std::to_string(stride));
+    }
+  }
+  if (records.count * stride != records.bytes.size()) {
+    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
+                     std::to_string(stride) + " bytes do not fill its " +
+                     std::to_string(records.bytes.size()) + " bytes");
+  }
+}
+
+void add_field(CloudRecords& records, CloudField field, const std::string& what) {
+  if (records.fields.size() == kMostFields) {
+    throw UsageError(what + ": its points have more than " + std::to_string(kMostFields) +
+                     " fields");
+  }
+  records.fields.push_back(std::move(field));
+}
 
 CloudField field_of_type(const std::string& name, std::size_t type, const std::string& what) {
   using Kind = CloudField::Kind;

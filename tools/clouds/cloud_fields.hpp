@@ -52,6 +52,13 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
+// Points one behind another, `stride` bytes each. UsageError, which begins with `what`, if a field
+// is outside of them, or the bytes are not those of count points.
+void set_stride(CloudRecords& records, std::size_t stride, const std::string& what);
+
+// UsageError, which begins with `what`, if the records have as many fields as they may.
+void add_field(CloudRecords& records, CloudField field, const std::string& what);
+
 // A field of one of the types of sensor_msgs/PointField, 1 ... 8. UsageError, which begins with
 // `what`, for another.
 [[nodiscard]] CloudField field_of_type(const std::string& name, std::size_t type,

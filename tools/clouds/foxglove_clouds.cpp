@@ -3,8 +3,10 @@
 #include <bit>
 #include <cstdint>
 #include <protozero/pbf_reader.hpp>
+#include <utility>
 
 #include "tools/clouds/laser_ranges.hpp"
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_order.hpp"
@@ -19,6 +21,7 @@ struct ProtoField {
   std::uint32_t number = 0;
   std::uint64_t value = 0;
   ByteView bytes{};
+  bool has_bytes = false;
 
   [[nodiscard]] double as_double() const { return std::bit_cast<double>(value); }
 };
@@ -38,6 +41,7 @@ void for_each_field(ByteView message, const Take& take) {
     } else {
       const protozero::data_view view = in.get_view();
       field.bytes = std::as_bytes(std::span(view.data(), view.size()));
+      field.has_bytes = true;
     }
     take(field);
   }
@@ -60,8 +64,9 @@ struct Cloud {
   void add_field(const std::string& name, std::size_t at, std::size_t type,
                  const std::string& what) {
     const bool is_integer = type >= 1 && type <= 6;
-    records.fields.push_back(field_of_type(name, is_integer ? ((type - 1) ^ 1U) + 1 : type, what));
-    records.fields.back().at = at;
+    CloudField field = field_of_type(name, is_integer ? ((type - 1) ^ 1U) + 1 : type, what);
+    field.at = at;
+    iog::tools::add_field(records, std::move(field), what);
   }
 };
 
@@ -115,12 +120,12 @@ Cloud cloud_in(ros::CdrReader& in, const std::string& what) {
 }
 
 void add_doubles(ByteView bytes, LaserRanges& scan) {
-  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
+  for (; bytes.size() >= 8 && scan.ranges_m.size() <= kMostCloudPoints; bytes = bytes.subspan(8)) {
     scan.ranges_m.push_back(std::bit_cast<double>(wire::load_le64(bytes.first<8>())));
   }
 }
 
-// Where the last beam is, is `last`.
+// Where the last beam is, is `last`. Of too many ranges one too many is kept.
 LaserRanges scan_in(ByteView message, double& last) {
   LaserRanges scan;
   for_each_field(message, [&](const ProtoField& its) {
@@ -130,7 +135,7 @@ LaserRanges scan_in(ByteView message, double& last) {
       scan.first_rad = its.as_double();
     } else if (its.number == 5) {
       last = its.as_double();
-    } else if (its.number == 6 && its.bytes.empty()) {
+    } else if (its.number == 6 && !its.has_bytes && scan.ranges_m.size() <= kMostCloudPoints) {
       scan.ranges_m.push_back(its.as_double());  // one by one; or packed
     } else if (its.number == 6) {
       add_doubles(its.bytes, scan);
@@ -144,7 +149,7 @@ LaserRanges scan_in(ros::CdrReader& in, double& last) {
   skip_frame_and_pose(in);
   scan.first_rad = in.f64();
   last = in.f64();
-  for (std::size_t left = in.u32(); left > 0; --left) {
+  for (std::size_t left = in.u32(); left > 0 && scan.ranges_m.size() <= kMostCloudPoints; --left) {
     scan.ranges_m.push_back(in.f64());
     in.must_be_whole();
   }
@@ -171,10 +176,8 @@ auto read_either(ByteView message, bool is_cdr, const std::string& what, const R
 SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit& unit,
                             const std::string& what) {
   Cloud cloud = read_either(message, is_cdr, what, [&](auto& in) { return cloud_in(in, what); });
-  for (CloudField& field : cloud.records.fields) {
-    field.stride = cloud.stride;
-  }
   cloud.records.count = cloud.stride == 0 ? 0 : cloud.records.bytes.size() / cloud.stride;
+  set_stride(cloud.records, cloud.stride, what);
   return cloud_of(cloud.records, unit, what);
 }
 

@@ -6,6 +6,7 @@
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/program/exit_status.hpp"
@@ -39,7 +40,7 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& un
   const std::uint64_t width = in.u32();
   const std::size_t fields = in.u32();
   for (std::size_t i = 0; i < fields; ++i) {
-    records.fields.push_back(field_in(in, what));
+    add_field(records, field_in(in, what), what);
   }
   records.is_big_endian = in.u8() != 0;
   const std::size_t stride = in.u32();
@@ -50,9 +51,7 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& un
     throw UsageError(what + ": its rows have gaps between them, which is not read");
   }
   records.count = height * width;
-  for (CloudField& field : records.fields) {
-    field.stride = stride;
-  }
+  set_stride(records, stride, what);
   return cloud_of(records, unit, what);
 }
 
@@ -67,7 +66,8 @@ SeenCloud cloud_of_laser_scan(std::span<const std::byte> message, const std::str
   static_cast<void>(in.f32());  // from scan to scan
   scan.least_m = in.f32();
   scan.most_m = in.f32();
-  for (auto rest = in.sequence(4); !rest.empty(); rest = rest.subspan(4)) {
+  for (auto rest = in.sequence(4); !rest.empty() && scan.ranges_m.size() <= kMostCloudPoints;
+       rest = rest.subspan(4)) {
     const auto range = std::bit_cast<float>(wire::load_le32(rest.first<4>()));
     scan.ranges_m.push_back(static_cast<double>(range));
   }

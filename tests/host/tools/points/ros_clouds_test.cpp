@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "cloud_bytes.hpp"
+#include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 
 namespace iog::tools {
@@ -181,11 +183,23 @@ TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
   EXPECT_EQ(told([](SentCloud& /*sent*/) {}), "");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[0].name = "X"; }), "it: its points have no field x");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[1].type = 9; }), "it: field y has an unknown type, 9");
-  EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }), "it: it ends before its 3 points");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }),
+            "it: its 3 points of 12 bytes do not fill its 24 bytes");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 1; }),
+            "it: its 1 points of 12 bytes do not fill its 24 bytes");
+  for (const std::uint32_t stride : {0U, 4U}) {
+    EXPECT_EQ(told([=](SentCloud& s) { s.stride = stride; }),
+              "it: field " + std::string(stride == 0 ? "x" : "y") + " ends at byte " +
+                  std::to_string(stride + 4) + " of a point, which has " + std::to_string(stride));
+  }
+  EXPECT_EQ(told([](SentCloud& s) {
+              s.fields.resize(65, {"i", 0, 7});
+            }),
+            "it: its points have more than 64 fields");
   EXPECT_EQ(told([](SentCloud& s) { s.count = 10'000'000; }),
             "it: 10000000 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[2].offset = 0xFFFF'FFFF; }),
-            "it: it ends before its 2 points");
+            "it: field z ends at byte 4294967299 of a point, which has 12");
   TimeUnit unit = TimeUnit::kFound;
   Bytes message = SentCloud{.points = two_points()}.message();
   for (std::size_t size = 4; size < message.size() - 1; ++size) {
@@ -198,6 +212,44 @@ TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
   message[1] = std::byte{0};
   EXPECT_EQ(told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, unit, "it")); }),
             "it: the message is not in CDR, little endian");
+}
+
+// foxglove.PointCloud in Protocol Buffers: x and y in floats, two points of so many bytes.
+Bytes foxglove_cloud(std::uint8_t stride) {
+  Bytes message;
+  const auto put = [&](std::initializer_list<int> bytes) {
+    std::ranges::for_each(bytes,
+                          [&](int byte) { add(message, static_cast<std::uint64_t>(byte), 1); });
+  };
+  put({0x25, stride, 0, 0, 0});
+  put({0x2A, 10, 0x0A, 1, 'x', 0x15, 0, 0, 0, 0, 0x18, 7});
+  put({0x2A, 10, 0x0A, 1, 'y', 0x15, 4, 0, 0, 0, 0x18, 7});
+  put({0x32, 16});
+  for (const float metres : {10.F, 0.F, 0.F, 10.F}) {
+    add(message, metres);
+  }
+  return message;
+}
+
+TEST(FoxgloveClouds, PointsFillTheirBytes) {
+  TimeUnit unit = TimeUnit::kFound;
+  const auto read = [&](std::uint8_t stride) {
+    return cloud_of_foxglove(foxglove_cloud(stride), false, unit, "it");
+  };
+  EXPECT_EQ(read(8).points.size(), 2U);
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(0)); }),
+            "it: field x ends at byte 4 of a point, which has 0");
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(7)); }),
+            "it: field y ends at byte 8 of a point, which has 7");
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(9)); }),
+            "it: its 1 points of 9 bytes do not fill its 16 bytes");
+}
+
+// Packed ranges without a byte are no range.
+TEST(FoxgloveClouds, AnEmptyScanHasNoBeam) {
+  const Bytes message{std::byte{0x32}, std::byte{0}};
+  const SeenCloud cloud = scan_of_foxglove(message, false, "it");
+  EXPECT_EQ(cloud.nowhere + cloud.points.size(), 0U);
 }
 
 Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
