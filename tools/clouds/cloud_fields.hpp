@@ -18,6 +18,7 @@ struct SeenCloud {
   std::uint64_t time_us = 0;       // that of its first point
   bool has_times = false;          // of its points
   bool has_unknown_times = false;  // its points' times are left out: their unit is not known
+  bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
   std::vector<WirePoint> points{};
   std::uint64_t not_finite = 0;  // left out: a coordinate is no number
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures

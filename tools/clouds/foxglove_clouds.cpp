@@ -125,8 +125,8 @@ void add_doubles(ByteView bytes, LaserRanges& scan) {
   }
 }
 
-// Where the last beam is, is `last`. Of too many ranges one too many is kept.
-LaserRanges scan_in(ByteView message, double& last) {
+// Of too many ranges one too many is kept.
+LaserRanges scan_in(ByteView message) {
   LaserRanges scan;
   for_each_field(message, [&](const ProtoField& its) {
     if (its.number == 1) {
@@ -134,7 +134,7 @@ LaserRanges scan_in(ByteView message, double& last) {
     } else if (its.number == 4) {
       scan.first_rad = its.as_double();
     } else if (its.number == 5) {
-      last = its.as_double();
+      scan.last_rad = its.as_double();
     } else if (its.number == 6 && !its.has_bytes && scan.ranges_m.size() <= kMostCloudPoints) {
       scan.ranges_m.push_back(its.as_double());  // one by one; or packed
     } else if (its.number == 6) {
@@ -144,11 +144,11 @@ LaserRanges scan_in(ByteView message, double& last) {
   return scan;
 }
 
-LaserRanges scan_in(ros::CdrReader& in, double& last) {
+LaserRanges scan_in(ros::CdrReader& in) {
   LaserRanges scan{.stamp_us = in.stamp_us()};
   skip_frame_and_pose(in);
   scan.first_rad = in.f64();
-  last = in.f64();
+  scan.last_rad = in.f64();
   for (std::size_t left = in.u32(); left > 0 && scan.ranges_m.size() <= kMostCloudPoints; --left) {
     scan.ranges_m.push_back(in.f64());
     in.must_be_whole();
@@ -182,11 +182,9 @@ SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit& unit,
 }
 
 SeenCloud scan_of_foxglove(ByteView message, bool is_cdr, const std::string& what) {
-  double last = 0;
-  LaserRanges scan =
-      read_either(message, is_cdr, what, [&](auto& in) { return scan_in(in, last); });
+  LaserRanges scan = read_either(message, is_cdr, what, [&](auto& in) { return scan_in(in); });
   const auto steps = static_cast<double>(scan.ranges_m.size()) - 1;
-  scan.step_rad = steps > 0 ? (last - scan.first_rad) / steps : 0;
+  scan.step_rad = steps > 0 ? (scan.last_rad - scan.first_rad) / steps : 0;
   return cloud_of_ranges(scan, what);
 }
 

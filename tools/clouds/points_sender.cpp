@@ -45,6 +45,7 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   last_cloud_us_ = cloud.time_us;
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
+  sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
   sent_.unknown_times += cloud.has_unknown_times ? 1U : 0U;
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);

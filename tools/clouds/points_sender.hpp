@@ -19,6 +19,7 @@ struct SentClouds {
   std::uint64_t beyond_layers = 0;  // sent, and not used
   std::uint64_t not_finite = 0;
   std::uint64_t nowhere = 0;
+  std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
   std::uint64_t unknown_times = 0;  // clouds: SeenCloud::has_unknown_times
 };
 

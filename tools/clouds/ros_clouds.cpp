@@ -60,7 +60,7 @@ SeenCloud cloud_of_laser_scan(std::span<const std::byte> message, const std::str
   LaserRanges scan{.stamp_us = in.stamp_us()};
   static_cast<void>(in.text());
   scan.first_rad = in.f32();
-  static_cast<void>(in.f32());  // the last angle follows
+  scan.last_rad = in.f32();
   scan.step_rad = in.f32();
   scan.apart_s = in.f32();
   static_cast<void>(in.f32());  // from scan to scan

@@ -107,6 +107,9 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
+  remark(sent.wrong_times,
+         "scans were sent without beams' times: time_increment is below 0, no number or too long",
+         words);
   remark(sent.unknown_times, "clouds before the first full one were sent without points' times",
          words);
   std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams

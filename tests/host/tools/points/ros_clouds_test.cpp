@@ -2,12 +2,14 @@
 #include "tools/clouds/ros_clouds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloud_bytes.hpp"
@@ -252,12 +254,16 @@ TEST(FoxgloveClouds, AnEmptyScanHasNoBeam) {
   EXPECT_EQ(cloud.nowhere + cloud.points.size(), 0U);
 }
 
-Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
+// angle_min, angle_max, angle_increment, time_increment, scan_time, range_min and range_max.
+using LaserHead = std::array<float, 7>;
+constexpr LaserHead kLaserHead{-0.2F, 0.2F, 0.1F, 0.001F, 0.025F, 0.1F, 20.F};
+
+Bytes laser_scan(const std::vector<float>& ranges, const LaserHead& head = kLaserHead) {
   ros::CdrWriter out;
   out.put(std::uint32_t{1'700'000'000});
   out.put(std::uint32_t{0});
   out.put(std::string_view("laser"));
-  for (const float value : {-0.5F, 0.5F, 0.25F, apart_s, 0.025F, 0.1F, 20.F}) {
+  for (const float value : head) {
     out.put(value);
   }
   out.put(static_cast<std::uint32_t>(ranges.size()));
@@ -270,23 +276,54 @@ Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
 
 // REP 117: infinite is nothing; NaN is an error.
 TEST(RosClouds, ReadLaserScan) {
-  const SeenCloud cloud =
-      cloud_of_laser_scan(laser_scan({5, kInfinite, kNan, 0.05F, 21}, 0.001F), "it");
+  const SeenCloud cloud = cloud_of_laser_scan(laser_scan({5, kInfinite, kNan, 0.05F, 21}), "it");
   ASSERT_EQ(cloud.points.size(), 3U);
   EXPECT_EQ(cloud.not_finite, 1U);
   EXPECT_EQ(cloud.nowhere, 1U);
   const auto parts = [](double radians) {
     return std::lround(radians * 180 / 3.14159265358979 * 3'200);
   };
-  EXPECT_EQ(cloud.points[0].first, 1'152'000 + parts(-0.5));
+  EXPECT_EQ(cloud.points[0].first, 1'152'000 + parts(-0.2));
   EXPECT_EQ(cloud.points[0].third, 5'000);
   EXPECT_EQ(cloud.points[0].flags, 0);
-  EXPECT_EQ(cloud.points[1].first, 1'152'000 + parts(-0.25));
+  EXPECT_EQ(cloud.points[1].first, 1'152'000 + parts(-0.1));
   EXPECT_EQ(cloud.points[1].flags, 4);
   EXPECT_EQ(cloud.points[1].after_us, 1'000U);
-  EXPECT_EQ(cloud.points[2].first, parts(0.5));
+  EXPECT_EQ(cloud.points[2].first, parts(0.2));
   EXPECT_EQ(cloud.points[2].flags, 4);
   EXPECT_EQ(cloud.points[2].after_us, 4'000U);
+}
+
+TEST(RosClouds, AScanWhoseHeadContradictsItselfIsTold) {
+  const auto told = [](std::size_t field, float value) {
+    LaserHead head = kLaserHead;
+    head.at(field) = value;
+    return told_by([&] {
+      static_cast<void>(cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it"));
+    });
+  };
+  EXPECT_EQ(told(6, 0), "it: range_max is 0 m");
+  EXPECT_EQ(told(6, kNan), "it: range_max is nan m");
+  EXPECT_EQ(told(6, kInfinite), "it: range_max is inf m");
+  EXPECT_EQ(told(5, 30), "it: range_min is 30 m, and range_max 20");
+  EXPECT_EQ(told(0, kNan), "it: angle_min is nan, and angle_max 0.2");
+  for (const auto& [step, words] : {std::pair(0.F, "0"), {kNan, "nan"}, {-0.3F, "-0.3"}}) {
+    EXPECT_EQ(told(2, step), std::string("it: angle_increment is ") + words +
+                                 " rad from beam to beam; at most 0.2 is read");
+  }
+  EXPECT_EQ(told(2, 0.05F),
+            "it: by angle_min and angle_increment its last beam is at 0 rad, and angle_max is 0.2");
+  EXPECT_EQ(told(1, 0.3F), "");  // some drivers name the end of the last step
+}
+
+TEST(RosClouds, BeamsTimesThatAreOfNoScanAreLeftOutAndTold) {
+  for (const float apart_s : {-0.001F, kNan, kInfinite, 1.F, 0.F}) {
+    LaserHead head = kLaserHead;
+    head[3] = apart_s;
+    const SeenCloud cloud = cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it");
+    EXPECT_FALSE(cloud.has_times);
+    EXPECT_EQ(cloud.has_wrong_times, apart_s != 0) << apart_s;
+  }
 }
 
 }  // namespace
