@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
-#include <sstream>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
@@ -60,14 +61,6 @@ double number_at(const CloudRecords& records, const CloudField& field, std::size
              : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
 }
 
-void check_count(const CloudRecords& records, const std::string& what) {
-  if (records.count > kMostCloudPoints) {
-    throw UsageError(what + ": " + std::to_string(records.count) +
-                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
-                     " in a scan");
-  }
-}
-
 void check(const CloudRecords& records, const std::string& what) {
   check_count(records, what);
   for (const std::string_view name : {"x", "y"}) {
@@ -82,9 +75,10 @@ void check(const CloudRecords& records, const std::string& what) {
     if (!is_known) {
       throw UsageError(what + ": field " + field.name + " has an unknown type");
     }
-    // The stride alone first, so that nothing overflows.
+    // The place and the stride alone first, so that nothing overflows.
     if (records.count > 0 &&
-        ((records.count > 1 && field.stride > records.bytes.size()) ||
+        (field.at > records.bytes.size() ||
+         (records.count > 1 && field.stride > records.bytes.size()) ||
          field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size())) {
       throw UsageError(what + ": it ends before its " + std::to_string(records.count) + " points");
     }
@@ -145,6 +139,14 @@ void add_times(const CloudRecords& records, const CloudField& field,
 
 }  // namespace
 
+void check_count(const CloudRecords& records, const std::string& what) {
+  if (records.count > kMostCloudPoints) {
+    throw UsageError(what + ": " + std::to_string(records.count) +
+                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
+                     " in a scan");
+  }
+}
+
 void set_stride(CloudRecords& records, std::size_t stride, const std::string& what) {
   check_count(records, what);
   const bool is_empty = records.count == 0 && records.bytes.empty();  // then its head may be, too
@@ -187,15 +189,41 @@ CloudField field_of_type(const std::string& name, std::size_t type, const std::s
   return {.name = name, .kind = kTypes[type - 1].kind, .bytes = kTypes[type - 1].bytes};
 }
 
-std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
+std::vector<std::byte> doubles_in(TextRows& text, const std::string& path) {
   std::vector<std::byte> bytes;
-  std::istringstream in(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
-  for (std::string word; in >> word;) {
-    bytes.resize(bytes.size() + 8);
-    wire::store_le64(std::span(bytes).last<8>(),
-                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
+  for (std::size_t rows = 0; rows < text.rows && !text.text.empty(); ++text.line) {
+    const auto end = std::ranges::find(text.text, std::byte{'\n'});
+    const auto length = static_cast<std::size_t>(end - text.text.begin());
+    const auto words = words_of({reinterpret_cast<const char*>(text.text.data()), length});
+    text.text = text.text.subspan(std::min(length + 1, text.text.size()));
+    if (words.empty()) {
+      continue;
+    }
+    ++rows;
+    const std::string where = path + ":" + std::to_string(text.line) + ": ";
+    if (words.size() != text.columns) {
+      throw UsageError(where + std::to_string(words.size()) + " numbers instead of " +
+                       std::to_string(text.columns));
+    }
+    for (const std::string_view word : words) {
+      double number = 0;
+      const auto [stop, error] = std::from_chars(word.begin(), word.end(), number);
+      if (error != std::errc() || stop != word.end()) {
+        throw UsageError(where + "'" + printable(std::string(word)) + "' is no number");
+      }
+      bytes.resize(bytes.size() + 8);
+      wire::store_le64(std::span(bytes).last<8>(), std::bit_cast<std::uint64_t>(number));
+    }
   }
   return bytes;
+}
+
+std::size_t whole_number_of(std::string_view word, const std::string& path) {
+  if (const std::optional<std::uint32_t> number = whole_number_in(word)) {
+    return *number;
+  }
+  throw UsageError(path + ": in its head '" + printable(std::string(word)) +
+                   "' is no whole number");
 }
 
 SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::string& what) {

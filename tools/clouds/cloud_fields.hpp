@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/formats/points/points_writer.hpp"
@@ -53,6 +54,9 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
+// UsageError, which begins with `what`, for more points than a unit sees in a scan.
+void check_count(const CloudRecords& records, const std::string& what);
+
 // Points one behind another, `stride` bytes each. UsageError, which begins with `what`, if a field
 // is outside of them, or the bytes are not those of count points.
 void set_stride(CloudRecords& records, std::size_t stride, const std::string& what);
@@ -65,7 +69,19 @@ void add_field(CloudRecords& records, CloudField field, const std::string& what)
 [[nodiscard]] CloudField field_of_type(const std::string& name, std::size_t type,
                                        const std::string& what);
 
-// The numbers of a text, which blanks separate, as little-endian doubles.
-[[nodiscard]] std::vector<std::byte> doubles_in(std::span<const std::byte> text);
+// Rows of a text, in lines of their own that are not blank.
+struct TextRows {
+  std::span<const std::byte> text{};
+  std::size_t line = 1;     // number of the first one in its file
+  std::size_t rows = 0;     // at most so many are read
+  std::size_t columns = 0;  // numbers in each row
+};
+
+// Their numbers as little-endian doubles; `text` becomes what is behind them. UsageError, which
+// begins with `path`, for a row of more or fewer numbers, or for a word that is no number.
+[[nodiscard]] std::vector<std::byte> doubles_in(TextRows& text, const std::string& path);
+
+// A whole number of a file's head. UsageError, which begins with `path`, for any other word.
+[[nodiscard]] std::size_t whole_number_of(std::string_view word, const std::string& path);
 
 }  // namespace iog::tools
