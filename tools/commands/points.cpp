@@ -24,6 +24,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/replay/pace.hpp"
@@ -107,6 +108,11 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
+  remark(sent.beyond_width,
+         "points are outside the field of view (scan_width_ticks): the target does not watch there",
+         words);
+  remark(sent.without_stamp, "clouds have no stamp (0): frames and poses cannot be matched", words);
+  remark(sent.same_stamps, "clouds have the same stamp as the one before", words);
   remark(sent.wrong_times,
          "scans were sent without beams' times: time_increment is below 0, no number or too long",
          words);
@@ -165,6 +171,9 @@ void send_clouds(PointsOptions options) {
   }
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where);
+  if (sender.sent().points == 0) {
+    throw CheckFailed("no cloud has a point to send");
+  }
 }
 
 }  // namespace
@@ -198,7 +207,10 @@ void add_points(CLI::App& program) {
       ->transform(CLI::CheckedTransformer(units));
   command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")
-      ->check(CLI::Range(0.1, 100.0));
+      ->check(CLI::Range(0.1, 100.0))  // which takes "nan"
+      ->check([](const std::string& text) {
+        return number_in(text) ? std::string() : text + " is no number";
+      });
   add_vehicle_options(*command, options->vehicle);
   command->footer(
       "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");
