@@ -92,6 +92,13 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
   }
   in.must_be_whole();
   records.bytes = in.rest();
+  // The last point may lack the byte that aligns the next, and the message may be filled up to 4.
+  const std::size_t whole = records.count * kStride;
+  if (records.bytes.size() + 1 < whole || records.bytes.size() > whole + 3) {
+    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
+                     std::to_string(kStride) + " bytes do not fill its " +
+                     std::to_string(records.bytes.size()) + " bytes");
+  }
   records.fields = {{.name = "offset_time", .kind = Kind::kUnsigned, .at = 0, .stride = kStride},
                     {.name = "x", .at = 4, .stride = kStride},
                     {.name = "y", .at = 8, .stride = kStride},

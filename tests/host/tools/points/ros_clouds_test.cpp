@@ -254,6 +254,27 @@ TEST(FoxgloveClouds, AnEmptyScanHasNoBeam) {
   EXPECT_EQ(cloud.nowhere + cloud.points.size(), 0U);
 }
 
+// CustomMsg of livox_ros_driver2, two points of 20 bytes, of which the last lacks its last one.
+TEST(RosClouds, PointsOfALivoxFillTheirBytes) {
+  const auto told = [](std::size_t bytes) {
+    ros::CdrWriter out;
+    out.put(std::uint32_t{1'700'000'000});
+    out.put(std::uint32_t{0});
+    out.put(std::string_view("livox"));
+    out.put(0.0);  // timebase
+    out.put(std::uint32_t{2});
+    out.put(std::uint32_t{0});  // lidar_id, rsvd
+    out.put(std::uint32_t{2});
+    Bytes message = out.take();
+    message.resize(message.size() + bytes);
+    return told_by([&] { static_cast<void>(cloud_of_livox(message, "it")); });
+  };
+  EXPECT_EQ(told(38), "it: its 2 points of 20 bytes do not fill its 38 bytes");
+  EXPECT_EQ(told(39), "");
+  EXPECT_EQ(told(40), "");
+  EXPECT_EQ(told(60), "it: its 2 points of 20 bytes do not fill its 60 bytes");
+}
+
 // angle_min, angle_max, angle_increment, time_increment, scan_time, range_min and range_max.
 using LaserHead = std::array<float, 7>;
 constexpr LaserHead kLaserHead{-0.2F, 0.2F, 0.1F, 0.001F, 0.025F, 0.1F, 20.F};
