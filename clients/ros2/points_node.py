@@ -8,6 +8,7 @@ field_of_view_deg is the car file's scan_width_ticks / 32. The encoding is teste
 nobody here has run it.
 """
 import socket
+import sys
 import time
 
 import numpy
@@ -26,7 +27,8 @@ def stamp_us(message) -> int:
     return message.header.stamp.sec * 1_000_000 + message.header.stamp.nanosec // 1000
 
 
-def scan_of_cloud(message) -> points.Scan:
+def scan_of_cloud(message, unit_us: float | None) -> tuple[points.Scan, float | None]:
+    """And the unit of the points' times, if it is known from now on. Without a unit, points are sent without times."""
     order = ">" if message.is_bigendian else "<"
     fields = [field for field in message.fields if field.name]
     kind = numpy.dtype({"names": [field.name for field in fields], "itemsize": message.point_step,
@@ -36,16 +38,18 @@ def scan_of_cloud(message) -> points.Scan:
     begin_us = its_us = stamp_us(message)
     after_us = None
     name = next((name for name in points.TIME_FIELDS if name in kind.names), None)
-    found = points.after_us_of(cloud[name]) if name else None
-    if found:
-        first_us, after_us = found
+    unit_us = unit_us or (points.unit_us_of(cloud[name]) if name else None)
+    if name and unit_us and len(cloud) and numpy.ptp(cloud[name]) != 0:
+        first_us, after_us = points.after_us_of(cloud[name], unit_us)
         its_us = int(begin_us + first_us if first_us < 1e12 else first_us)
         its_us = its_us if abs(its_us - begin_us) <= 1_000_000 else begin_us
     z = cloud["z"] if "z" in kind.names else numpy.zeros(len(cloud))
-    return points.of_places(cloud["x"], cloud["y"], z, its_us, after_us)
+    return points.of_places(cloud["x"], cloud["y"], z, its_us, after_us), unit_us
 
 
 def scan_of_laser(message) -> points.Scan:
+    points.check_laser(len(message.ranges), message.angle_min, message.angle_max, message.angle_increment,
+                       message.range_min, message.range_max)
     return points.of_ranges(message.ranges, message.angle_min, message.angle_increment, stamp_us(message),
                             message.time_increment, message.range_min, message.range_max)
 
@@ -58,10 +62,14 @@ class PointsNode(Node):
         self.turns = self.declare_parameter("turns", False).value
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.number = 0
-        self.create_subscription(PointCloud2, "cloud", lambda message: self.send(scan_of_cloud(message)),
-                                 qos_profile_sensor_data)
+        self.unit_us = None
+        self.create_subscription(PointCloud2, "cloud", self.send_cloud, qos_profile_sensor_data)
         self.create_subscription(LaserScan, "scan", lambda message: self.send(scan_of_laser(message)),
                                  qos_profile_sensor_data)
+
+    def send_cloud(self, message) -> None:
+        scan, self.unit_us = scan_of_cloud(message, self.unit_us)
+        self.send(scan)
 
     def send(self, scan: points.Scan) -> None:
         for datagram in points.datagrams(scan, self.number, self.view_deg, self.turns):
@@ -72,7 +80,10 @@ class PointsNode(Node):
 
 def main() -> None:
     rclpy.init()
-    rclpy.spin(PointsNode())
+    try:
+        rclpy.spin(PointsNode())
+    except ValueError as wrong:
+        sys.exit(f"points_node: {wrong}")
 
 
 if __name__ == "__main__":

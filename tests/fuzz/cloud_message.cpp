@@ -13,15 +13,16 @@ namespace {
 
 tools::SeenCloud cloud_in(std::span<const std::byte> message, unsigned kind) {
   const std::string what = "it";
+  tools::TimeUnit unit = tools::TimeUnit::kFound;
   switch (kind % 5) {
     case 0:
-      return tools::cloud_of_point_cloud2(message, tools::TimeUnit::kFound, what);
+      return tools::cloud_of_point_cloud2(message, unit, what);
     case 1:
       return tools::cloud_of_laser_scan(message, what);
     case 2:
       return tools::cloud_of_livox(message, what);
     case 3:
-      return tools::cloud_of_foxglove(message, kind >= 128, tools::TimeUnit::kFound, what);
+      return tools::cloud_of_foxglove(message, kind >= 128, unit, what);
     default:
       return tools::scan_of_foxglove(message, kind >= 128, what);
   }

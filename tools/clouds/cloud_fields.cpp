@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
-#include <sstream>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
@@ -19,6 +21,9 @@ namespace {
 
 constexpr double kLongestScanUs = 500'000;
 constexpr double kShortestScanUs = 5'000;
+constexpr std::size_t kEnoughPoints = 100;
+constexpr std::size_t kMostFields = 64;
+constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};  // as TimeUnit, in microseconds
 
 const CloudField* field_of(const CloudRecords& records, std::string_view name) {
   const auto found = std::ranges::find(records.fields, name, &CloudField::name);
@@ -57,11 +62,7 @@ double number_at(const CloudRecords& records, const CloudField& field, std::size
 }
 
 void check(const CloudRecords& records, const std::string& what) {
-  if (records.count > kMostCloudPoints) {
-    throw UsageError(what + ": " + std::to_string(records.count) +
-                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
-                     " in a scan");
-  }
+  check_count(records, what);
   for (const std::string_view name : {"x", "y"}) {
     if (field_of(records, name) == nullptr) {
       throw UsageError(what + ": its points have no field " + std::string(name));
@@ -74,33 +75,35 @@ void check(const CloudRecords& records, const std::string& what) {
     if (!is_known) {
       throw UsageError(what + ": field " + field.name + " has an unknown type");
     }
-    // The stride alone first, so that nothing overflows.
+    // The place and the stride alone first, so that nothing overflows.
     if (records.count > 0 &&
-        ((records.count > 1 && field.stride > records.bytes.size()) ||
+        (field.at > records.bytes.size() ||
+         (records.count > 1 && field.stride > records.bytes.size()) ||
          field.at + (records.count - 1) * field.stride + field.bytes > records.bytes.size())) {
       throw UsageError(what + ": it ends before its " + std::to_string(records.count) + " points");
     }
   }
 }
 
-// Microseconds in one of the units in which the points lie `span` apart.
-double microseconds_of(TimeUnit unit, double span, const std::string& what) {
-  constexpr std::array<double, 4> kUnits{1e6, 1e3, 1, 1e-3};
-  if (unit != TimeUnit::kFound) {
-    return kUnits.at(static_cast<std::size_t>(unit) - 1);
+// The unit that a cloud shows whose points lie `span` apart. A cloud of few points may be a part of
+// a scan, which is a whole scan in a wrong unit.
+TimeUnit unit_of(double span, std::size_t points, CloudField::Kind kind) {
+  const auto found = std::ranges::find_if(kUnits, [&](double us) {
+    return span * us >= kShortestScanUs && span * us <= kLongestScanUs;
+  });
+  if (found == kUnits.end()) {
+    return TimeUnit::kFound;
   }
-  for (const double us : kUnits) {
-    if (span * us >= kShortestScanUs && span * us <= kLongestScanUs) {
-      return us;
-    }
-  }
-  throw UsageError(what + ": in no unit its points are 5 to 500 ms apart: give --time-unit");
+  const auto unit = static_cast<TimeUnit>(found - kUnits.begin() + 1);
+  const TimeUnit usual =
+      kind == CloudField::Kind::kFloat ? TimeUnit::kSeconds : TimeUnit::kNanoseconds;
+  return points >= kEnoughPoints || unit == usual ? unit : TimeUnit::kFound;
 }
 
 // When each of the points that are kept was seen; the earliest is the cloud's time, if it is one
 // that counts from 1970, or from the scan's stamp.
 void add_times(const CloudRecords& records, const CloudField& field,
-               const std::vector<std::size_t>& kept, TimeUnit unit, const std::string& what,
+               const std::vector<std::size_t>& kept, TimeUnit& unit, const std::string& what,
                SeenCloud& cloud) {
   std::vector<double> times;
   for (const std::size_t point : kept) {
@@ -113,7 +116,12 @@ void add_times(const CloudRecords& records, const CloudField& field,
   if (first == last) {
     return;
   }
-  const double us = microseconds_of(unit, last - first, what);
+  unit = unit == TimeUnit::kFound ? unit_of(last - first, times.size(), field.kind) : unit;
+  if (unit == TimeUnit::kFound) {
+    cloud.has_unknown_times = true;
+    return;
+  }
+  const double us = kUnits.at(static_cast<std::size_t>(unit) - 1);
   if (!((last - first) * us <= 1e6)) {
     throw UsageError(what + ": its points are more than a second apart");
   }
@@ -131,6 +139,40 @@ void add_times(const CloudRecords& records, const CloudField& field,
 
 }  // namespace
 
+void check_count(const CloudRecords& records, const std::string& what) {
+  if (records.count > kMostCloudPoints) {
+    throw UsageError(what + ": " + std::to_string(records.count) +
+                     " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
+                     " in a scan");
+  }
+}
+
+void set_stride(CloudRecords& records, std::size_t stride, const std::string& what) {
+  check_count(records, what);
+  const bool is_empty = records.count == 0 && records.bytes.empty();  // then its head may be, too
+  for (CloudField& field : records.fields) {
+    field.stride = stride;
+    if (!is_empty && field.at + field.bytes > stride) {
+      throw UsageError(what + ": field " + printable(field.name) + " ends at byte " +
+                       std::to_string(field.at + field.bytes) + " of a point, which has " +
+                       std::to_string(stride));
+    }
+  }
+  if (records.count * stride != records.bytes.size()) {
+    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
+                     std::to_string(stride) + " bytes do not fill its " +
+                     std::to_string(records.bytes.size()) + " bytes");
+  }
+}
+
+void add_field(CloudRecords& records, CloudField field, const std::string& what) {
+  if (records.fields.size() == kMostFields) {
+    throw UsageError(what + ": its points have more than " + std::to_string(kMostFields) +
+                     " fields");
+  }
+  records.fields.push_back(std::move(field));
+}
+
 CloudField field_of_type(const std::string& name, std::size_t type, const std::string& what) {
   using Kind = CloudField::Kind;
   struct Type {
@@ -147,18 +189,44 @@ CloudField field_of_type(const std::string& name, std::size_t type, const std::s
   return {.name = name, .kind = kTypes[type - 1].kind, .bytes = kTypes[type - 1].bytes};
 }
 
-std::vector<std::byte> doubles_in(std::span<const std::byte> text) {
+std::vector<std::byte> doubles_in(TextRows& text, const std::string& path) {
   std::vector<std::byte> bytes;
-  std::istringstream in(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
-  for (std::string word; in >> word;) {
-    bytes.resize(bytes.size() + 8);
-    wire::store_le64(std::span(bytes).last<8>(),
-                     std::bit_cast<std::uint64_t>(std::strtod(word.c_str(), nullptr)));
+  for (std::size_t rows = 0; rows < text.rows && !text.text.empty(); ++text.line) {
+    const auto end = std::ranges::find(text.text, std::byte{'\n'});
+    const auto length = static_cast<std::size_t>(end - text.text.begin());
+    const auto words = words_of({reinterpret_cast<const char*>(text.text.data()), length});
+    text.text = text.text.subspan(std::min(length + 1, text.text.size()));
+    if (words.empty()) {
+      continue;
+    }
+    ++rows;
+    const std::string where = path + ":" + std::to_string(text.line) + ": ";
+    if (words.size() != text.columns) {
+      throw UsageError(where + std::to_string(words.size()) + " numbers instead of " +
+                       std::to_string(text.columns));
+    }
+    for (const std::string_view word : words) {
+      double number = 0;
+      const auto [stop, error] = std::from_chars(word.begin(), word.end(), number);
+      if (error != std::errc() || stop != word.end()) {
+        throw UsageError(where + "'" + printable(std::string(word)) + "' is no number");
+      }
+      bytes.resize(bytes.size() + 8);
+      wire::store_le64(std::span(bytes).last<8>(), std::bit_cast<std::uint64_t>(number));
+    }
   }
   return bytes;
 }
 
-SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit, const std::string& what) {
+std::size_t whole_number_of(std::string_view word, const std::string& path) {
+  if (const std::optional<std::uint32_t> number = whole_number_in(word)) {
+    return *number;
+  }
+  throw UsageError(path + ": in its head '" + printable(std::string(word)) +
+                   "' is no whole number");
+}
+
+SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::string& what) {
   check(records, what);
   const CloudField& x_field = *field_of(records, "x");
   const CloudField& y_field = *field_of(records, "y");

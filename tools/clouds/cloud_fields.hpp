@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/formats/points/points_writer.hpp"
@@ -15,14 +16,18 @@ namespace iog::tools {
 
 // What a lidar saw in one scan.
 struct SeenCloud {
-  std::uint64_t time_us = 0;  // that of its first point
-  bool has_times = false;     // of its points
+  std::uint64_t time_us = 0;       // that of its first point
+  bool has_times = false;          // of its points
+  bool has_unknown_times = false;  // its points' times are left out: their unit is not known
+  bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
   std::vector<WirePoint> points{};
   std::uint64_t not_finite = 0;  // left out: a coordinate is no number
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
 };
 
-// Of a point's time. Where nobody says it, a scan takes 5 to 500 ms.
+// Unit of the points' times. The first cloud that shows it decides for all later clouds: its points
+// are 5 to 500 ms apart in that unit, and it has at least 100 points, or the field's type agrees
+// (seconds in floats, nanoseconds in integers).
 enum class TimeUnit : std::uint8_t { kFound, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
 
 struct CloudField {
@@ -43,17 +48,40 @@ struct CloudRecords {
   std::uint64_t stamp_us = 0;  // of the scan
 };
 
-// UsageError, which begins with `what`: no x or y, more points than a unit sees, fields outside of
-// the bytes, times that are those of no scan.
-[[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit unit,
+// Sets unit if it is kFound and this cloud shows the unit. UsageError, which begins with `what`: no
+// x or y, more points than a unit sees, fields outside of the bytes, times that are those of no
+// scan.
+[[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
+
+// UsageError, which begins with `what`, for more points than a unit sees in a scan.
+void check_count(const CloudRecords& records, const std::string& what);
+
+// Points one behind another, `stride` bytes each. UsageError, which begins with `what`, if a field
+// is outside of them, or the bytes are not those of count points.
+void set_stride(CloudRecords& records, std::size_t stride, const std::string& what);
+
+// UsageError, which begins with `what`, if the records have as many fields as they may.
+void add_field(CloudRecords& records, CloudField field, const std::string& what);
 
 // A field of one of the types of sensor_msgs/PointField, 1 ... 8. UsageError, which begins with
 // `what`, for another.
 [[nodiscard]] CloudField field_of_type(const std::string& name, std::size_t type,
                                        const std::string& what);
 
-// The numbers of a text, which blanks separate, as little-endian doubles.
-[[nodiscard]] std::vector<std::byte> doubles_in(std::span<const std::byte> text);
+// Rows of a text, in lines of their own that are not blank.
+struct TextRows {
+  std::span<const std::byte> text{};
+  std::size_t line = 1;     // number of the first one in its file
+  std::size_t rows = 0;     // at most so many are read
+  std::size_t columns = 0;  // numbers in each row
+};
+
+// Their numbers as little-endian doubles; `text` becomes what is behind them. UsageError, which
+// begins with `path`, for a row of more or fewer numbers, or for a word that is no number.
+[[nodiscard]] std::vector<std::byte> doubles_in(TextRows& text, const std::string& path);
+
+// A whole number of a file's head. UsageError, which begins with `path`, for any other word.
+[[nodiscard]] std::size_t whole_number_of(std::string_view word, const std::string& path);
 
 }  // namespace iog::tools

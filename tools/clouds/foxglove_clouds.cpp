@@ -3,8 +3,10 @@
 #include <bit>
 #include <cstdint>
 #include <protozero/pbf_reader.hpp>
+#include <utility>
 
 #include "tools/clouds/laser_ranges.hpp"
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_order.hpp"
@@ -19,6 +21,7 @@ struct ProtoField {
   std::uint32_t number = 0;
   std::uint64_t value = 0;
   ByteView bytes{};
+  bool has_bytes = false;
 
   [[nodiscard]] double as_double() const { return std::bit_cast<double>(value); }
 };
@@ -38,6 +41,7 @@ void for_each_field(ByteView message, const Take& take) {
     } else {
       const protozero::data_view view = in.get_view();
       field.bytes = std::as_bytes(std::span(view.data(), view.size()));
+      field.has_bytes = true;
     }
     take(field);
   }
@@ -60,8 +64,9 @@ struct Cloud {
   void add_field(const std::string& name, std::size_t at, std::size_t type,
                  const std::string& what) {
     const bool is_integer = type >= 1 && type <= 6;
-    records.fields.push_back(field_of_type(name, is_integer ? ((type - 1) ^ 1U) + 1 : type, what));
-    records.fields.back().at = at;
+    CloudField field = field_of_type(name, is_integer ? ((type - 1) ^ 1U) + 1 : type, what);
+    field.at = at;
+    iog::tools::add_field(records, std::move(field), what);
   }
 };
 
@@ -115,13 +120,13 @@ Cloud cloud_in(ros::CdrReader& in, const std::string& what) {
 }
 
 void add_doubles(ByteView bytes, LaserRanges& scan) {
-  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
+  for (; bytes.size() >= 8 && scan.ranges_m.size() <= kMostCloudPoints; bytes = bytes.subspan(8)) {
     scan.ranges_m.push_back(std::bit_cast<double>(wire::load_le64(bytes.first<8>())));
   }
 }
 
-// Where the last beam is, is `last`.
-LaserRanges scan_in(ByteView message, double& last) {
+// Of too many ranges one too many is kept.
+LaserRanges scan_in(ByteView message) {
   LaserRanges scan;
   for_each_field(message, [&](const ProtoField& its) {
     if (its.number == 1) {
@@ -129,8 +134,8 @@ LaserRanges scan_in(ByteView message, double& last) {
     } else if (its.number == 4) {
       scan.first_rad = its.as_double();
     } else if (its.number == 5) {
-      last = its.as_double();
-    } else if (its.number == 6 && its.bytes.empty()) {
+      scan.last_rad = its.as_double();
+    } else if (its.number == 6 && !its.has_bytes && scan.ranges_m.size() <= kMostCloudPoints) {
       scan.ranges_m.push_back(its.as_double());  // one by one; or packed
     } else if (its.number == 6) {
       add_doubles(its.bytes, scan);
@@ -139,12 +144,12 @@ LaserRanges scan_in(ByteView message, double& last) {
   return scan;
 }
 
-LaserRanges scan_in(ros::CdrReader& in, double& last) {
+LaserRanges scan_in(ros::CdrReader& in) {
   LaserRanges scan{.stamp_us = in.stamp_us()};
   skip_frame_and_pose(in);
   scan.first_rad = in.f64();
-  last = in.f64();
-  for (std::size_t left = in.u32(); left > 0; --left) {
+  scan.last_rad = in.f64();
+  for (std::size_t left = in.u32(); left > 0 && scan.ranges_m.size() <= kMostCloudPoints; --left) {
     scan.ranges_m.push_back(in.f64());
     in.must_be_whole();
   }
@@ -168,21 +173,18 @@ auto read_either(ByteView message, bool is_cdr, const std::string& what, const R
 
 }  // namespace
 
-SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit unit, const std::string& what) {
+SeenCloud cloud_of_foxglove(ByteView message, bool is_cdr, TimeUnit& unit,
+                            const std::string& what) {
   Cloud cloud = read_either(message, is_cdr, what, [&](auto& in) { return cloud_in(in, what); });
-  for (CloudField& field : cloud.records.fields) {
-    field.stride = cloud.stride;
-  }
   cloud.records.count = cloud.stride == 0 ? 0 : cloud.records.bytes.size() / cloud.stride;
+  set_stride(cloud.records, cloud.stride, what);
   return cloud_of(cloud.records, unit, what);
 }
 
 SeenCloud scan_of_foxglove(ByteView message, bool is_cdr, const std::string& what) {
-  double last = 0;
-  LaserRanges scan =
-      read_either(message, is_cdr, what, [&](auto& in) { return scan_in(in, last); });
+  LaserRanges scan = read_either(message, is_cdr, what, [&](auto& in) { return scan_in(in); });
   const auto steps = static_cast<double>(scan.ranges_m.size()) - 1;
-  scan.step_rad = steps > 0 ? (last - scan.first_rad) / steps : 0;
+  scan.step_rad = steps > 0 ? (scan.last_rad - scan.first_rad) / steps : 0;
   return cloud_of_ranges(scan, what);
 }
 

@@ -13,7 +13,7 @@ namespace iog::tools {
 
 // UsageError, which begins with `what`, for one that is cut off, and as cloud_of().
 [[nodiscard]] SeenCloud cloud_of_foxglove(std::span<const std::byte> message, bool is_cdr,
-                                          TimeUnit unit, const std::string& what);
+                                          TimeUnit& unit, const std::string& what);
 [[nodiscard]] SeenCloud scan_of_foxglove(std::span<const std::byte> message, bool is_cdr,
                                          const std::string& what);
 

@@ -2,20 +2,63 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "lidar/points.hpp"
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
+namespace {
+
+constexpr double kMostStepRad = 0.2;
+
+std::string text_of(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+// The first thing that is wrong with the head; empty: nothing.
+std::string wrong_in(const LaserRanges& scan) {
+  if (!std::isfinite(scan.most_m) || scan.most_m <= 0) {
+    return "range_max is " + text_of(scan.most_m) + " m";
+  }
+  if (!(scan.least_m <= scan.most_m)) {
+    return "range_min is " + text_of(scan.least_m) + " m, and range_max " + text_of(scan.most_m);
+  }
+  if (!std::isfinite(scan.first_rad) || !std::isfinite(scan.last_rad)) {
+    return "angle_min is " + text_of(scan.first_rad) + ", and angle_max " + text_of(scan.last_rad);
+  }
+  if (scan.ranges_m.size() < 2) {
+    return {};
+  }
+  const double step = std::abs(scan.step_rad);
+  if (!(step > 0 && step <= kMostStepRad)) {
+    return "angle_increment is " + text_of(scan.step_rad) + " rad from beam to beam; at most " +
+           text_of(kMostStepRad) + " is read";
+  }
+  const double end = scan.first_rad + scan.step_rad * static_cast<double>(scan.ranges_m.size() - 1);
+  constexpr double kRounded = 1.01;
+  return std::abs(end - scan.last_rad) <= kRounded * step
+             ? std::string()
+             : "by angle_min and angle_increment its last beam is at " + text_of(end) +
+                   " rad, and angle_max is " + text_of(scan.last_rad);
+}
+
+}  // namespace
 
 SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
   const std::size_t count = scan.ranges_m.size();
-  if (count > kMostCloudPoints || !std::isfinite(scan.first_rad) || !std::isfinite(scan.step_rad)) {
-    throw UsageError(what + ": its angles are no numbers, or it has too many ranges");
+  if (count > kMostCloudPoints) {
+    throw UsageError(what + ": it has more than " + std::to_string(kMostCloudPoints) + " ranges");
+  }
+  if (const std::string wrong = wrong_in(scan); !wrong.empty()) {
+    throw UsageError(what + ": " + wrong);
   }
   SeenCloud cloud{.time_us = scan.stamp_us};
   cloud.has_times = scan.apart_s > 0 && scan.apart_s * static_cast<double>(count) <= 1;
+  cloud.has_wrong_times = scan.apart_s != 0 && count > 0 && !cloud.has_times;
   for (std::size_t i = 0; i < count; ++i) {
     const double range_m = scan.ranges_m[i];
     if (std::isnan(range_m)) {

@@ -13,15 +13,17 @@ namespace iog::tools {
 struct LaserRanges {
   std::uint64_t stamp_us = 0;
   double first_rad = 0;
+  double last_rad = 0;
   double step_rad = 0;
   double apart_s = 0;  // from beam to beam; 0: not known
   double least_m = 0;
-  double most_m = std::numeric_limits<double>::infinity();
+  double most_m = std::numeric_limits<float>::max();
   std::vector<double> ranges_m{};
 };
 
 // An infinite range, or one beyond the longest, is a beam from which nothing came back (REP 117).
-// UsageError, which begins with `what`, if there are too many, or the angles are no numbers.
+// UsageError, which begins with `what`, if there are too many, or if the scan's head contradicts
+// itself or describes no scan.
 [[nodiscard]] SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what);
 
 }  // namespace iog::tools

@@ -1,15 +1,13 @@
 #include "tools/clouds/pcd_file.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <iterator>
 #include <map>
-#include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "tools/clouds/point_cloud.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/program/file.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -23,6 +21,7 @@ struct PcdFile {
   std::string path;
   std::map<std::string, Words> head{};
   std::span<const std::byte> data{};
+  std::size_t lines = 0;  // of the head
 
   [[nodiscard]] UsageError error(const std::string& words) const {
     return UsageError(path + ": " + words);
@@ -35,23 +34,20 @@ struct PcdFile {
     return found->second;
   }
   [[nodiscard]] std::size_t number(const std::string& word) const {
-    const unsigned long number = std::strtoul(word.c_str(), nullptr, 10);
-    return std::min(number, 0xFFFF'FFFFUL);
+    return whole_number_of(word, path);
   }
 };
-
-Words words_of(const std::string& line) {
-  std::istringstream in(line);
-  return {std::istream_iterator<std::string>(in), {}};
-}
 
 PcdFile file_of(const std::string& path, std::span<const std::byte> bytes) {
   PcdFile file{.path = path};
   while (!bytes.empty() && !file.head.contains("DATA")) {
     const auto end = std::ranges::find(bytes, std::byte{'\n'});
     const auto length = static_cast<std::size_t>(end - bytes.begin());
-    Words words = words_of({reinterpret_cast<const char*>(bytes.data()), length});
+    const auto parts =
+        words_of(std::string_view(reinterpret_cast<const char*>(bytes.data()), length));
+    Words words(parts.begin(), parts.end());
     bytes = bytes.subspan(std::min(length + 1, bytes.size()));
+    ++file.lines;
     if (!words.empty()) {
       const std::string key = words[0];
       words.erase(words.begin());
@@ -75,19 +71,21 @@ void add_fields(const PcdFile& file, CloudRecords& records) {
   }
   std::size_t stride = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    records.fields.push_back({.name = names[i],
-                              .kind = types[i] == "F"   ? Kind::kFloat
-                                      : types[i] == "U" ? Kind::kUnsigned
-                                                        : Kind::kSigned,
-                              .bytes = file.number(sizes[i]),
-                              .at = stride});
+    add_field(records,
+              {.name = names[i],
+               .kind = types[i] == "F"   ? Kind::kFloat
+                       : types[i] == "U" ? Kind::kUnsigned
+                                         : Kind::kSigned,
+               .bytes = file.number(sizes[i]),
+               .at = stride},
+              file.path);
     stride += records.fields.back().bytes * file.number(counts[i]);
   }
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
 }
 
-// Of numbers in words, as doubles_in() has them.
-void place_doubles(const PcdFile& file, CloudRecords& records) {
+// The rows as doubles.
+Bytes rows_of(const PcdFile& file, CloudRecords& records) {
   std::size_t numbers = 0;  // of a point
   for (std::size_t i = 0; i < records.fields.size(); ++i) {
     CloudField& field = records.fields[i];
@@ -97,6 +95,14 @@ void place_doubles(const PcdFile& file, CloudRecords& records) {
     numbers += file.head.contains("COUNT") ? file.number(file.words("COUNT")[i]) : 1;
   }
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = 8 * numbers; });
+  TextRows text{
+      .text = file.data, .line = file.lines + 1, .rows = records.count, .columns = numbers};
+  Bytes doubles = doubles_in(text, file.path);
+  text.rows = 1;
+  if (!doubles_in(text, file.path).empty()) {
+    throw file.error("it has more rows than its " + std::to_string(records.count) + " points");
+  }
+  return doubles;
 }
 
 // LZF (M. Lehmann): runs of up to 32 bytes, and repetitions of earlier ones. Whatever is wrong with
@@ -132,6 +138,12 @@ Bytes columns_of(const PcdFile& file, CloudRecords& records) {
   }
   const std::size_t packed = wire::load_le32(file.data.first<4>());
   const std::size_t size = wire::load_le32(file.data.subspan<4, 4>());
+  const std::size_t stride = records.fields.front().stride;
+  if (size != records.count * stride) {
+    throw file.error("its " + std::to_string(records.count) + " points have " +
+                     std::to_string(records.count * stride) + " bytes, and its compressed data " +
+                     std::to_string(size));
+  }
   Bytes bytes = unpacked(file.data.subspan(8).first(std::min(packed, file.data.size() - 8)), size);
   if (bytes.size() != size) {
     throw file.error("its compressed points are damaged");
@@ -145,22 +157,34 @@ Bytes columns_of(const PcdFile& file, CloudRecords& records) {
 
 }  // namespace
 
-SeenCloud read_pcd(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
-  const Bytes bytes = read_file(path);
+SeenCloud read_pcd(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
+  const Bytes bytes = read_cloud_file(path);
   const PcdFile file = file_of(path, bytes);
   CloudRecords records{.bytes = file.data, .stamp_us = stamp_us};
   add_fields(file, records);
   records.count = file.number(file.words("POINTS")[0]);
+  check_count(records, path);
+  if (file.head.contains("WIDTH") && file.head.contains("HEIGHT")) {
+    const std::size_t width = file.number(file.words("WIDTH")[0]);
+    const std::size_t height = file.number(file.words("HEIGHT")[0]);
+    if (width * height != records.count) {
+      throw file.error("WIDTH x HEIGHT is " + std::to_string(width * height) + ", and POINTS " +
+                       std::to_string(records.count));
+    }
+  }
   const std::string& data = file.words("DATA")[0];
   Bytes made;
   if (data == "ascii") {
-    place_doubles(file, records);
-    made = doubles_in(file.data);
+    made = rows_of(file, records);
     records.bytes = made;
   } else if (data == "binary_compressed") {
     made = columns_of(file, records);
     records.bytes = made;
-  } else if (data != "binary") {
+  } else if (data == "binary") {
+    if (file.data.size() >= (records.count + 1) * records.fields.front().stride) {
+      throw file.error("it has more bytes than its " + std::to_string(records.count) + " points");
+    }
+  } else {
     throw file.error("DATA is " + data + "; read are ascii, binary, binary_compressed");
   }
   return cloud_of(records, unit, path);

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/program/file.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools {
@@ -32,6 +31,8 @@ CloudField field_of(const std::string& type, const std::string& name, const std:
 struct PlyHead {
   std::string format{};
   std::string element{};  // the one whose properties come
+  std::size_t lines = 0;
+  bool is_last = true;  // of the elements
   bool is_whole = false;
 };
 
@@ -49,10 +50,12 @@ void take_line(const std::string& line, const std::string& path, PlyHead& head,
       throw UsageError(path + ": its first element is " + printable(first) + ", not vertex");
     }
     head.element = first;
-    records.count = first == "vertex" ? std::strtoul(second.c_str(), nullptr, 10) : records.count;
+    head.is_last = first == "vertex";
+    records.count = head.is_last ? whole_number_of(second, path) : records.count;
   } else if (key == "property" && head.element == "vertex") {
-    records.fields.push_back(field_of(first, second, path));
+    add_field(records, field_of(first, second, path), path);
   }
+  ++head.lines;
   head.is_whole = key == "end_header";
 }
 
@@ -70,10 +73,26 @@ void place_fields(bool are_words, CloudRecords& records) {
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
 }
 
+// The vertices of a text as doubles.
+std::vector<std::byte> rows_of(const PlyHead& head, const CloudRecords& records,
+                               const std::string& path) {
+  TextRows text{.text = records.bytes,
+                .line = head.lines + 1,
+                .rows = records.count,
+                .columns = records.fields.size()};
+  std::vector<std::byte> doubles = doubles_in(text, path);
+  text.rows = 1;
+  if (head.is_last && !doubles_in(text, path).empty()) {
+    throw UsageError(path + ": it has more rows than its " + std::to_string(records.count) +
+                     " points");
+  }
+  return doubles;
+}
+
 }  // namespace
 
-SeenCloud read_ply(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
-  const std::vector<std::byte> file = read_file(path);
+SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
+  const std::vector<std::byte> file = read_cloud_file(path);
   CloudRecords records{.bytes = file, .stamp_us = stamp_us};
   PlyHead head;
   while (!records.bytes.empty() && !head.is_whole) {
@@ -96,8 +115,11 @@ SeenCloud read_ply(const std::string& path, TimeUnit unit, std::uint64_t stamp_u
                      "; read are ascii, binary_little_endian, binary_big_endian");
   }
   place_fields(is_ascii, records);
-  const std::vector<std::byte> doubles =
-      is_ascii ? doubles_in(records.bytes) : std::vector<std::byte>();
+  check_count(records, path);
+  std::vector<std::byte> doubles;
+  if (is_ascii) {
+    doubles = rows_of(head, records, path);
+  }
   records.bytes = is_ascii ? std::span<const std::byte>(doubles) : records.bytes;
   return cloud_of(records, unit, path);
 }

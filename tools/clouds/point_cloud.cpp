@@ -21,6 +21,17 @@ double float_at(std::span<const std::byte, 4> bytes) {
 
 }  // namespace
 
+std::vector<std::byte> read_cloud_file(const std::string& path) {
+  constexpr std::size_t kMostPointBytes = 128;
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  if (!unknown && size > kMostCloudPoints * kMostPointBytes) {
+    throw UsageError(path + ": it has " + std::to_string(size) + " bytes; clouds of at most " +
+                     std::to_string(kMostCloudPoints * kMostPointBytes) + " are read");
+  }
+  return read_file(path);
+}
+
 PointCloud read_cloud(const std::string& path) {
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(path, unknown);

@@ -22,6 +22,10 @@ struct PointCloud {
 // More than any unit sees in a turn.
 inline constexpr std::size_t kMostCloudPoints = 1'000'000;
 
+// A file with one cloud. UsageError if it cannot be read, or is larger than so many points are with
+// 128 bytes each.
+[[nodiscard]] std::vector<std::byte> read_cloud_file(const std::string& path);
+
 // UsageError if the file cannot be read, is no multiple of 16 bytes, or has more points than that.
 [[nodiscard]] PointCloud read_cloud(const std::string& path);
 

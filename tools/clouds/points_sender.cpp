@@ -42,14 +42,27 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
     throw UsageError("cloud " + std::to_string(sent_.clouds) + ": its time goes back by " +
                      std::to_string((last_cloud_us_ - cloud.time_us + 999) / 1000) + " ms");
   }
+  if (cloud.time_us == 0) {
+    ++sent_.without_stamp;
+  } else if (cloud.time_us == last_cloud_us_) {
+    ++sent_.same_stamps;
+  }
   last_cloud_us_ = cloud.time_us;
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
+  sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
+  sent_.unknown_times += cloud.has_unknown_times ? 1U : 0U;
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(
       cloud.points, [&](const WirePoint& point) { return !layers.sees(point.second); }));
   const PointsScan scan = scan_of(std::move(cloud));
+  sent_.beyond_width +=
+      static_cast<std::uint64_t>(std::ranges::count_if(scan.points, [&](const WirePoint& point) {
+        const std::uint32_t turn = PointsPacket::kPartsPerTurn;
+        const auto azimuth = static_cast<std::uint32_t>(point.first);
+        return (azimuth + turn - scan.sector_begin) % turn > scan.sector_width;
+      }));
   ++sent_.clouds;
   const std::uint32_t source = config_->source_ipv4 != 0 ? config_->source_ipv4 : kUnnamedIpv4;
   std::vector<CapturedDatagram> datagrams;

@@ -19,6 +19,11 @@ struct SentClouds {
   std::uint64_t beyond_layers = 0;  // sent, and not used
   std::uint64_t not_finite = 0;
   std::uint64_t nowhere = 0;
+  std::uint64_t beyond_width = 0;   // of the scan, as the car's file has it: sent, and not watched
+  std::uint64_t without_stamp = 0;  // clouds: it is 0
+  std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
+  std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
+  std::uint64_t unknown_times = 0;  // clouds: SeenCloud::has_unknown_times
 };
 
 class PointsSender {

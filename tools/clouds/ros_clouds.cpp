@@ -8,6 +8,7 @@
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
+#include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_order.hpp"
@@ -40,7 +41,7 @@ CloudField field_in(CdrReader& in, const std::string& what) {
 
 }  // namespace
 
-SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit unit,
+SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& unit,
                                 const std::string& what) {
   CdrReader in(message, what);
   CloudRecords records{.stamp_us = in.stamp_us()};
@@ -49,7 +50,7 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit uni
   const std::uint64_t width = in.u32();
   const std::size_t fields = in.u32();
   for (std::size_t i = 0; i < fields; ++i) {
-    records.fields.push_back(field_in(in, what));
+    add_field(records, field_in(in, what), what);
   }
   records.is_big_endian = in.u8() != 0;
   const std::size_t stride = in.u32();
@@ -60,9 +61,7 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit uni
     throw UsageError(what + ": its rows have gaps between them, which is not read");
   }
   records.count = height * width;
-  for (CloudField& field : records.fields) {
-    field.stride = stride;
-  }
+  set_stride(records, stride, what);
   return cloud_of(records, unit, what);
 }
 
@@ -71,13 +70,14 @@ SeenCloud cloud_of_laser_scan(std::span<const std::byte> message, const std::str
   LaserRanges scan{.stamp_us = in.stamp_us()};
   static_cast<void>(in.text());
   scan.first_rad = in.f32();
-  static_cast<void>(in.f32());  // the last angle follows
+  scan.last_rad = in.f32();
   scan.step_rad = in.f32();
   scan.apart_s = in.f32();
   static_cast<void>(in.f32());  // from scan to scan
   scan.least_m = in.f32();
   scan.most_m = in.f32();
-  for (auto rest = in.sequence(4); !rest.empty(); rest = rest.subspan(4)) {
+  for (auto rest = in.sequence(4); !rest.empty() && scan.ranges_m.size() <= kMostCloudPoints;
+       rest = rest.subspan(4)) {
     const auto range = std::bit_cast<float>(wire::load_le32(rest.first<4>()));
     scan.ranges_m.push_back(static_cast<double>(range));
   }
@@ -102,14 +102,22 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
   }
   in.must_be_whole();
   records.bytes = in.rest();
+  // The last point may lack the byte that aligns the next, and the message may be filled up to 4.
+  const std::size_t whole = records.count * kStride;
+  if (records.bytes.size() + 1 < whole || records.bytes.size() > whole + 3) {
+    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
+                     std::to_string(kStride) + " bytes do not fill its " +
+                     std::to_string(records.bytes.size()) + " bytes");
+  }
   records.fields = {{.name = "offset_time", .kind = Kind::kUnsigned, .at = 0, .stride = kStride},
                     {.name = "x", .at = 4, .stride = kStride},
                     {.name = "y", .at = 8, .stride = kStride},
                     {.name = "z", .at = 12, .stride = kStride}};
-  return cloud_of(records, TimeUnit::kNanoseconds, what);
+  TimeUnit unit = TimeUnit::kNanoseconds;
+  return cloud_of(records, unit, what);
 }
 
-SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit) {
+SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit& unit) {
   const bool is_scan = message.type.ends_with("LaserScan");
   if (message.type.starts_with("foxglove")) {
     const bool is_cdr = message.type.starts_with("foxglove_msgs");
@@ -134,7 +142,7 @@ std::vector<std::string> for_each_cloud_message(
 }
 
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
-                                        TimeUnit unit,
+                                        TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take) {
   std::string its = topic;
   std::uint64_t number = 0;

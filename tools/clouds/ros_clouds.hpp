@@ -17,7 +17,7 @@ namespace iog::tools {
 
 // UsageError, which begins with `what`, for one that is cut off or not little endian, and as
 // cloud_of().
-[[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit unit,
+[[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& unit,
                                               const std::string& what);
 
 [[nodiscard]] SeenCloud cloud_of_laser_scan(std::span<const std::byte> message,
@@ -33,14 +33,15 @@ std::vector<std::string> for_each_cloud_message(
     const std::string& path, const std::string& topic,
     const std::function<void(const ros::RecordedMessage&)>& take);
 
-// A message of one of these types as a cloud. UsageError as the functions above.
-[[nodiscard]] SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit unit);
+// A message of one of these types as a cloud. Sets unit as cloud_of() does. UsageError as the
+// functions above.
+[[nodiscard]] SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit& unit);
 
 // Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
 // remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
 // clouds and none is chosen.
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
-                                        TimeUnit unit,
+                                        TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take);
 
 }  // namespace iog::tools

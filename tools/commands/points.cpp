@@ -24,6 +24,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/replay/pace.hpp"
@@ -113,6 +114,16 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
+  remark(sent.beyond_width,
+         "points are outside the field of view (scan_width_ticks): the target does not watch there",
+         words);
+  remark(sent.without_stamp, "clouds have no stamp (0): frames and poses cannot be matched", words);
+  remark(sent.same_stamps, "clouds have the same stamp as the one before", words);
+  remark(sent.wrong_times,
+         "scans were sent without beams' times: time_increment is below 0, no number or too long",
+         words);
+  remark(sent.unknown_times, "clouds before the first full one were sent without points' times",
+         words);
   std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
             << " datagrams " << where << '\n';
   for (const std::string& word : words) {
@@ -121,7 +132,7 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
 }
 
 // Of a file that says no time.
-SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_us) {
+SeenCloud cloud_in(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
   if (path.ends_with(".pcd")) {
     return read_pcd(path, unit, stamp_us);
   }
@@ -135,7 +146,7 @@ SeenCloud cloud_in(const std::string& path, TimeUnit unit, std::uint64_t stamp_u
       path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
 }
 
-void send_clouds(const PointsOptions& options) {
+void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
   PointsSender sender(car, sensor);
@@ -161,8 +172,14 @@ void send_clouds(const PointsOptions& options) {
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }
+  if (options.unit == TimeUnit::kFound && sender.sent().unknown_times > 0) {
+    throw UsageError("no cloud shows the unit of its points' times: give --time-unit");
+  }
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where);
+  if (sender.sent().points == 0) {
+    throw CheckFailed("no cloud has a point to send");
+  }
 }
 
 }  // namespace
@@ -192,11 +209,14 @@ void add_points(CLI::App& program) {
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which a scan takes 5 to 500 ms)")
+      ->option_text("s|ms|us|ns  (default the unit in which the first full scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(units));
   command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")
-      ->check(CLI::Range(0.1, 100.0));
+      ->check(CLI::Range(0.1, 100.0))  // which takes "nan"
+      ->check([](const std::string& text) {
+        return number_in(text) ? std::string() : text + " is no number";
+      });
   add_vehicle_options(*command, options->vehicle);
   command->footer(
       "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");

@@ -43,6 +43,7 @@ struct CloudTopic {
   std::optional<LaserAngles> angles{};
   std::vector<std::int32_t> elevations{};  // of messages that were looked into, in parts
   std::vector<std::int32_t> azimuths{};
+  TimeUnit unit = TimeUnit::kFound;  // of the points' times
 
   void add(const ros::RecordedMessage& message);
   void look_into(const SeenCloud& cloud);
@@ -69,7 +70,7 @@ void CloudTopic::add(const ros::RecordedMessage& message) {
   is_scan = message.type.ends_with("LaserScan");
   const bool is_first = messages < kLookedInto;
   if (is_first || !message.type.starts_with("sensor_msgs")) {
-    look_into(cloud_of_message(message, TimeUnit::kFound));
+    look_into(cloud_of_message(message, unit));
   }
   ++messages;
   if (message.type.starts_with("foxglove")) {

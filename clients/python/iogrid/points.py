@@ -40,6 +40,24 @@ def of_places(x, y, z, time_us: int, after_us: numpy.ndarray | None = None) -> S
                 None if after_us is None else after_us[kept])
 
 
+def check_laser(count: int, first_rad: float, last_rad: float, step_rad: float, least_m: float, most_m: float) -> None:
+    """ValueError if the head of a LaserScan with so many ranges contradicts itself or describes no scan."""
+    if not 0 < most_m < numpy.inf:
+        raise ValueError(f"range_max is {most_m:g} m")
+    if not least_m <= most_m:
+        raise ValueError(f"range_min is {least_m:g} m, and range_max {most_m:g}")
+    if not (numpy.isfinite(first_rad) and numpy.isfinite(last_rad)):
+        raise ValueError(f"angle_min is {first_rad:g}, and angle_max {last_rad:g}")
+    if count < 2:
+        return
+    if not 0 < abs(step_rad) <= 0.2:
+        raise ValueError(f"angle_increment is {step_rad:g} rad from beam to beam; at most 0.2 is read")
+    end = first_rad + step_rad * (count - 1)
+    if abs(end - last_rad) > 1.01 * abs(step_rad):
+        raise ValueError(f"by angle_min and angle_increment its last beam is at {end:g} rad, "
+                         f"and angle_max is {last_rad:g}")
+
+
 def of_ranges(ranges_m, first_rad: float, step_rad: float, time_us: int, apart_s: float = 0, least_m: float = 0,
               most_m: float = numpy.inf) -> Scan:
     """Of a 2D scanner. A range beyond the longest is a beam from which nothing came back (REP 117)."""
@@ -55,15 +73,21 @@ def of_ranges(ranges_m, first_rad: float, step_rad: float, time_us: int, apart_s
                 _nearest(kept * apart_s * 1e6) if has_times else None, numpy.where(is_seen, 0, NOTHING))
 
 
-def after_us_of(times: numpy.ndarray) -> tuple[float, numpy.ndarray] | None:
-    """Of a driver's times, in the unit of which a scan takes 5 to 500 ms: the first one and, behind it, each. None if
-    there is no such unit."""
+def unit_us_of(times: numpy.ndarray) -> float | None:
+    """Microseconds of the unit of a driver's times: a scan takes 5 to 500 ms in it. None if there is no such unit, or if
+    there are fewer than 100 points and the type does not agree (seconds in floats, nanoseconds in integers): a part of a
+    scan is a whole scan in a wrong unit. Decide once for all clouds."""
+    span = float(numpy.ptp(times.astype(numpy.float64))) if len(times) else 0
+    us = next((us for us in (1e6, 1e3, 1, 1e-3) if 5_000 <= span * us <= 500_000), None)
+    return us if len(times) >= 100 or us == (1e6 if times.dtype.kind == "f" else 1e-3) else None
+
+
+def after_us_of(times: numpy.ndarray, unit_us: float) -> tuple[float, numpy.ndarray]:
+    """Of a driver's times: the first one in microseconds and, behind it, each. ValueError if they are of no scan."""
     times = times.astype(numpy.float64)
-    span = numpy.ptp(times) if len(times) else 0
-    for us in (1e6, 1e3, 1, 1e-3):
-        if 5_000 <= span * us <= 500_000:
-            return times.min() * us, _nearest((times - times.min()) * us)
-    return None
+    if not numpy.ptp(times) * unit_us <= 1e6:
+        raise ValueError("the points of a cloud are more than a second apart, or a time is no number")
+    return times.min() * unit_us, _nearest((times - times.min()) * unit_us)
 
 
 def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bool = False) -> list[bytes]:

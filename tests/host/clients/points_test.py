@@ -119,6 +119,27 @@ class PointsNode(unittest.TestCase):
                           [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
                           [cloud_message(now, cloud, is_big_endian) for now, cloud in its], turns=True)
 
+    def test_a_part_of_a_cloud_keeps_the_unit(self):
+        """20 us in nanoseconds would be 20 ms in microseconds."""
+        kinds = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("t", "<u4")]
+        its = []
+        for i, (count, span) in enumerate([(10, 20_000), (1000, 10**8), (10, 20_000), (20, 1_900_000)]):
+            cloud = numpy.zeros(count, kinds)
+            cloud["x"], cloud["t"] = 5, numpy.linspace(0, span, count)
+            its.append((made_bags.START_NS + i * 10**8, cloud))
+        self.sent("turning", "cloud", [("/it", now, made_bags.point_cloud2(now, cloud)) for now, cloud in its],
+                  [cloud_message(now, cloud) for now, cloud in its], turns=True)
+
+    def test_a_scan_whose_head_contradicts_itself(self):
+        node = load_node().PointsNode()
+        good = scan_message(made_bags.START_NS, numpy.full(5, 5.0), -0.2, 0.1, 0.001)
+        Node.subscriptions["scan"](good)
+        for name, value in (("range_max", 0.0), ("range_max", numpy.nan), ("range_min", 30.0), ("angle_min", numpy.nan),
+                            ("angle_increment", 0.0), ("angle_increment", -0.3), ("angle_increment", 0.05)):
+            with self.assertRaisesRegex(ValueError, f"{name}.* {value:g}" if value != 0.05 else "angle_max is 0.2"):
+                Node.subscriptions["scan"](types.SimpleNamespace(**{**vars(good), name: value}))
+        node.socket.close()
+
     def test_scans(self):
         ranges = numpy.float32(numpy.random.default_rng(4).uniform(0.05, 21, 1081))
         ranges[[5, 9, 11]] = numpy.inf, numpy.nan, 0

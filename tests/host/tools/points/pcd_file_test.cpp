@@ -1,6 +1,8 @@
 #include "tools/clouds/pcd_file.hpp"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <span>
 #include <string>
@@ -24,11 +26,15 @@ class PcdFile : public ::testing::Test {
     out.finish();
     return path_;
   }
-  SeenCloud pcd() { return read_pcd(path_, TimeUnit::kFound, 5); }
+  SeenCloud pcd() {
+    TimeUnit unit = TimeUnit::kFound;
+    return read_pcd(path_, unit, 5);
+  }
   // Without the path.
   std::string told_of(const std::string& words) {
     file(words);
-    return told_by([&] { static_cast<void>(pcd()); }).substr(path_.size());
+    const std::string told = told_by([&] { static_cast<void>(pcd()); });
+    return told.substr(std::min(path_.size(), told.size()));
   }
 
   tests::TemporaryFolder folder_;
@@ -98,10 +104,31 @@ TEST_F(PcdFile, TellWhatIsWrongWithPcd) {
   EXPECT_EQ(told_of(kHead + "DATA zip\n"),
             ": DATA is zip; read are ascii, binary, binary_compressed");
   EXPECT_EQ(told_of(kHead + "DATA binary\n"), ": it ends before its 4 points");
-  EXPECT_EQ(told_of(kHead + "DATA ascii\n1 2\n"), ": it ends before its 4 points");
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n1 2\n"), ":12: 2 numbers instead of 6");
+  const std::string row = "7 7 7 0 10 0\n";
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n\n" + row + "7 7 7 1,5 1 0\n"), ":14: '1,5' is no number");
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row), ": it ends before its 4 points");
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row + row + row + "\n"), "");
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row + row + row + row),
+            ": it has more rows than its 4 points");
+  EXPECT_EQ(told_of(kHead + "DATA binary\n" + std::string(75, '\0')),
+            ": it has more bytes than its 4 points");
+  EXPECT_EQ(told_of(kHead + "DATA binary_compressed\n" + std::string(8, '\1')),
+            ": its 4 points have 60 bytes, and its compressed data 16843009");
+  EXPECT_EQ(told_of(kHead + "WIDTH 5\nDATA ascii\n"), ": WIDTH x HEIGHT is 5, and POINTS 4");
+  EXPECT_EQ(told_of(kHead + "POINTS 4.0\nDATA ascii\n"), ": in its head '4.0' is no whole number");
+  EXPECT_EQ(told_of(kHead + "POINTS 9999999\nDATA ascii\n"),
+            ": 9999999 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told_of(kHead + "DATA binary_compressed\n1"), ": it ends before its points");
   EXPECT_EQ(told_of("FIELDS x y\nSIZE 4\nTYPE F F\n"),
             ": its head has not as many sizes, types and counts as fields");
+}
+
+TEST_F(PcdFile, OfMoreBytesThanAnyCloudHasIsNotRead) {
+  file(kHead + "DATA binary\n");
+  std::filesystem::resize_file(path_, 128'000'001);
+  EXPECT_EQ(told_by([&] { static_cast<void>(pcd()); }),
+            path_ + ": it has 128000001 bytes; clouds of at most 128000000 are read");
 }
 
 }  // namespace

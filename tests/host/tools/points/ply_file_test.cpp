@@ -18,7 +18,8 @@ class PlyFile : public ::testing::Test {
     out.write(words);
     out.write(bytes);
     out.finish();
-    return read_ply(path_, TimeUnit::kFound, 5);
+    TimeUnit unit = TimeUnit::kMicroseconds;
+    return read_ply(path_, unit, 5);
   }
   std::string told_of(const std::string& words) {
     return told_by([&] { static_cast<void>(ply(words)); }).substr(path_.size());
@@ -81,7 +82,16 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
   EXPECT_EQ(told_of(head("binary_middle_endian")),
             ": its format is binary_middle_endian; read are ascii, binary_little_endian, "
             "binary_big_endian");
-  EXPECT_EQ(told_of(head("ascii") + "255 0 10 0"), ": it ends before its 2 points");
+  EXPECT_EQ(told_of(head("ascii") + "255 0 10 0"), ":13: 4 numbers instead of 5");
+  EXPECT_EQ(told_of(head("ascii") + "255 0 10 0 2\n3 0 1 1\n"), ":14: 4 numbers instead of 5");
+  EXPECT_EQ(told_of(head("ascii") + "255 0 10 0 2\n"), ": it ends before its 2 points");
+  const std::string flat = "\nproperty float x\nproperty float y\nend_header\n";
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2\n1 2\n"),
+            ": it has more rows than its 1 points");
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2,5\n"),
+            ":7: '2,5' is no number");
+  EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1e3" + flat),
+            ": in its head '1e3' is no whole number");
   EXPECT_EQ(told_of(head("binary_big_endian")), ": it ends before its 2 points");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             ": its points have no field y");

@@ -2,14 +2,18 @@
 #include "tools/clouds/ros_clouds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloud_bytes.hpp"
+#include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 
 namespace iog::tools {
@@ -115,14 +119,48 @@ TEST(RosClouds, FindTheUnitOfTimes) {
   expect_later(with(
                    "timestamp", 8, [](Bytes& b, int i) { add(b, 5'000.0 + 0.05 * i); }, 8),
                0);
-  expect_later(with(
-                   "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 7'000 : 57'000, 4); }, 4),
-               7'000);
-  EXPECT_EQ(told_by([&] {
-              static_cast<void>(with(
-                  "t", 6, [](Bytes& b, int i) { add(b, i == 0 ? 0 : 700, 4); }, 4));
-            }),
-            "it: in no unit its points are 5 to 500 ms apart: give --time-unit");
+}
+
+// `count` points, evenly over `span`, in a field t of unsigned 32-bit integers.
+SentCloud timed(std::uint32_t count, std::uint32_t span) {
+  SentCloud sent{.stride = 16, .count = count};
+  sent.fields.push_back({"t", 12, 6});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    for (const float metres : {10.F, 0.F, 0.F}) {
+      add(sent.points, metres);
+    }
+    add(sent.points, std::uint64_t{span} * i / (count - 1), 4);
+  }
+  return sent;
+}
+
+SeenCloud next_of(const SentCloud& sent, TimeUnit& unit) {
+  return cloud_of_point_cloud2(sent.message(), unit, "it");
+}
+
+// 20 us in nanoseconds would be a scan of 20 ms in microseconds.
+TEST(RosClouds, AFullCloudSaysTheUnitForAllThatFollow) {
+  TimeUnit unit = TimeUnit::kFound;
+  EXPECT_EQ(next_of(timed(100, 100'000'000), unit).points.back().after_us, 100'000U);
+  EXPECT_EQ(unit, TimeUnit::kNanoseconds);
+  EXPECT_EQ(next_of(timed(10, 20'000), unit).points.back().after_us, 20U);
+  EXPECT_EQ(next_of(timed(20, 1'900'000), unit).points.back().after_us, 1'900U);
+  TimeUnit other = TimeUnit::kFound;
+  EXPECT_EQ(next_of(timed(100, 50'000), other).points.back().after_us, 50'000U);
+  EXPECT_EQ(other, TimeUnit::kMicroseconds);
+}
+
+TEST(RosClouds, ANearlyEmptyCloudSaysNoUnit) {
+  for (const std::uint32_t span : {20'000U, 1'900'000U, 700U}) {
+    TimeUnit unit = TimeUnit::kFound;
+    const SeenCloud cloud = next_of(timed(10, span), unit);
+    EXPECT_EQ(unit, TimeUnit::kFound);
+    EXPECT_TRUE(cloud.has_unknown_times);
+    EXPECT_FALSE(cloud.has_times);
+    EXPECT_EQ(cloud.points.back().after_us, 0U);
+  }
+  TimeUnit unit = TimeUnit::kFound;
+  EXPECT_TRUE(next_of(timed(100, 700), unit).has_unknown_times);
 }
 
 // Not even if the unit is given: when such a point was seen is not known.
@@ -147,31 +185,106 @@ TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
   EXPECT_EQ(told([](SentCloud& /*sent*/) {}), "");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[0].name = "X"; }), "it: its points have no field x");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[1].type = 9; }), "it: field y has an unknown type, 9");
-  EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }), "it: it ends before its 3 points");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }),
+            "it: its 3 points of 12 bytes do not fill its 24 bytes");
+  EXPECT_EQ(told([](SentCloud& s) { s.count = 1; }),
+            "it: its 1 points of 12 bytes do not fill its 24 bytes");
+  for (const std::uint32_t stride : {0U, 4U}) {
+    EXPECT_EQ(told([=](SentCloud& s) { s.stride = stride; }),
+              "it: field " + std::string(stride == 0 ? "x" : "y") + " ends at byte " +
+                  std::to_string(stride + 4) + " of a point, which has " + std::to_string(stride));
+  }
+  EXPECT_EQ(told([](SentCloud& s) {
+              s.fields.resize(65, {"i", 0, 7});
+            }),
+            "it: its points have more than 64 fields");
   EXPECT_EQ(told([](SentCloud& s) { s.count = 10'000'000; }),
             "it: 10000000 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told([](SentCloud& s) { s.fields[2].offset = 0xFFFF'FFFF; }),
-            "it: it ends before its 2 points");
+            "it: field z ends at byte 4294967299 of a point, which has 12");
+  TimeUnit unit = TimeUnit::kFound;
   Bytes message = SentCloud{.points = two_points()}.message();
   for (std::size_t size = 4; size < message.size() - 1; ++size) {
-    EXPECT_EQ(told_by([&] {
-                static_cast<void>(
-                    cloud_of_point_cloud2(std::span(message).first(size), TimeUnit::kFound, "it"));
-              }),
-              "it: the message is cut off");
+    EXPECT_EQ(
+        told_by([&] {
+          static_cast<void>(cloud_of_point_cloud2(std::span(message).first(size), unit, "it"));
+        }),
+        "it: the message is cut off");
   }
   message[1] = std::byte{0};
-  EXPECT_EQ(
-      told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, TimeUnit::kFound, "it")); }),
-      "it: the message is not in CDR, little endian");
+  EXPECT_EQ(told_by([&] { static_cast<void>(cloud_of_point_cloud2(message, unit, "it")); }),
+            "it: the message is not in CDR, little endian");
 }
 
-Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
+// foxglove.PointCloud in Protocol Buffers: x and y in floats, two points of so many bytes.
+Bytes foxglove_cloud(std::uint8_t stride) {
+  Bytes message;
+  const auto put = [&](std::initializer_list<int> bytes) {
+    std::ranges::for_each(bytes,
+                          [&](int byte) { add(message, static_cast<std::uint64_t>(byte), 1); });
+  };
+  put({0x25, stride, 0, 0, 0});
+  put({0x2A, 10, 0x0A, 1, 'x', 0x15, 0, 0, 0, 0, 0x18, 7});
+  put({0x2A, 10, 0x0A, 1, 'y', 0x15, 4, 0, 0, 0, 0x18, 7});
+  put({0x32, 16});
+  for (const float metres : {10.F, 0.F, 0.F, 10.F}) {
+    add(message, metres);
+  }
+  return message;
+}
+
+TEST(FoxgloveClouds, PointsFillTheirBytes) {
+  TimeUnit unit = TimeUnit::kFound;
+  const auto read = [&](std::uint8_t stride) {
+    return cloud_of_foxglove(foxglove_cloud(stride), false, unit, "it");
+  };
+  EXPECT_EQ(read(8).points.size(), 2U);
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(0)); }),
+            "it: field x ends at byte 4 of a point, which has 0");
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(7)); }),
+            "it: field y ends at byte 8 of a point, which has 7");
+  EXPECT_EQ(told_by([&] { static_cast<void>(read(9)); }),
+            "it: its 1 points of 9 bytes do not fill its 16 bytes");
+}
+
+// Packed ranges without a byte are no range.
+TEST(FoxgloveClouds, AnEmptyScanHasNoBeam) {
+  const Bytes message{std::byte{0x32}, std::byte{0}};
+  const SeenCloud cloud = scan_of_foxglove(message, false, "it");
+  EXPECT_EQ(cloud.nowhere + cloud.points.size(), 0U);
+}
+
+// CustomMsg of livox_ros_driver2, two points of 20 bytes, of which the last lacks its last one.
+TEST(RosClouds, PointsOfALivoxFillTheirBytes) {
+  const auto told = [](std::size_t bytes) {
+    ros::CdrWriter out;
+    out.put(std::uint32_t{1'700'000'000});
+    out.put(std::uint32_t{0});
+    out.put(std::string_view("livox"));
+    out.put(0.0);  // timebase
+    out.put(std::uint32_t{2});
+    out.put(std::uint32_t{0});  // lidar_id, rsvd
+    out.put(std::uint32_t{2});
+    Bytes message = out.take();
+    message.resize(message.size() + bytes);
+    return told_by([&] { static_cast<void>(cloud_of_livox(message, "it")); });
+  };
+  EXPECT_EQ(told(38), "it: its 2 points of 20 bytes do not fill its 38 bytes");
+  EXPECT_EQ(told(39), "");
+  EXPECT_EQ(told(40), "");
+  EXPECT_EQ(told(60), "it: its 2 points of 20 bytes do not fill its 60 bytes");
+}
+
+// angle_min, angle_max, angle_increment, time_increment, scan_time, range_min and range_max.
+using LaserHead = std::array<float, 7>;
+constexpr LaserHead kLaserHead{-0.2F, 0.2F, 0.1F, 0.001F, 0.025F, 0.1F, 20.F};
+
+Bytes laser_scan(const std::vector<float>& ranges, const LaserHead& head = kLaserHead) {
   ros::CdrWriter out;
   out.put(std::uint32_t{1'700'000'000});
   out.put(std::uint32_t{0});
   out.put(std::string_view("laser"));
-  for (const float value : {-0.5F, 0.5F, 0.25F, apart_s, 0.025F, 0.1F, 20.F}) {
+  for (const float value : head) {
     out.put(value);
   }
   out.put(static_cast<std::uint32_t>(ranges.size()));
@@ -184,23 +297,54 @@ Bytes laser_scan(const std::vector<float>& ranges, float apart_s) {
 
 // REP 117: infinite is nothing; NaN is an error.
 TEST(RosClouds, ReadLaserScan) {
-  const SeenCloud cloud =
-      cloud_of_laser_scan(laser_scan({5, kInfinite, kNan, 0.05F, 21}, 0.001F), "it");
+  const SeenCloud cloud = cloud_of_laser_scan(laser_scan({5, kInfinite, kNan, 0.05F, 21}), "it");
   ASSERT_EQ(cloud.points.size(), 3U);
   EXPECT_EQ(cloud.not_finite, 1U);
   EXPECT_EQ(cloud.nowhere, 1U);
   const auto parts = [](double radians) {
     return std::lround(radians * 180 / 3.14159265358979 * 3'200);
   };
-  EXPECT_EQ(cloud.points[0].first, 1'152'000 + parts(-0.5));
+  EXPECT_EQ(cloud.points[0].first, 1'152'000 + parts(-0.2));
   EXPECT_EQ(cloud.points[0].third, 5'000);
   EXPECT_EQ(cloud.points[0].flags, 0);
-  EXPECT_EQ(cloud.points[1].first, 1'152'000 + parts(-0.25));
+  EXPECT_EQ(cloud.points[1].first, 1'152'000 + parts(-0.1));
   EXPECT_EQ(cloud.points[1].flags, 4);
   EXPECT_EQ(cloud.points[1].after_us, 1'000U);
-  EXPECT_EQ(cloud.points[2].first, parts(0.5));
+  EXPECT_EQ(cloud.points[2].first, parts(0.2));
   EXPECT_EQ(cloud.points[2].flags, 4);
   EXPECT_EQ(cloud.points[2].after_us, 4'000U);
+}
+
+TEST(RosClouds, AScanWhoseHeadContradictsItselfIsTold) {
+  const auto told = [](std::size_t field, float value) {
+    LaserHead head = kLaserHead;
+    head.at(field) = value;
+    return told_by([&] {
+      static_cast<void>(cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it"));
+    });
+  };
+  EXPECT_EQ(told(6, 0), "it: range_max is 0 m");
+  EXPECT_EQ(told(6, kNan), "it: range_max is nan m");
+  EXPECT_EQ(told(6, kInfinite), "it: range_max is inf m");
+  EXPECT_EQ(told(5, 30), "it: range_min is 30 m, and range_max 20");
+  EXPECT_EQ(told(0, kNan), "it: angle_min is nan, and angle_max 0.2");
+  for (const auto& [step, words] : {std::pair(0.F, "0"), {kNan, "nan"}, {-0.3F, "-0.3"}}) {
+    EXPECT_EQ(told(2, step), std::string("it: angle_increment is ") + words +
+                                 " rad from beam to beam; at most 0.2 is read");
+  }
+  EXPECT_EQ(told(2, 0.05F),
+            "it: by angle_min and angle_increment its last beam is at 0 rad, and angle_max is 0.2");
+  EXPECT_EQ(told(1, 0.3F), "");  // some drivers name the end of the last step
+}
+
+TEST(RosClouds, BeamsTimesThatAreOfNoScanAreLeftOutAndTold) {
+  for (const float apart_s : {-0.001F, kNan, kInfinite, 1.F, 0.F}) {
+    LaserHead head = kLaserHead;
+    head[3] = apart_s;
+    const SeenCloud cloud = cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it");
+    EXPECT_FALSE(cloud.has_times);
+    EXPECT_EQ(cloud.has_wrong_times, apart_s != 0) << apart_s;
+  }
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ class PointsOfBag : public ::testing::Test {
   std::vector<CapturedDatagram> sent(const std::string& topic = {}) {
     write(bag_, path_);
     std::vector<CapturedDatagram> all;
-    for_each_cloud(path_, topic, TimeUnit::kFound, [&](SeenCloud&& cloud) {
+    TimeUnit unit = TimeUnit::kFound;
+    for_each_cloud(path_, topic, unit, [&](SeenCloud&& cloud) {
       std::ranges::move(sender_.send(std::move(cloud)), std::back_inserter(all));
     });
     return all;
@@ -154,6 +155,26 @@ TEST(PointsSender, MorePointsThanTheCarTakesAreTold) {
   } catch (const UsageError& error) {
     EXPECT_STREQ(error.what(), "cloud 0 has 1501 points, and max_points_per_scan of front is 1500");
   }
+}
+
+TEST(PointsSender, StampsThatDoNotRiseAreCounted) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  for (const std::uint64_t time_us : {0U, 0U, 7U, 7U, 8U}) {
+    static_cast<void>(sender.send({.time_us = time_us}));
+  }
+  EXPECT_EQ(sender.sent().without_stamp, 2U);
+  EXPECT_EQ(sender.sent().same_stamps, 1U);
+}
+
+// robot_2d sees 270 degrees, symmetric about x.
+TEST(PointsSender, PointsOutsideTheFieldOfViewAreCounted) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  SeenCloud cloud;
+  for (const int degrees : {0, 134, 136, 180, 224, 226, 359}) {
+    cloud.points.push_back({.first = degrees * 3'200, .third = 1});
+  }
+  static_cast<void>(sender.send(std::move(cloud)));
+  EXPECT_EQ(sender.sent().beyond_width, 3U);
 }
 
 // In the order of their times if they have any; of what turns else by azimuth.
