@@ -158,8 +158,13 @@ void convert_packets(const ConvertOptions& options) {
   std::optional<PcapWriter> capture;  // not before the first packet is known to be one
   Progress progress("packets");
   std::uint64_t packets = 0;
-  const auto remarks = ros::for_each_packet(
+  std::uint64_t too_long = 0;
+  auto remarks = ros::for_each_packet(
       input.path, options.topic, [&](std::uint64_t time_us, std::span<const std::byte> payload) {
+        if (payload.size() > PcapWriter::kMaxPayloadBytes) {
+          ++too_long;
+          return;
+        }
         if (!capture) {
           capture.emplace(options.out);
         }
@@ -169,7 +174,11 @@ void convert_packets(const ConvertOptions& options) {
                         .payload = {payload.begin(), payload.end()}});
         progress.show(++packets);
       });
+  if (!capture) {
+    throw UsageError(input.path + ": all its packets are longer than a UDP datagram");
+  }
   capture->finish();
+  remark(too_long, "packets longer than a UDP datagram were not sent", remarks);
   for (const std::string& remark : remarks) {
     std::cout << remark << '\n';
   }
