@@ -120,6 +120,7 @@ std::optional<Reader::Record> Reader::next_of_chunk() {
   }
   const bool may_be_there =
       code == OpCode::kSchema || code == OpCode::kChannel || code == OpCode::kMessage;
+  counts_.malformed += code == OpCode::kChunk ? 1U : 0U;
   return Record{.code = may_be_there ? code : OpCode{}, .content = content};
 }
 
@@ -211,6 +212,7 @@ void Reader::take_description(const Record& record) {
       std::array<std::byte, kMagic.size()> magic{};
       in_->read(reinterpret_cast<char*>(magic.data()), magic.size());
       is_finished_ = *in_ && is_magic(magic);
+      counts_.behind_end = remaining_ > magic.size() ? remaining_ - magic.size() : 0;
       remaining_ = 0;
       break;
     }

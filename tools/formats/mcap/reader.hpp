@@ -30,7 +30,9 @@ struct ReadCounts {
   std::uint64_t messages = 0;
   std::uint64_t broken_chunks = 0;      // their CRC, their compression or their lengths are wrong
   std::uint64_t unreadable_chunks = 0;  // compressed by what is not known here, or too large
-  std::uint64_t malformed = 0;  // records whose lengths contradict each other, or are absurd
+  std::uint64_t malformed = 0;   // records whose lengths contradict each other, or are absurd;
+                                 // messages of no known channel, chunks in chunks
+  std::uint64_t behind_end = 0;  // bytes, not read
   std::uint64_t chunk_index_entries = 0;  // of the summary
 };
 
