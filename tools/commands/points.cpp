@@ -102,15 +102,16 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where) {
+void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where,
+            std::ostream& out) {
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
          words);
-  std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
-            << " datagrams " << where << '\n';
+  out << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
+      << " datagrams " << where << '\n';
   for (const std::string& word : words) {
-    std::cout << word << '\n';
+    out << word << '\n';
   }
 }
 
@@ -156,7 +157,7 @@ void send_clouds(const PointsOptions& options) {
     throw UsageError("there is no cloud in what is given");
   }
   const std::string where = destination.finish(remarks);
-  report(sender.sent(), std::move(remarks), where);
+  report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
 }
 
 }  // namespace

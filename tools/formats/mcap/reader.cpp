@@ -15,6 +15,9 @@ constexpr std::uint64_t kMaxChunkBytes = 256U << 20;
 // what does not compress are shorter than that.
 constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + (1U << 20);
 
+// All definitions together. Those of ROS 2 have some kilobytes each.
+constexpr std::uint64_t kMaxSchemaBytes = 64U << 20;
+
 std::string string_of(wire::ByteReader& in) {
   const std::span<const std::byte> bytes = in.bytes(in.u32_le());
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -224,7 +227,9 @@ void Reader::take_description(const Record& record) {
 void Reader::take_schema(wire::ByteReader in) {
   const std::uint16_t id = in.u16_le();
   Schema schema{.name = string_of(in), .encoding = string_of(in), .text = string_of(in)};
-  if (in.ok()) {
+  const std::uint64_t bytes = schema.text.size() + (schemas_.contains(id) ? 0 : schema_bytes_);
+  if (in.ok() && bytes <= kMaxSchemaBytes) {
+    schema_bytes_ += schemas_.contains(id) ? 0 : schema.text.size();
     schemas_.try_emplace(id, std::move(schema));
   } else {
     ++counts_.malformed;

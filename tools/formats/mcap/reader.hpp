@@ -96,6 +96,7 @@ class Reader {
   std::string library_;
   std::string compression_;
   std::map<std::uint16_t, Schema> schemas_;
+  std::uint64_t schema_bytes_ = 0;  // of their definitions
   std::map<std::uint16_t, Channel> channels_;
   std::map<std::string, Metadata> metadata_;
   std::optional<std::uint64_t> promised_;
