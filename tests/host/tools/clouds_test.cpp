@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
@@ -21,7 +20,6 @@
 #include "lidar/velodyne_hdl64e.hpp"
 #include "pose/message.hpp"
 #include "tools/clouds/cloud_conversion.hpp"
-#include "tools/clouds/track.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
@@ -393,22 +391,6 @@ TEST_F(Clouds, OfOdometryDataNeedWholePoses) {
   CloudConversion conversion(folder_.path(), car(), 0, 0, 0);
   EXPECT_EQ(conversion.poses(), 0U);
   EXPECT_EQ(conversion.set().remarks.size(), 2U);
-}
-
-// A typing error in a time makes a silence of 88 years; the grid of times goes on behind it.
-TEST(Track, PassesOverASilenceOfYears) {
-  constexpr std::uint64_t kLongUs = 2'777'000'000'000'000;
-  PoseLog log;
-  for (const std::uint64_t time_us :
-       {std::uint64_t{0}, std::uint64_t{500'000}, kLongUs + 5'000, kLongUs + 25'000}) {
-    log.poses.push_back({.time_us = time_us, .heading_rad = 0});
-  }
-  std::vector<std::uint64_t> times;
-  std::ranges::transform(Track(log).every(10'000), std::back_inserter(times), &LoggedPose::time_us);
-  ASSERT_EQ(times.size(), 51U + 2U);
-  EXPECT_EQ(times[50], 500'000U);
-  EXPECT_EQ(times[51], kLongUs + 10'000);
-  EXPECT_EQ(times[52], kLongUs + 20'000);
 }
 
 }  // namespace
