@@ -40,6 +40,11 @@ class Messages {
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
     std::string where = file + ": message " + std::to_string(numbers_[topic.name]++) + " of " +
                         printable(topic.name);
+    if (const auto& [name, type] = *types_of_.try_emplace(topic.name, topic.type).first;
+        type != topic.type) {
+      throw UsageError(where + ": it is of " + topic.type + ", and others of this topic of " +
+                       type);
+    }
     const std::string_view known = topic.type.starts_with("foxglove.") ? "protobuf" : "cdr";
     if (!topic.encoding.empty() && topic.encoding != known) {  // old bags do not say it
       throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not " +
@@ -68,6 +73,7 @@ class Messages {
   std::string_view topic_;
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
+  std::map<std::string, std::string> types_of_;   // topics
   std::vector<std::byte> unpacked_;
 };
 
