@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tools/commands/completion.hpp"
+#include "tools/commands/output_options.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/program/program.hpp"
 
@@ -27,7 +28,9 @@ void add_commands(CLI::App& program) {
   for (const Group& group : groups) {
     for (const auto add : group.commands) {
       add(program);
-      program.get_subcommands([](CLI::App*) { return true; }).back()->group(group.title);
+      CLI::App* const command = program.get_subcommands([](CLI::App*) { return true; }).back();
+      command->group(group.title);
+      command->parse_complete_callback([command] { check_outputs(*command); });
     }
   }
   add_help(program);

@@ -54,7 +54,19 @@ def arguments() -> argparse.Namespace:
     for path in (*options.recording, options.vehicle_file):
         if not path.is_file():
             raise Failed(f"{path}: there is no such file")
+    if options.out.exists() and any(options.out.samefile(path) for path in files_of(options)):
+        raise Failed(f"--out {options.out}: this file is read: give another output")
     return options
+
+
+def files_of(options: argparse.Namespace) -> list[pathlib.Path]:
+    """The files that are read; --poses is one, one with a topic behind it (FILE:/topic), or a folder."""
+    files = [*options.recording, options.vehicle_file]
+    for given in filter(None, (options.poses, options.map)):
+        path = pathlib.Path(given)
+        path = path if path.exists() else pathlib.Path(given.rpartition(":/")[0] or given)
+        files += sorted(each for each in path.rglob("*") if each.is_file()) if path.is_dir() else [path]
+    return [path for path in files if path.is_file()]
 
 
 def built_iog() -> pathlib.Path:
@@ -103,7 +115,6 @@ def page_of(options: argparse.Namespace, work: pathlib.Path) -> str:
     print("Reading the frames", flush=True)
     drive = drive_of(stream, fused)
     print("Drawing", flush=True)
-    inputs = [*options.recording, options.vehicle_file, *map(pathlib.Path, filter(None, (options.poses, options.map)))]
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE), undefined=jinja2.StrictUndefined,
                                      trim_blocks=True, lstrip_blocks=True, autoescape=True)
     environment.globals.update(sections=sections, drawings=drawings, said=said, directions_of=directions_of)
@@ -114,7 +125,7 @@ def page_of(options: argparse.Namespace, work: pathlib.Path) -> str:
         budget=iog.said("budget", "--vehicle-file", options.vehicle_file),
         cores=said.cores_of(iog.told("budget", "--all", "--vehicle-file", options.vehicle_file), car["name"]),
         version=iog.said("--version").strip(), commit=measurements.commit(),
-        inputs=[(path.name, path.stat().st_size, digest_of(path)) for path in inputs if path.is_file()],
+        inputs=[(path.name, path.stat().st_size, digest_of(path)) for path in files_of(options)],
         settings={name: getattr(options, name) for name in PASSED_ON if getattr(options, name) is not None})
 
 
@@ -123,13 +134,13 @@ def main() -> None:
         options = arguments()
         with tempfile.TemporaryDirectory(prefix=".report_", dir=options.out.absolute().parent) as work:
             made = pathlib.Path(work) / "report.html"
-            made.write_text(page_of(options, pathlib.Path(work)), encoding="utf-8")
+            made.write_text(page_of(options, pathlib.Path(work)), encoding="utf-8", errors="replace")
             os.replace(made, options.out)
     except (Failed, OSError, tomllib.TOMLDecodeError) as failure:
         measurements.complain("lab/run", str(failure), 2)
     except KeyboardInterrupt:
         sys.exit(130)
-    print(options.out)
+    print(os.fsencode(options.out).decode(errors="replace"))
 
 
 if __name__ == "__main__":

@@ -39,8 +39,8 @@ class Iog:
         self.remarks: list[str] = []  # of what went well
 
     def _run(self, *words) -> subprocess.CompletedProcess:
-        return subprocess.run([str(self.program), *map(str, words)], check=False, text=True, capture_output=True,
-                              stdin=subprocess.DEVNULL)
+        return subprocess.run([str(self.program), *map(str, words)], check=False, text=True, errors="replace",
+                              capture_output=True, stdin=subprocess.DEVNULL)
 
     def told(self, *words) -> str:
         """Whatever its status is."""

@@ -11,6 +11,7 @@
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -149,7 +150,8 @@ std::vector<std::string> for_each_cloud(const std::string& path, const std::stri
   const auto take_message = [&](const ros::RecordedMessage& message) {
     its = its.empty() ? message.topic : its;
     if (message.topic != its) {
-      throw UsageError(path + ": " + its + " and " + std::string(message.topic) +
+      throw UsageError(path + ": " + printable(its) + " and " +
+                       printable(std::string(message.topic)) +
                        " have clouds: choose one by --topic");
     }
     ++number;

@@ -62,11 +62,12 @@ std::vector<LoggedPose> Track::every(std::uint64_t period_us) const {
   std::vector<LoggedPose> found;
   std::uint64_t time_us = poses_.front().time_us;
   for (std::size_t i = 1; i < poses_.size(); ++i) {
-    const bool is_silent = poses_[i].time_us - poses_[i - 1].time_us > pose::kLostUs;
-    for (; time_us <= poses_[i].time_us; time_us += period_us) {
-      if (!is_silent) {
-        found.push_back(at(static_cast<double>(time_us)));
-      }
+    const std::uint64_t next_us = poses_[i].time_us;
+    if (next_us - poses_[i - 1].time_us > pose::kLostUs && time_us <= next_us) {
+      time_us += ((next_us - time_us) / period_us + 1) * period_us;  // a silence may last years
+    }
+    for (; time_us <= next_us; time_us += period_us) {
+      found.push_back(at(static_cast<double>(time_us)));
     }
   }
   return found;

@@ -103,11 +103,14 @@ void convert_clouds(const ConvertOptions& options) {
   std::uint64_t datagrams = 0;
   for (std::vector<CapturedDatagram> next; !(next = conversion.next()).empty();) {
     if (!capture) {
-      capture.emplace(options.out);
+      capture.emplace(options.out, PcapWriter::Unfinished::kNothing);
     }
     std::ranges::for_each(next, [&](const auto& datagram) { capture->write(datagram); });
     datagrams += next.size();
     progress.show(conversion.clouds_read());
+  }
+  if (!capture) {
+    throw UsageError(input.path + ": there is no cloud in it");
   }
   capture->finish();
   const CloudSet& set = conversion.set();
@@ -136,7 +139,7 @@ void convert_messages(const ConvertOptions& options) {
     std::ranges::move(recording.datagrams, std::back_inserter(datagrams));
   }
   std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
-  PcapWriter capture(options.out);
+  PcapWriter capture(options.out, PcapWriter::Unfinished::kNothing);
   Progress progress("packets", datagrams.size());
   std::uint64_t written = 0;
   for (const CapturedDatagram& datagram : datagrams) {
@@ -158,10 +161,15 @@ void convert_packets(const ConvertOptions& options) {
   std::optional<PcapWriter> capture;  // not before the first packet is known to be one
   Progress progress("packets");
   std::uint64_t packets = 0;
-  const auto remarks = ros::for_each_packet(
+  std::uint64_t too_long = 0;
+  auto remarks = ros::for_each_packet(
       input.path, options.topic, [&](std::uint64_t time_us, std::span<const std::byte> payload) {
+        if (payload.size() > PcapWriter::kMaxPayloadBytes) {
+          ++too_long;
+          return;
+        }
         if (!capture) {
-          capture.emplace(options.out);
+          capture.emplace(options.out, PcapWriter::Unfinished::kNothing);
         }
         capture->write({.time_us = time_us,
                         .source = {source, sensor.udp_port},
@@ -169,7 +177,11 @@ void convert_packets(const ConvertOptions& options) {
                         .payload = {payload.begin(), payload.end()}});
         progress.show(++packets);
       });
+  if (!capture) {
+    throw UsageError(input.path + ": all its packets are longer than a UDP datagram");
+  }
   capture->finish();
+  remark(too_long, "packets longer than a UDP datagram were not sent", remarks);
   for (const std::string& remark : remarks) {
     std::cout << remark << '\n';
   }

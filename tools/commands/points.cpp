@@ -63,7 +63,7 @@ class Destination {
       return;
     }
     if (!capture_) {  // not before the first cloud is known to be one
-      capture_.emplace(options_->out);
+      capture_.emplace(options_->out, PcapWriter::Unfinished::kNothing);
     }
     capture_->write(datagram);
   }
@@ -109,7 +109,8 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where) {
+void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where,
+            std::ostream& out) {
   remark(sent.not_finite, "points that are no number were not sent", words);
   remark(sent.nowhere, "points at the sensor or too near were not sent", words);
   remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
@@ -124,10 +125,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          words);
   remark(sent.unknown_times, "clouds before the first full one were sent without points' times",
          words);
-  std::cout << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
-            << " datagrams " << where << '\n';
+  out << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
+      << " datagrams " << where << '\n';
   for (const std::string& word : words) {
-    std::cout << word << '\n';
+    out << word << '\n';
   }
 }
 
@@ -176,7 +177,7 @@ void send_clouds(PointsOptions options) {
     throw UsageError("no cloud shows the unit of its points' times: give --time-unit");
   }
   const std::string where = destination.finish(remarks);
-  report(sender.sent(), std::move(remarks), where);
+  report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
   if (sender.sent().points == 0) {
     throw CheckFailed("no cloud has a point to send");
   }

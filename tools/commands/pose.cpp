@@ -84,7 +84,7 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
 }
 
 void write(const std::vector<CapturedDatagram>& datagrams, const std::string& path) {
-  PcapWriter capture(path);
+  PcapWriter capture(path, PcapWriter::Unfinished::kNothing);
   for (const CapturedDatagram& datagram : datagrams) {
     capture.write(datagram);
   }

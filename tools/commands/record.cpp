@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -80,29 +79,6 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOpt
   return std::make_unique<PictureRecording>(pictures, options.with_maps);
 }
 
-// What is being read is not written over, and nothing is written twice at once.
-void check_out(const RecordOptions& options) {
-  std::set<std::filesystem::path> places;
-  for (const std::string& path : options.out) {
-    std::error_code error;
-    if (!places.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path), error))
-             .second) {
-      throw UsageError("--out " + path + ": given twice");
-    }
-  }
-  std::vector<std::string> sources = options.drive.captures;
-  const std::string poses = options.drive.poses.substr(0, options.drive.poses.rfind(":/"));
-  sources.insert(sources.end(), {poses, options.stream, options.map});
-  for (const std::string& source : sources) {
-    for (const std::string& path : options.out) {
-      std::error_code error;
-      if (!source.empty() && std::filesystem::equivalent(source, path, error)) {
-        throw UsageError("--out " + path + ": this is the file that is read");
-      }
-    }
-  }
-}
-
 // From wherever it comes. The number of datagrams that were dropped on the way.
 std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
   if (!options.drive.captures.empty()) {
@@ -129,7 +105,6 @@ void record(RecordOptions options) {
   if (options.has_points) {
     options.topics.emplace_back(kPointsTopic);
   }
-  check_out(options);
   if (!options.drive.captures.empty()) {
     demand_fit(options.drive.captures, find_vehicle(options.vehicle));
   }

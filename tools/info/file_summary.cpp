@@ -122,7 +122,8 @@ std::string condition_of(const mcap::Reader& file) {
   return text + count_row("broken chunks", counts.broken_chunks, "") +
          count_row("unreadable chunks", counts.unreadable_chunks,
                    ", compressed otherwise than by zstd, or too large") +
-         count_row("malformed records", counts.malformed, "");
+         count_row("malformed records", counts.malformed, "") +
+         count_row("behind its end", counts.behind_end, " bytes, not read");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 namespace {
@@ -70,9 +71,9 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
     if (from != parent) {
       throw UsageError(std::string(message.where)
                            .append(": base_link is in ")
-                           .append(parent)
+                           .append(printable(parent))
                            .append(" and in ")
-                           .append(from));
+                           .append(printable(from)));
     }
     log.poses.push_back(pose);
   }
@@ -86,8 +87,9 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   log.remarks = ros::for_each_message(path, {kOdometry}, topic, [&](const auto& message) {
     its = its.empty() ? std::string(message.topic) : its;
     if (message.topic != its) {
-      throw UsageError(path + ": " + its + " and " + std::string(message.topic) +
-                       " have poses: choose one by " + path + ':' + its);
+      throw UsageError(path + ": " + printable(its) + " and " +
+                       printable(std::string(message.topic)) + " have poses: choose one by " +
+                       path + ':' + printable(its));
     }
     log.poses.push_back(pose_of_odometry(message));
   });

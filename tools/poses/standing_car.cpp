@@ -1,7 +1,6 @@
 #include "tools/poses/standing_car.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 
 #include "tools/formats/capture/pcap_reader.hpp"
@@ -23,11 +22,8 @@ constexpr double kSigmaRad = 1e-4;
 
 std::uint64_t write_with_standing_poses(const std::string& capture, std::uint16_t pose_port,
                                         const std::string& out) {
-  if (std::filesystem::exists(out) && std::filesystem::equivalent(capture, out)) {
-    throw UsageError(out + ": it is the capture that is read");
-  }
   PcapReader reader(capture);
-  PcapWriter writer(out);
+  PcapWriter writer(out, PcapWriter::Unfinished::kNothing);
   PoseEncoder encoder;
   std::uint64_t poses = 0;
   std::uint64_t due_us = 0;

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <vector>
 #include <zlib.h>
@@ -55,6 +57,37 @@ void write_bytes(const std::string& path, const std::vector<std::byte>& bytes) {
 // The file's header, then per packet 16 bytes, Ethernet 14, IPv4 20, UDP 8.
 constexpr std::size_t kFileHeaderBytes = 24;
 constexpr std::size_t kFirstFrame = kFileHeaderBytes + 16;
+
+// Also through a link, which stays.
+TEST(Capture, AnUnfinishedOneLeavesWhatWasThere) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "out.pcap";
+  const std::string link = folder / "link.pcap";
+  const auto files = [&] {
+    const std::filesystem::directory_iterator all(std::filesystem::path(path).parent_path());
+    return std::distance(begin(all), end(all));
+  };
+  write_capture(path, {datagram_of(1, 10)});
+  const std::vector<std::byte> before = read_file(path);
+  std::filesystem::create_symlink(path, link);
+  for (const std::string& name : {path, link, folder / "new.pcap"}) {
+    {
+      PcapWriter writer(name, PcapWriter::Unfinished::kNothing);
+      writer.write(datagram_of(2, 20));
+    }
+    EXPECT_EQ(read_file(path), before);
+    EXPECT_EQ(files(), 2);
+  }
+  PcapWriter writer(link, PcapWriter::Unfinished::kNothing);
+  writer.write(datagram_of(2, 20));
+  writer.finish();
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  PcapReader reader(path);
+  const std::vector<CapturedDatagram> found = read_capture(reader);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].payload, datagram_of(2, 20).payload);
+  EXPECT_EQ(files(), 2);
+}
 
 // The first bytes by the formats' own descriptions (RFC 1952, RFC 8878, and so on).
 TEST(Capture, WhatIsNoCaptureIsNamedWithWhatToDo) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
+#include <filesystem>
 #include <pcap/pcap.h>
+#include <system_error>
 #include <vector>
 
 #include "net/ethernet.hpp"
@@ -57,11 +60,24 @@ void PcapWriter::Closer::operator()(pcap* file) const { pcap_close(file); }
 
 void PcapWriter::Closer::operator()(pcap_dumper* file) const { pcap_dump_close(file); }
 
-PcapWriter::PcapWriter(const std::string& path)
+PcapWriter::PcapWriter(const std::string& path, Unfinished left)
     : path_(path), link_(pcap_open_dead(DLT_EN10MB, kSnapLength)) {
-  file_.reset(pcap_dump_open(link_.get(), path.c_str()));
+  std::error_code error;
+  if (left == Unfinished::kNothing && path != "-" &&
+      (std::filesystem::is_regular_file(path, error) || !std::filesystem::exists(path, error))) {
+    part_ = std::filesystem::weakly_canonical(path, error).string() + ".part";  // behind links
+  }
+  errno = 0;
+  file_.reset(pcap_dump_open(link_.get(), part_.empty() ? path.c_str() : part_.c_str()));
   if (!file_) {
-    throw UsageError(pcap_geterr(link_.get()));
+    throw file_error(path, "cannot be written");
+  }
+}
+
+PcapWriter::~PcapWriter() {
+  if (file_ && !part_.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
   }
 }
 
@@ -105,6 +121,10 @@ void PcapWriter::finish() {
     throw file_error(path_, "not written completely");
   }
   file_.reset();
+  if (!part_.empty() &&
+      std::rename(part_.c_str(), part_.substr(0, part_.rfind(".part")).c_str()) != 0) {
+    throw file_error(path_, "cannot be written");
+  }
 }
 
 }  // namespace iog::tools

@@ -15,6 +15,9 @@ constexpr std::uint64_t kMaxChunkBytes = 256U << 20;
 // what does not compress are shorter than that.
 constexpr std::uint64_t kMaxRecordBytes = kMaxChunkBytes + (1U << 20);
 
+// All definitions together. Those of ROS 2 have some kilobytes each.
+constexpr std::uint64_t kMaxSchemaBytes = 64U << 20;
+
 std::string string_of(wire::ByteReader& in) {
   const std::span<const std::byte> bytes = in.bytes(in.u32_le());
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -120,6 +123,7 @@ std::optional<Reader::Record> Reader::next_of_chunk() {
   }
   const bool may_be_there =
       code == OpCode::kSchema || code == OpCode::kChannel || code == OpCode::kMessage;
+  counts_.malformed += code == OpCode::kChunk ? 1U : 0U;
   return Record{.code = may_be_there ? code : OpCode{}, .content = content};
 }
 
@@ -211,6 +215,7 @@ void Reader::take_description(const Record& record) {
       std::array<std::byte, kMagic.size()> magic{};
       in_->read(reinterpret_cast<char*>(magic.data()), magic.size());
       is_finished_ = *in_ && is_magic(magic);
+      counts_.behind_end = remaining_ > magic.size() ? remaining_ - magic.size() : 0;
       remaining_ = 0;
       break;
     }
@@ -222,7 +227,9 @@ void Reader::take_description(const Record& record) {
 void Reader::take_schema(wire::ByteReader in) {
   const std::uint16_t id = in.u16_le();
   Schema schema{.name = string_of(in), .encoding = string_of(in), .text = string_of(in)};
-  if (in.ok()) {
+  const std::uint64_t bytes = schema.text.size() + (schemas_.contains(id) ? 0 : schema_bytes_);
+  if (in.ok() && bytes <= kMaxSchemaBytes) {
+    schema_bytes_ += schemas_.contains(id) ? 0 : schema.text.size();
     schemas_.try_emplace(id, std::move(schema));
   } else {
     ++counts_.malformed;

@@ -30,7 +30,9 @@ struct ReadCounts {
   std::uint64_t messages = 0;
   std::uint64_t broken_chunks = 0;      // their CRC, their compression or their lengths are wrong
   std::uint64_t unreadable_chunks = 0;  // compressed by what is not known here, or too large
-  std::uint64_t malformed = 0;  // records whose lengths contradict each other, or are absurd
+  std::uint64_t malformed = 0;   // records whose lengths contradict each other, or are absurd;
+                                 // messages of no known channel, chunks in chunks
+  std::uint64_t behind_end = 0;  // bytes, not read
   std::uint64_t chunk_index_entries = 0;  // of the summary
 };
 
@@ -94,6 +96,7 @@ class Reader {
   std::string library_;
   std::string compression_;
   std::map<std::uint16_t, Schema> schemas_;
+  std::uint64_t schema_bytes_ = 0;  // of their definitions
   std::map<std::uint16_t, Channel> channels_;
   std::map<std::string, Metadata> metadata_;
   std::optional<std::uint64_t> promised_;

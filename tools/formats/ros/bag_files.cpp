@@ -45,6 +45,10 @@ std::string value_in(std::string_view line) {
 // Only what rosbag2 itself writes is understood, not all of YAML.
 std::vector<std::string> of_metadata(const std::string& folder) {
   const std::string path = folder + "/metadata.yaml";
+  constexpr std::uintmax_t kMostBytes = 16U << 20;
+  if (files::file_size(path) > kMostBytes) {
+    throw UsageError(path + ": larger than 16 MiB");
+  }
   std::vector<std::string> found;
   bool is_in_list = false;
   for (const std::string& line : read_lines(path)) {
@@ -65,6 +69,9 @@ std::vector<std::string> of_metadata(const std::string& folder) {
         throw UsageError(found.back() + ": this part of the bag is not there");
       }
     }
+  }
+  if (found.empty()) {
+    throw UsageError(path + ": it lists no file below relative_file_paths, one a line behind '-'");
   }
   return found;
 }

@@ -40,6 +40,11 @@ class Messages {
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
     std::string where = file + ": message " + std::to_string(numbers_[topic.name]++) + " of " +
                         printable(topic.name);
+    if (const auto& [name, type] = *types_of_.try_emplace(topic.name, topic.type).first;
+        type != topic.type) {
+      throw UsageError(where + ": it is of " + topic.type + ", and others of this topic of " +
+                       type);
+    }
     const std::string_view known = topic.type.starts_with("foxglove.") ? "protobuf" : "cdr";
     if (!topic.encoding.empty() && topic.encoding != known) {  // old bags do not say it
       throw UsageError(where + ": its encoding is " + printable(topic.encoding) + ", not " +
@@ -68,16 +73,26 @@ class Messages {
   std::string_view topic_;
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
+  std::map<std::string, std::string> types_of_;   // topics
   std::vector<std::byte> unpacked_;
 };
+
+void tell_lost(const std::string& name, std::uint64_t count, const char* what,
+               std::vector<std::string>& remarks) {
+  if (count > 0) {
+    remarks.push_back(name + ": " + std::to_string(count) + ' ' + what);
+  }
+}
 
 void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
                std::vector<std::string>& remarks) {
   mcap::Reader reader(file);
+  std::uint64_t without_schema = 0;
   while (const auto message = reader.next()) {
     const mcap::Channel& channel = reader.channels().at(message->channel_id);
     const auto schema = reader.schemas().find(channel.schema_id);
     if (schema == reader.schemas().end()) {
+      without_schema += channel.schema_id == 0 ? 0U : 1U;  // 0: it has none, and is not of ROS 2
       continue;
     }
     const BagTopic topic{channel.topic, schema->second.name, channel.message_encoding, 0};
@@ -94,6 +109,12 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
   if (const std::uint64_t lost = counts.unreadable_chunks + counts.broken_chunks; lost > 0) {
     throw UsageError(name + ": " + std::to_string(lost) + " chunks are damaged or too large");
   }
+  const auto tell = [&](std::uint64_t count, const char* what) {
+    tell_lost(name, count, what, remarks);
+  };
+  tell(counts.malformed, "malformed records were passed over");
+  tell(without_schema, "messages have no known type");
+  tell(counts.behind_end, "bytes behind its end were not read");
   if (!reader.is_finished()) {
     remarks.push_back(name + ": its end is missing; it was read up to there");
   }
@@ -116,9 +137,10 @@ std::vector<std::string> for_each_message(const std::string& path,
         std::as_bytes(std::span(magic).first(static_cast<std::size_t>(file.gcount())));
     file.clear();
     if (begins_with(begin, "SQLite format 3\0"sv)) {
-      for_each_in_sqlite(
+      const std::uint64_t lost = for_each_in_sqlite(
           plain.path(), name, [&](const BagTopic& its) { return messages.wants(its); },
           [&](const BagTopic& its, auto data) { messages.take(name, its, data); });
+      tell_lost(name, lost, "messages have no known topic", remarks);
     } else if (begins_with(begin, "#ROSBAG V"sv)) {
       throw UsageError(name + ": a bag of ROS 1: convert it first, for example by rosbags-convert");
     } else if (begins_with(begin, "\x89MCAP0\r\n"sv)) {

@@ -24,8 +24,9 @@ struct BagTopic {
                                                      const std::string& what);
 
 // Calls take(topic, message) with each message of a topic that wants(topic), in the order of
-// recording. UsageError, which begins with `what`, if the file is not of this kind or is damaged.
-void for_each_in_sqlite(
+// recording. Returns how many are of no topic in the file. UsageError, which begins with `what`, if
+// the file is not of this kind or is damaged.
+std::uint64_t for_each_in_sqlite(
     const std::string& path, const std::string& what,
     const std::function<bool(const BagTopic&)>& wants,
     const std::function<void(const BagTopic&, std::span<const std::byte>)>& take);

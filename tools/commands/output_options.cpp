@@ -1,0 +1,82 @@
+#include "tools/commands/output_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "tools/program/exit_status.hpp"
+#include "tools/program/unknown_word.hpp"
+
+namespace iog::tools {
+namespace {
+
+namespace files = std::filesystem;
+
+constexpr std::array<std::string_view, 9> kOutputs{"out",     "out-raw",     "classes-png",
+                                                   "png",     "truth-cells", "truth-points",
+                                                   "summary", "hashes",      "classes-hashes"};
+
+// --stream and --osm are inputs of other commands.
+bool is_output(const CLI::App& command, const CLI::Option& option) {
+  const std::string name = option.get_single_name();
+  return std::ranges::find(kOutputs, name) != kOutputs.end() ||
+         (name == "stream" && command.get_name() != "record") ||
+         (name == "osm" && command.get_name() == "simulate");
+}
+
+bool is_file(const std::string& path, const std::string& output) {
+  std::error_code error;
+  return files::equivalent(path, output, error) && files::is_regular_file(output, error);
+}
+
+// Of a folder every file belongs to the input, except a capture: nobody reads those in a folder.
+bool is_in_folder(const std::string& folder, const std::string& output) {
+  std::error_code error;
+  if (!files::is_directory(folder, error) || !files::is_regular_file(output, error)) {
+    return false;
+  }
+  const files::path inside = files::canonical(output, error);
+  const files::path outside = files::canonical(folder, error);
+  return inside.extension() != ".pcap" &&
+         std::ranges::mismatch(outside, inside).in1 == outside.end();
+}
+
+// An input is FILE, FILE:SENSOR or FILE:/topic.
+bool is_read(const std::string& input, const std::string& output) {
+  const std::string path = input.substr(0, input.rfind(':'));
+  return is_file(input, output) || is_file(path, output) || is_in_folder(input, output) ||
+         is_in_folder(path, output);
+}
+
+}  // namespace
+
+void check_outputs(const CLI::App& command) {
+  std::set<files::path> places;
+  std::set<std::string> outputs;
+  std::set<std::string> inputs;
+  for (const CLI::Option* const option : options_of(command)) {
+    for (const std::string& path : option->results()) {
+      if (!is_output(command, *option)) {
+        inputs.insert(path);
+        continue;
+      }
+      std::error_code error;
+      outputs.insert(path);
+      if (path != "-" &&
+          !places.insert(files::weakly_canonical(files::absolute(path), error)).second) {
+        throw UsageError(option->get_name() + " " + path + ": given twice");
+      }
+    }
+  }
+  for (const std::string& output : outputs) {
+    if (std::ranges::any_of(inputs, [&](const auto& input) { return is_read(input, output); })) {
+      throw UsageError(output + ": this file is read: give another output");
+    }
+  }
+}
+
+}  // namespace iog::tools
