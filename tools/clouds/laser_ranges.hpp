@@ -17,7 +17,7 @@ struct LaserRanges {
   double step_rad = 0;
   double apart_s = 0;  // from beam to beam; 0: not known
   double least_m = 0;
-  double most_m = std::numeric_limits<float>::max();
+  double most_m = static_cast<double>(std::numeric_limits<float>::max());
   std::vector<double> ranges_m{};
 };
 
