@@ -97,7 +97,12 @@ void BlockedSectors::Sums::add(bool is_beam, bool is_return) {
 
 void BlockedSectors::add(const Packet& packet) {
   std::size_t sector = 0;
+  lidar::Sector decided{};  // no further point in it changes anything
+  const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
   const auto look = [&](const lidar::ScanPoint& point) {
+    if (contains(decided, point.azimuth_ticks, turn)) {
+      return;
+    }
     const bool comes_back = is_return(point);
     frame_returns_ += comes_back ? 1U : 0U;
     const std::size_t its = sector_of(point.azimuth_ticks, sector);
@@ -109,6 +114,7 @@ void BlockedSectors::add(const Packet& packet) {
     if (is_judged(sector, point)) {
       sums_[sector].add(point.echo == 0, comes_back);
     }
+    decided = is_decided(sector) ? (*view_)[sector] : lidar::Sector{};
   };
   if (turns_) {
     const auto layers = std::span(sampled_).first(sampled_count_);
@@ -116,6 +122,12 @@ void BlockedSectors::add(const Packet& packet) {
   } else {
     packet.for_each_point(look);
   }
+}
+
+// A unit that does not spin needs one return, unless a sector is open.
+bool BlockedSectors::is_decided(std::size_t sector) const {
+  return !turns_ && frame_returns_ > 0 && kinds_[sector] != Kind::kOpen &&
+         (kinds_[sector] != Kind::kLevel || sums_[sector].returns > 0);
 }
 
 // A turn that lost up to an eighth still counts as a turn.
@@ -163,21 +175,23 @@ BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
   std::uint64_t judged = 0;
   for (std::size_t i = 0; i < kSectors; ++i) {
     const std::uint64_t bit = std::uint64_t{1} << i;
-    after.seen |= is_seen(i, swept) ? bit : 0;
-    if (kinds_[i] == Kind::kUnseen || kinds_[i] == Kind::kSky) {
+    const bool is_judged = kinds_[i] != Kind::kUnseen && kinds_[i] != Kind::kSky;
+    judged |= is_judged ? bit : 0;
+    if (!is_seen(i, swept)) {
       continue;
     }
-    judged |= bit;
-    if (is_seen(i, swept)) {
-      const bool is_empty_unit = after.empty_turns == kEmptyTurns && kinds_[i] != Kind::kOpen;
-      const int level = is_empty_unit ? 0 : level_after(i);
-      after.levels[i] = static_cast<std::int16_t>(std::clamp(level, 0, int{kFull}));
-      if (level > 0 && kinds_[i] == Kind::kGround) {
-        after.gave[i] =
-            static_cast<std::uint16_t>(state_.gave[i] - state_.gave[i] / 32 +
-                                       std::min<std::uint32_t>(sums_[i].returns, sums_[i].beams) *
-                                           (kAllGave / 32) / sums_[i].beams);
-      }
+    after.seen |= bit;
+    if (!is_judged) {
+      continue;
+    }
+    const bool is_empty_unit = after.empty_turns == kEmptyTurns && kinds_[i] != Kind::kOpen;
+    const int level = is_empty_unit ? 0 : level_after(i);
+    after.levels[i] = static_cast<std::int16_t>(std::clamp(level, 0, int{kFull}));
+    if (level > 0 && kinds_[i] == Kind::kGround) {
+      after.gave[i] =
+          static_cast<std::uint16_t>(state_.gave[i] - state_.gave[i] / 32 +
+                                     std::min<std::uint32_t>(sums_[i].returns, sums_[i].beams) *
+                                         (kAllGave / 32) / sums_[i].beams);
     }
     after.blocked |= after.levels[i] == 0 ? bit : 0;
     after.blocked &= after.levels[i] == kFull ? ~bit : ~std::uint64_t{0};

@@ -116,6 +116,7 @@ class BlockedSectors {
                : kinds_[sector] != Kind::kOpen || point.range_mm != 0;
   }
   [[nodiscard]] bool is_return(const lidar::ScanPoint& point) const;
+  [[nodiscard]] bool is_decided(std::size_t sector) const;
   [[nodiscard]] bool is_over(std::uint32_t swept_ticks, std::uint64_t swept) const;
   [[nodiscard]] bool is_seen(std::size_t sector, std::uint64_t swept) const;
   [[nodiscard]] int level_after(std::size_t sector) const;

@@ -73,9 +73,10 @@ class Intake {
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // The number of ticks of a sector that the sensor has not swept in this frame.
-  [[nodiscard]] std::uint32_t missing_ticks(std::size_t sensor, const lidar::Sector& sector) const {
-    return trackers_[sensor].missing_ticks(sector);
+  // True if the sensor has not swept more than this many ticks of a sector in this frame.
+  [[nodiscard]] bool misses_more_than(std::uint32_t ticks, std::size_t sensor,
+                                      const lidar::Sector& sector) const {
+    return trackers_[sensor].misses_more_than(ticks, sector);
   }
   [[nodiscard]] std::uint32_t packets_accepted() const { return packets_accepted_; }
   [[nodiscard]] std::uint32_t points_dropped(vehicle::Fate fate) const {

@@ -42,7 +42,7 @@ ScanTracker::Outcome ScanTracker::classify_scan(const lidar::PacketInfo& packet)
 // A packet of an older turn may fill a gap of the frame, but neither begins nor ends one.
 ScanTracker::Outcome ScanTracker::classify_turn(const lidar::PacketInfo& packet) const {
   const bool sweeps_again =
-      packets_ > 0 && packet.sector.width_ticks > 0 && swept_.missing_of(packet.sector) == 0;
+      packets_ > 0 && packet.sector.width_ticks > 0 && !swept_.misses_more_than(0, packet.sector);
   if (is_older(packet)) {
     return packets_ == 0 || sweeps_again ? Outcome::kLate : Outcome::kPartOfFrame;
   }

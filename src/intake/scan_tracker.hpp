@@ -57,9 +57,9 @@ class ScanTracker {
   }
   // The number of ticks of the turn that were swept in this frame.
   [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
-  // The number of ticks of a sector that were not swept in this frame.
-  [[nodiscard]] std::uint32_t missing_ticks(const lidar::Sector& sector) const {
-    return swept_.missing_of(sector);
+  // True if more than this many ticks of the sector were not swept in this frame.
+  [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const {
+    return swept_.misses_more_than(ticks, sector);
   }
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // packets in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // points in these packets

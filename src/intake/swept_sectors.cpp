@@ -15,12 +15,12 @@ template <typename Visit>
 void SweptSectors::for_each_word(const lidar::Sector& sector, Visit&& visit) const {
   std::uint32_t tick = sector.first_ticks;
   std::uint32_t left = sector.width_ticks;
-  while (left > 0) {
+  bool goes_on = true;
+  while (left > 0 && goes_on) {
     const std::uint32_t bit = tick % kWordTicks;
     const std::uint32_t count =
         std::min<std::uint32_t>({left, kWordTicks - bit, ticks_per_turn_ - tick});
-    const std::uint64_t ones = (std::uint64_t{1} << count) - 1;
-    visit(tick / kWordTicks, static_cast<std::uint32_t>(ones << bit));
+    goes_on = visit(tick / kWordTicks, ~std::uint32_t{0} >> (kWordTicks - count) << bit);
     left -= count;
     tick = tick + count == ticks_per_turn_ ? 0 : tick + count;
   }
@@ -30,6 +30,7 @@ void SweptSectors::add(const lidar::Sector& sector) {
   for_each_word(sector, [this](std::size_t word, std::uint32_t bits) {
     count_ += static_cast<std::uint32_t>(std::popcount(bits & ~words_[word]));
     words_[word] |= bits;
+    return true;
   });
 }
 
@@ -40,12 +41,15 @@ void SweptSectors::clear() {
   }
 }
 
-std::uint32_t SweptSectors::missing_of(const lidar::Sector& sector) const {
+bool SweptSectors::misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const {
   std::uint32_t missing = 0;
   for_each_word(sector, [&](std::size_t word, std::uint32_t bits) {
-    missing += static_cast<std::uint32_t>(std::popcount(bits & ~words_[word]));
+    if (const std::uint32_t bits_missing = bits & ~words_[word]; bits_missing != 0) {
+      missing += static_cast<std::uint32_t>(std::popcount(bits_missing));
+    }
+    return missing <= ticks;
   });
-  return missing;
+  return missing > ticks;
 }
 
 }  // namespace iog::intake

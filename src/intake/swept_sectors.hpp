@@ -25,15 +25,15 @@ class SweptSectors {
   // The number of ticks that have been swept.
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  // The number of ticks of the sector that have not been swept.
-  [[nodiscard]] std::uint32_t missing_of(const lidar::Sector& sector) const;
+  // True if more than this many ticks of the sector have not been swept.
+  [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const;
 
  private:
   static constexpr std::uint32_t kWordTicks = 32;
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
-  // Calls visit(word, bits) for each word that the sector overlaps. bits: the sector's bits in that
-  // word.
+  // Calls visit(word, bits) for each word that the sector overlaps, until visit returns false.
+  // bits: the sector's bits in that word.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
 

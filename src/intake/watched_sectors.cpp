@@ -117,8 +117,9 @@ std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake)
   std::uint64_t swept = 0;
   for (std::size_t i = 0; i < kSectors; ++i) {
     const lidar::Sector& sector = views_[sensor][i];
-    const bool is_swept = sector.width_ticks > 0 && 8 * intake.missing_ticks(sensor, sector) <=
-                                                        most_missing * sector.width_ticks;
+    const std::uint32_t most_ticks = most_missing * sector.width_ticks / 8;
+    const bool is_swept =
+        sector.width_ticks > 0 && !intake.misses_more_than(most_ticks, sensor, sector);
     swept |= std::uint64_t{is_swept ? 1U : 0U} << i;
   }
   return swept;

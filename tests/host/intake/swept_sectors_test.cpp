@@ -23,10 +23,12 @@ TEST(SweptSectors, CountsEachTickOnce) {
       for (int tick = first; tick < first + width; ++tick) {
         ticks.insert(tick % turn);
       }
-      EXPECT_EQ(swept.missing_of(sector), ticks.size() - before);
+      const auto missing = static_cast<std::uint32_t>(ticks.size() - before);
+      EXPECT_FALSE(swept.misses_more_than(missing, sector));
+      EXPECT_EQ(missing > 0, swept.misses_more_than(missing - (missing > 0 ? 1 : 0), sector));
       swept.add(sector);
       EXPECT_EQ(swept.count(), ticks.size());
-      EXPECT_EQ(swept.missing_of(sector), 0U);
+      EXPECT_FALSE(swept.misses_more_than(0, sector));
       if (ticks.size() == static_cast<std::size_t>(turn)) {
         swept.clear();
         ticks.clear();
