@@ -55,6 +55,9 @@ class Board {
   void end_run(hal::End end, std::string_view words);
   hal::RunBefore run_before() const { return boot_.before; }
 
+  // As hal::SharedCache.
+  void keep_cache(bool keep) { l2_cache_.keep(keep); }
+
   // As hal::Thermometer.
   std::int16_t temperature_dc() { return thermometer_.read_dc(); }
 

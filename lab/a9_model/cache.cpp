@@ -21,7 +21,7 @@ Cache::Allocation Cache::allocate(LineAddress address) {
 // An empty way first. The random choice is a Galois shift register of 16 bits, stepped at every
 // replacement: like the hardware's it knows nothing of use, and every run repeats it.
 Cache::Line& Cache::victim(Line* set) {
-  Line* const end = set + ways_;
+  Line* const end = set + open_ways_;
   Line* const empty = std::find_if(set, end, [](const Line& line) { return !line.valid; });
   if (empty != end) {
     return *empty;
@@ -29,7 +29,7 @@ Cache::Line& Cache::victim(Line* set) {
   if (replacement_ == Replacement::kRandom) {
     constexpr std::uint32_t kTaps = 0xb400;
     shift_register_ = (shift_register_ >> 1) ^ ((shift_register_ & 1u) != 0 ? kTaps : 0u);
-    return set[shift_register_ % ways_];
+    return set[shift_register_ % open_ways_];
   }
   return *std::min_element(set, end, [](const Line& a, const Line& b) { return a.used < b.used; });
 }

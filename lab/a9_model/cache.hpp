@@ -55,6 +55,9 @@ class Cache {
     Line evicted;  // what was there; valid says whether anything was
   };
 
+  // From now on, allocate() uses only so many ways of each set. find() uses all.
+  void open_ways(std::uint32_t ways) { open_ways_ = ways; }
+
   // Makes room for a line that find() does not find.
   Allocation allocate(LineAddress address);
 
@@ -62,6 +65,7 @@ class Cache {
   Line& victim(Line* set);
 
   std::uint32_t ways_;
+  std::uint32_t open_ways_ = ways_;
   std::uint32_t set_mask_;
   Replacement replacement_;
   std::uint64_t clock_ = 0;

@@ -25,6 +25,10 @@ inline constexpr std::uint8_t kMarkerRound = kMarkerEnd | 0x7E;
 inline constexpr std::uint8_t kMarkerPause = kMarkerEnd | 0x7D;
 inline constexpr std::uint8_t kMarkerResume = kMarkerEnd | 0x7C;
 
+// Region 123: inside it, L2 allocates only in the ways that L2Cache::keep() leaves open.
+inline constexpr std::uint8_t kMarkerKeepL2 = 0x7B;
+inline constexpr std::uint8_t kMarkerReleaseL2 = kMarkerEnd | kMarkerKeepL2;
+
 #if defined(__arm__)
 template <unsigned kCode>
 [[gnu::always_inline]] inline void mark() {
@@ -33,13 +37,13 @@ template <unsigned kCode>
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void begin_region() {
-  static_assert(kId < kRegionIds - 4);
+  static_assert(kId < kRegionIds - 5);
   mark<kId>();
 }
 
 template <unsigned kId>
 [[gnu::always_inline]] inline void end_region() {
-  static_assert(kId < kRegionIds - 4);
+  static_assert(kId < kRegionIds - 5);
   mark<kId | kMarkerEnd>();
 }
 
@@ -47,6 +51,8 @@ template <unsigned kId>
 [[gnu::always_inline]] inline void end_round() { mark<kMarkerRound>(); }
 [[gnu::always_inline]] inline void pause() { mark<kMarkerPause>(); }
 [[gnu::always_inline]] inline void resume() { mark<kMarkerResume>(); }
+[[gnu::always_inline]] inline void keep_l2() { mark<kMarkerKeepL2>(); }
+[[gnu::always_inline]] inline void release_l2() { mark<kMarkerReleaseL2>(); }
 #endif
 
 }  // namespace iog::a9_model

@@ -11,6 +11,7 @@ constexpr std::uint32_t kL1Bytes = 32 * 1024;        // i.MX 6Dual/6Quad data sh
 constexpr std::uint32_t kL1Ways = 4;                 // TRM 7.1.1
 constexpr std::uint32_t kL2Bytes = 1024 * 1024;      // the same
 constexpr std::uint32_t kL2Ways = 16;                // board/imx6/registers/pl310.hpp
+constexpr std::uint32_t kOpenL2Ways = 2;             // likewise
 constexpr std::uint32_t kMemoryBegin = 0x1000'0000;  // below it are registers, which no cache holds
 constexpr std::uint32_t kWholeLine = 0xffff'ffff;
 
@@ -175,6 +176,8 @@ Cycle MemorySystem::read_memory(Cycle now) {
   ddr_free_ = start + constants_.ddr_line;
   return start + constants_.l2_extra + constants_.ddr_latency;
 }
+
+void MemorySystem::keep_l2(bool keep) { l2_.open_ways(keep ? kOpenL2Ways : kL2Ways); }
 
 Cache::Line* MemorySystem::allocate_in_l2(LineAddress line, Cycle now) {
   const Cache::Allocation place = l2_.allocate(line);

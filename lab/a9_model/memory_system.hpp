@@ -46,6 +46,9 @@ class MemorySystem {
   // When the instruction at an address can be fetched.
   Cycle fetch(std::uint32_t address, Cycle now);
 
+  // As hal::SharedCache, but code is restricted, too.
+  void keep_l2(bool keep);
+
   [[nodiscard]] const MemoryCounts& counts() const { return counts_; }
   [[nodiscard]] const TlbCounts& tlb_counts() const { return tlb_counts_; }
 

@@ -44,6 +44,7 @@ class Pipeline {
     memory_.set_uncached(begin, bytes);
   }
 
+  void keep_l2(bool keep) { memory_.keep_l2(keep); }
   [[nodiscard]] Counters counters() const;
 
  private:

@@ -75,6 +75,10 @@ void Recorder::note_marker(std::uint8_t half) {
     is_paused_ = code == kMarkerPause;
     return;
   }
+  if (code == kMarkerKeepL2 || code == kMarkerReleaseL2) {
+    pipeline_.keep_l2(code == kMarkerKeepL2);
+    return;
+  }
   Region& region = marked_[code % kRegionIds];
   if ((code & kMarkerEnd) == 0) {
     open(region);

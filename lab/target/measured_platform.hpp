@@ -86,6 +86,15 @@ class MeasuredPlatform {
     return true;
   }
 
+  void keep_cache(bool keep) {
+    Wire::of_machine().cache().keep(keep);
+    if (keep) {
+      a9_model::keep_l2();
+    } else {
+      a9_model::release_l2();
+    }
+  }
+
   [[nodiscard]] std::uint32_t ticks() { return counter_.now(); }
   [[nodiscard]] std::uint32_t ticks_hz() const {
     return InstructionCounter::kInstructionsPerSecond;

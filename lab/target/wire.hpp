@@ -17,6 +17,8 @@ class Wire {
 
   [[nodiscard]] imx6::EnetPort& port() { return port_; }
 
+  [[nodiscard]] imx6::L2Cache& cache() { return cache_; }
+
   // A frame comes, and the one before is done with. Nothing of it is modelled: DMA costs no core
   // anything. False if it is longer than a frame of the port's.
   [[nodiscard]] bool deliver(std::span<const std::byte> frame);

@@ -31,6 +31,7 @@
 #include "hal/ethernet_port.hpp"
 #include "hal/run_number.hpp"
 #include "hal/serial_port.hpp"
+#include "hal/shared_cache.hpp"
 #include "hal/thermometer.hpp"
 #include "hal/watchdog.hpp"
 #include "health/memory_check.hpp"
@@ -134,6 +135,12 @@ class MachinePlatform {
     team_.share(items, work::work_of(timed), beside);
     if (team_.troubles() != before) {
       report_cores(machine_.console(), team_);
+    }
+  }
+
+  void keep_cache(bool keep) {
+    if constexpr (hal::SharedCache<M>) {
+      machine_.keep_cache(keep);
     }
   }
 

@@ -23,6 +23,7 @@
 #include "app/platform.hpp"
 #include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
+#include "hal/shared_cache.hpp"
 #include "health/constants.hpp"
 #include "health/guard.hpp"
 #include "stream/message.hpp"
@@ -62,7 +63,8 @@ class FramePipeline {
         perception_(frame_, vehicle, replayer_ipv4),
         network_(platform, coding),
         sinks_(sinks...),
-        platform_(&platform) {}
+        platform_(&platform),
+        keeps_cache_(!kPerceives && coding == Coding::kShortest) {}
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Sinks&... sinks)
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
@@ -217,6 +219,7 @@ class FramePipeline {
 
   // Neither this function nor the next one is inlined, so that both use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
+    keep_cache(true);
     take_tiles(header);
     if constexpr (kPerceives) {
       perception_.describe(network_.class_end());
@@ -225,6 +228,18 @@ class FramePipeline {
       show_classes();
     }
     for_each_sink([](auto& sink) { sink.end_frame(); });
+    keep_cache(false);
+  }
+
+  // Each tile and its reference are used once per frame. They must not evict what the next frame
+  // uses again: the tables and the kept lines. Raw tiles have no reference, and classes use most of
+  // their data again, so both would only lose (lab/notes/2026-11-29-l2-lockdown.md).
+  void keep_cache(bool keep) {
+    if constexpr (hal::SharedCache<P>) {
+      if (keeps_cache_) {
+        platform_->keep_cache(keep);
+      }
+    }
   }
 
   // Core 0 tracks objects while the other cores encode tiles, sends the tiles while they encode
@@ -285,6 +300,7 @@ class FramePipeline {
   health::Guard behind_network_;
   std::tuple<Sinks&...> sinks_;
   P* platform_;
+  bool keeps_cache_;
   std::uint32_t since_ = 0;
   stream::StageTicks ticks_{};  // of the current frame
 };

@@ -33,6 +33,11 @@ bool L2Cache::start() {
   registers_.prefetch_control.set_bits(R::kPrefetchData | R::kPrefetchInstruction);
   registers_.power_control.set_bits(R::kPowerDynamicClockGating);
   registers_.interrupt_mask.write(0);
+  // A loader may have locked ways.
+  keep(false);
+  for (Pl310Lockdown& lockdown : registers_.lockdown) {
+    lockdown.instruction.write(0);
+  }
 
   registers_.invalidate_by_way.write(R::kAllWays);
   unsigned polls = 0;
@@ -45,6 +50,13 @@ bool L2Cache::start() {
   registers_.control.write(R::kControlEnable);
   machine::barrier();
   return (registers_.control.read() & R::kControlEnable) != 0;
+}
+
+// ARM DDI 0246, 2.3.4 "Cache lockdown": a locked way is still searched, and stores still hit in it.
+void L2Cache::keep(bool keep) {
+  for (Pl310Lockdown& lockdown : registers_.lockdown) {
+    lockdown.data.write(keep ? R::kAllWays & ~R::kOpenWays : 0);
+  }
 }
 
 void L2Cache::drain_stores() {

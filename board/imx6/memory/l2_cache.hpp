@@ -21,6 +21,10 @@ class L2Cache {
   // buffer that only drains under pressure (ARM erratum 769419), until a cache sync asks it to.
   void drain_stores();
 
+  // As hal::SharedCache: two of the 16 ways stay open for data. Lines that are in the cache are
+  // still found in every way, and code may use all ways.
+  void keep(bool keep);
+
  private:
   Pl310Registers& registers_;
 };

@@ -2,11 +2,18 @@
 // vanish.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "registers/register.hpp"
 
 namespace iog::imx6 {
+
+// Lockdown by way (section 3.3.9): a set bit keeps its way from being allocated.
+struct Pl310Lockdown {
+  Rw32 data;
+  Rw32 instruction;
+};
 
 struct Pl310Registers {
   Ro32 cache_id;
@@ -24,13 +31,16 @@ struct Pl310Registers {
   Rw32 invalidate_by_way;
   Gap<0x780, 0x7fc> gap_780;
   Rw32 clean_invalidate_by_way;
-  Gap<0x800, 0xf60> gap_800;
+  Gap<0x800, 0x900> gap_800;
+  std::array<Pl310Lockdown, 8> lockdown;  // by master, if the controller has that option; else 0
+  Gap<0x940, 0xf60> gap_940;
   Rw32 prefetch_control;
   Gap<0xf64, 0xf80> gap_f64;
   Rw32 power_control;
 
   static constexpr std::uint32_t kControlEnable = 1u << 0;
-  static constexpr std::uint32_t kAllWays = 0xffff;  // 16 ways of 64 KiB
+  static constexpr std::uint32_t kAllWays = 0xffff;   // 16 ways of 64 KiB
+  static constexpr std::uint32_t kOpenWays = 0xc000;  // stay open while the others are locked
   static constexpr std::uint32_t kAuxFullLineOfZeros = 1u << 0;
   static constexpr std::uint32_t kAuxExclusive = 1u << 12;
   static constexpr std::uint32_t kAuxSharedOverride = 1u << 22;
@@ -47,6 +57,7 @@ static_assert(offsetof(Pl310Registers, interrupt_mask) == 0x214);
 static_assert(offsetof(Pl310Registers, cache_sync) == 0x730);
 static_assert(offsetof(Pl310Registers, invalidate_by_way) == 0x77c);
 static_assert(offsetof(Pl310Registers, clean_invalidate_by_way) == 0x7fc);
+static_assert(offsetof(Pl310Registers, lockdown) == 0x900);
 static_assert(offsetof(Pl310Registers, prefetch_control) == 0xf60);
 static_assert(offsetof(Pl310Registers, power_control) == 0xf80);
 

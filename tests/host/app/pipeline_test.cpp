@@ -368,7 +368,8 @@ TEST(Pipeline, EverySinkIsGivenEveryFrame) {
   }
 }
 
-// Raw or as short as can be, what arrives is the same.
+// Raw or as short as can be, what arrives is the same. The shared cache keeps what it holds only
+// while references are read, too.
 TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   tests::Random random(82);
   Bench shortest;
@@ -389,6 +390,9 @@ TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
     EXPECT_EQ(shortest.platform.frames[i].end.grid_crc, platform.frames[i].end.grid_crc);
   }
   EXPECT_LT(2 * shortest.platform.tile_messages(), platform.tile_messages());
+  EXPECT_EQ(shortest.platform.kept_messages, std::ssize(shortest.platform.sequences()));
+  EXPECT_EQ(platform.kept_messages, 0);
+  EXPECT_FALSE(shortest.platform.is_cache_kept);
   EXPECT_EQ(shortest.platform.unreadable() + platform.unreadable(), 0);
 }
 

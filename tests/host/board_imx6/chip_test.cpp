@@ -99,11 +99,32 @@ TEST_F(L2, IsConfiguredWhileOffInvalidatedAndThenOn) {
     }
   };
   EXPECT_TRUE(cache_.start());
-  const std::vector<Write> expected = {
-      {0x100, 0},      {0x108, 0x132},       {0x10c, 0x132}, {0x104, 1u << 22},
-      {0xf60, 0},      {0xf60, 0x3000'0000}, {0xf80, 2},     {0x214, 0},
-      {0x77c, 0xffff}, {0x730, 0},           {0x100, 1},
+  std::vector<Write> expected = {
+      {0x100, 0}, {0x108, 0x132},       {0x10c, 0x132}, {0x104, 1u << 22},
+      {0xf60, 0}, {0xf60, 0x3000'0000}, {0xf80, 2},     {0x214, 0},
   };
+  // No way is locked, for any master: a loader may have left other values.
+  for (const std::size_t kind : {0x900u, 0x904u}) {
+    for (std::size_t master = 0; master < 8; ++master) {
+      expected.push_back({kind + 8 * master, 0});
+    }
+  }
+  expected.insert(expected.end(), {{0x77c, 0xffff}, {0x730, 0}, {0x100, 1}});
+  EXPECT_EQ(machine::writes_to(registers_), expected);
+}
+
+// ARM DDI 0246, 3.3.9: a set bit of a data lockdown register keeps data out of its way.
+// Instructions may use all ways.
+TEST_F(L2, KeepsFourteenOfSixteenWaysUntilTold) {
+  recorder.reset();
+  cache_.keep(true);
+  cache_.keep(false);
+  std::vector<Write> expected;
+  for (const std::uint32_t locked : {0x3fffu, 0u}) {
+    for (std::size_t master = 0; master < 8; ++master) {
+      expected.push_back({0x900 + 8 * master, locked});
+    }
+  }
   EXPECT_EQ(machine::writes_to(registers_), expected);
 }
 

@@ -53,6 +53,7 @@ class FakePlatform {
       return false;
     }
     --room_left_;
+    kept_messages += is_cache_kept ? 1 : 0;
     receive(message);
     return true;
   }
@@ -73,7 +74,11 @@ class FakePlatform {
             .link_counters = {11, 12}};
   }
 
+  void keep_cache(bool keep) { is_cache_kept = keep; }
+
   std::uint32_t link_drops = 0;
+  bool is_cache_kept = false;
+  int kept_messages = 0;  // while the cache was kept
 
   void allow_messages(int count) { room_left_ = count; }
   // Of the messages that come now.
