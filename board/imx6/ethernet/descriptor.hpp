@@ -35,10 +35,10 @@ inline constexpr std::uint16_t kLast = 1u << 11;   // L
 inline constexpr std::uint16_t kCrc = 1u << 10;    // TC: the controller appends the FCS
 }  // namespace transmit_flag
 
-// The only way in which a descriptor changes hands. First everything that was stored before, buffer
-// and length included, reaches memory. Then the flags with the owner bit are stored, last of all.
-// Code that wakes the controller afterwards calls drain_stores() once more, so that it finds the
-// bit.
+// How one descriptor changes hands; TransmitRing does the same for several at once. First
+// everything that was stored before, buffer and length included, reaches memory. Then the flags
+// with the owner bit are stored, last of all. Code that wakes the controller afterwards calls
+// drain_stores() once more, so that it finds the bit.
 inline void hand_over(Descriptor& descriptor, std::uint16_t flags_with_owner, L2Cache& cache) {
   cache.drain_stores();
   machine::store(descriptor.flags, flags_with_owner);

@@ -98,7 +98,9 @@ std::span<std::byte> EnetPort::acquire() {
   if (!acquired_.empty()) {
     return acquired_;
   }
-  transmit_ring_.reclaim();
+  if (transmit_ring_.full()) {
+    transmit_ring_.reclaim();
+  }
   if (transmit_ring_.full()) {
     ++counters_.send_refused;
     return {};

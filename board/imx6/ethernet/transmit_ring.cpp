@@ -28,14 +28,17 @@ void TransmitRing::commit(std::size_t bytes) {
 std::size_t TransmitRing::hand_over_queued(std::size_t frames) {
   const std::size_t handed = std::min(frames, queued_);
   std::size_t index = after(next_, descriptors_.size() - queued_);
+  // One drain for all: what these frames stored before reaches memory before any owner bit.
+  if (handed != 0) {
+    cache_.drain_stores();
+  }
   for (std::size_t count = 0; count < handed; ++count) {
     Descriptor& descriptor = descriptors_[index];
     const auto wrap =
         static_cast<std::uint16_t>(machine::load(descriptor.flags) & transmit_flag::kWrap);
-    hand_over(descriptor,
-              static_cast<std::uint16_t>(transmit_flag::kReady | transmit_flag::kLast |
-                                         transmit_flag::kCrc | wrap),
-              cache_);
+    machine::store(descriptor.flags,
+                   static_cast<std::uint16_t>(transmit_flag::kReady | transmit_flag::kLast |
+                                              transmit_flag::kCrc | wrap));
     index = after(index, 1);
   }
   queued_ -= handed;

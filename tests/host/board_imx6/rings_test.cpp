@@ -31,7 +31,7 @@ bool owner_bit_comes_last(std::uint16_t owner, const std::array<Descriptor, kFra
     if (hands_over && !drained) {
       return false;
     }
-    drained = false;
+    drained &= hands_over;  // further owner bits may follow, nothing else
   }
   return true;
 }
