@@ -202,7 +202,9 @@ void fuse(const FuseOptions& options) {
     chosen.offer(std::move(frame));
   });
   std::optional<StreamRecorder> recorder;
-  if (!options.stream.empty()) {
+  if (options.stream.empty()) {
+    assembler.trust();
+  } else {
     recorder.emplace(options.stream);
   }
   const auto on_message = [&](std::span<const std::byte> message) {
@@ -212,7 +214,8 @@ void fuse(const FuseOptions& options) {
     }
   };
   const auto target =
-      std::make_unique<OfflineTarget>(vehicle, on_message, Stopwatch::kRuns, options.run_number);
+      std::make_unique<OfflineTarget>(vehicle, on_message, Stopwatch::kRuns, options.run_number,
+                                      recorder ? app::Coding::kShortest : app::Coding::kRaw);
   if (!options.map.empty()) {
     target->begin_with_map(read_block(options.map));
   }

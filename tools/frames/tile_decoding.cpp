@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 
 #include "tile_coding/bit_stream.hpp"
 #include "tile_coding/symbol_packing.hpp"
@@ -13,7 +14,8 @@ namespace {
 constexpr std::size_t kAgeBytes = 1;
 
 bool decode_raw(std::span<const std::byte> payload, MutableTileCells cells) {
-  if (payload.size() != kTileBytes || std::ranges::find(payload, kNoIndex) != payload.end()) {
+  if (payload.size() != kTileBytes ||
+      std::memchr(payload.data(), std::to_integer<int>(kNoIndex), kTileBytes) != nullptr) {
     return false;
   }
   std::ranges::copy(payload, cells.begin());

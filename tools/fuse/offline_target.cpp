@@ -27,17 +27,18 @@ void demand_fit_for_classes(const vehicle::Vehicle& vehicle) {
 }  // namespace
 
 OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
-                             Stopwatch stopwatch, std::uint32_t run_number)
+                             Stopwatch stopwatch, std::uint32_t run_number, app::Coding coding)
     : vehicle_(&vehicle),
       platform_(std::move(on_message), stopwatch, run_number),
-      pipeline_(pipeline_of(vehicle)) {}
+      pipeline_(pipeline_of(vehicle, coding)) {}
 
-OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& vehicle) {
+OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& vehicle,
+                                                      app::Coding coding) {
   if (!vehicle::have_classes(vehicle.grids)) {
-    return std::make_unique<Indexes>(vehicle, kReplayer, platform_);
+    return std::make_unique<Indexes>(vehicle, kReplayer, platform_, coding);
   }
   demand_fit_for_classes(vehicle);
-  return std::make_unique<Classes>(vehicle, kReplayer, platform_);
+  return std::make_unique<Classes>(vehicle, kReplayer, platform_, coding);
 }
 
 void OfflineTarget::begin_with_map(std::vector<std::uint8_t> block) {

@@ -70,10 +70,12 @@ class OfflineTarget {
   // somebody gives it another.
   static constexpr std::uint32_t kRunNumber = 1;
 
-  // vehicle outlives the target. on_message is called for each message that it would send.
-  // UsageError, with the reason, if the vehicle asks for classes and can have none.
+  // vehicle outlives the target. on_message is called for each message that it would send. With raw
+  // coding, the messages are longer than those of a target, but contain the same frames, and cost
+  // less. UsageError, with the reason, if the vehicle asks for classes and can have none.
   OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_message,
-                Stopwatch stopwatch = Stopwatch::kRuns, std::uint32_t run_number = kRunNumber);
+                Stopwatch stopwatch = Stopwatch::kRuns, std::uint32_t run_number = kRunNumber,
+                app::Coding coding = app::Coding::kShortest);
   OfflineTarget(const OfflineTarget&) = delete;
   OfflineTarget& operator=(const OfflineTarget&) = delete;
 
@@ -113,7 +115,7 @@ class OfflineTarget {
 
   // As its replayer sends it. The capture's datagram outlives it.
   [[nodiscard]] static intake::Datagram datagram_of(const CapturedDatagram& captured);
-  [[nodiscard]] AnyPipeline pipeline_of(const vehicle::Vehicle& vehicle);
+  [[nodiscard]] AnyPipeline pipeline_of(const vehicle::Vehicle& vehicle, app::Coding coding);
   [[nodiscard]] std::uint64_t deadline_us() const;
   void close_overdue();
 

@@ -121,6 +121,7 @@ std::string slices_of_other_pose(const ClassRecord& received, const ClassRecord&
 
 ClassRecord class_record_of(const GridFrame& frame, std::uint32_t frames_of_time) {
   const ClassGrid& classes = *frame.classes;
+  const bool is_verified = classes.is_whole() && !classes.is_damaged;
   return {.number = frame.evidence_number,
           .stamp_us = classes.window.slices_end_us,
           .slices = classes.window.slices,
@@ -130,7 +131,7 @@ ClassRecord class_record_of(const GridFrame& frame, std::uint32_t frames_of_time
           .corner_a = classes.window.corner_a,
           .corner_b = classes.window.corner_b,
           .tiles = static_cast<std::uint32_t>(classes.known_tiles.count()),
-          .class_crc = class_crc_of(classes),
+          .class_crc = is_verified ? classes.end.classes_crc : class_crc_of(classes),
           .frames_of_time = frames_of_time,
           .poses_used = classes.end.pose_fates[static_cast<std::size_t>(pose::Fate::kUsed)],
           .slice_poses = slice_poses_of(classes)};

@@ -72,13 +72,14 @@ FrameRecord record_of(const GridFrame& frame) {
       packets.push_back(sensor.packets);
     }
   }
+  const bool is_verified = frame.header.has_indexes() && frame.is_whole() && !frame.is_damaged;
   return {.number = frame.evidence_number,
           .complete_sensors = frame.header.complete_sensors,
           .partial_sensors = frame.header.partial_sensors,
           .packets = std::move(packets),
           .points_used = frame.header.points_used,
           .tiles = frame.tiles,
-          .grid_crc = grid_crc_of(frame),
+          .grid_crc = is_verified ? frame.end.grid_crc : grid_crc_of(frame),
           .is_timed_out = (frame.header.flags & stream::kFlagTimedOut) != 0,
           .is_too_slow = frame.has_end && points_not_taken(frame.end) > 0};
 }
