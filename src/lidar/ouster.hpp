@@ -161,8 +161,8 @@ class OusterDecoder : public OusterPacket {
 
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
-  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
-  // unit's corrections. There is one correction for each row. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
+  // unit's corrections exist. There is one correction for each row. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType: another type of packet, or the
   // times between columns do not match the unit's mode. kWrongAngle: a column number is too high or
   // contradicts its encoder, or the columns are not consecutive. kWrongPoint: nothing was measured.

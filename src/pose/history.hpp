@@ -29,7 +29,8 @@ namespace iog::pose {
 // The pose at a time, or the reason why there is no pose.
 struct Placed {
   Cause cause = Cause::kLost;
-  // Valid if the cause is kNone. Otherwise the pose is zero, and its deviations are unknown.
+  // Valid if the cause is kNone. Otherwise the pose is zero, and its standard deviations are
+  // unknown.
   Pose pose{};
   Sigma sigma{};  // the larger values of the two messages between which the pose is interpolated
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
