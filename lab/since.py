@@ -105,4 +105,4 @@ def sentence() -> str:
         return ""
     words = {frame.run: frame.words for frame in FRAMES}
     changes = [f"{words[run]} {change(run, int(value)):+.1%}" for run, _, value in rows]
-    return f"Instructions have changed since (at {rows[0][1]}): {'; '.join(changes)}."
+    return f"Instruction counts have changed since then (at {rows[0][1]}): {'; '.join(changes)}."

@@ -22,7 +22,7 @@ inline constexpr int kDecayFraction = 31;
 // The factor 1, which means no decay.
 inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 
-// Indexed by the bit number of a time in ms.
+// Entry j is the factor for bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
 // Returns 1 / tau, given the fraction that is left after 100 ms. Kurdej 2015, table 7.1, specifies

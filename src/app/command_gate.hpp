@@ -41,7 +41,7 @@ class CommandGate {
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // The key of an enabled gate. The reference is valid as long as the gate exists.
+  // The key of an enabled gate. The reference is valid while the gate exists.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
   // Returns the datagram for the pipeline, valid until the next call, or nothing if the datagram is

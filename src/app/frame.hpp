@@ -6,11 +6,11 @@
 // sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes first.
 // If nothing arrives, an empty frame ends every two periods, so that missing data is reported.
 //
-// One core fuses each packet on arrival. A dense lidar may send more than one core can process.
-// With several cores, packets are therefore buffered until there is a part for each core. The parts
-// are fused in a round while the next packets arrive, and they are joined when the frame ends
-// (fusion/shared_fusion.hpp). The resulting bytes are the same. If the frame has classes, all
-// packets are buffered until the frame ends (app/perception_engine.hpp).
+// One core fuses each packet on arrival. A dense lidar may send more points than one core can
+// process. With several cores, its packets are therefore buffered until there is a part for each
+// core. The parts are fused in a round while the next packets arrive, and they are joined when the
+// frame ends (fusion/shared_fusion.hpp). The resulting grid is the same. If the frame has classes,
+// all packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
 
 #include <array>
@@ -118,7 +118,7 @@ class Frame {
   }
   void end_fusion() { fusion_.end_frame(intake_); }
 
-  // Fills in the frame's fields of the header and of the end message.
+  // Fills in the frame's fields in the header and in the end message.
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
 
   // The same as SharedFusion::release().

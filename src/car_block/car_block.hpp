@@ -63,7 +63,7 @@ struct Verdict {
 };
 
 // Reads and checks a whole car. grids: the grids of the firmware. `vehicle` refers to the block and
-// to `memory`. Do not use it unless the result is kNone.
+// to `memory`, which must outlive it. Use it only if the result is kNone.
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 

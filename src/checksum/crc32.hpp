@@ -38,8 +38,8 @@ class FastCrc32 {
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 
-// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It identifies grids and cars,
-// because any tool can compute it.
+// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It is used to identify grids
+// and cars, because any tool can compute it.
 using Crc32 = FastCrc32<0x04C11DB7>;
 
 // CRC-32/AUTOSAR: check value of "123456789" 0x1697D06A (AUTOSAR SWS CRCLibrary, CRC-32/P4).

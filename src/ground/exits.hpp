@@ -1,9 +1,9 @@
 // The exit ranges of each sector and layer. They give the distance over which a beam stays between
-// the two height limits over the ground. A beam can free cells only up to its exit range
+// the two height limits above the ground. A beam can free cells only up to its exit range
 // (docs/ground.md, "What is freed").
 //
 // A beam that starts between the limits leaves them either below, where it comes too close to the
-// ground, or above, where it is too high over the ground. Among the beams that leave below, a
+// ground, or above, where it is too high above the ground. Among the beams that leave below, a
 // higher elevation means a later exit. Among the beams that leave above, a higher elevation means
 // an earlier exit. One outward sweep on each side is therefore enough to find the exits of all
 // layers of a sector. Each sweep produces a sorted list, and merging the two lists sorts the layers

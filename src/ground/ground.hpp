@@ -49,8 +49,8 @@ class Ground {
   // The exit ranges of the beams. Valid only for sensors whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
-  // The part of a beam that is low enough to open ground, given by distances along its line. It is
-  // the whole line if beams at any height open ground. If the sensor's layers share lines, the part
+  // The part of a beam that is low enough to open cells, given by distances along its line. It is
+  // the whole line if beams at any height open cells. If the sensor's layers share lines, the part
   // ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
@@ -65,9 +65,9 @@ class Ground {
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // A return is tall if it is at least this high over the highest ground nearby. A bank that begins
-  // within one or two bins is therefore not tall over the ground in front of it. If it is 0, every
-  // return is tall.
+  // A return is tall if it is at least this high above the highest ground nearby. A bank that
+  // begins within one or two bins is therefore not tall relative to the ground in front of it. If
+  // the value is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
   // The tilt of the car as measured by one packet of the sensor. Packet must have
@@ -128,8 +128,8 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // Adds a return to the lows and classifies it by its height over the ground. An obstacle has the
-  // outcome kUsed. z_mm: the height of the return over the car's plane.
+  // Adds a return to the lows and classifies it by its height above the ground. An obstacle has the
+  // outcome kUsed. z_mm: the height of the return above the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;

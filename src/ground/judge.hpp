@@ -1,11 +1,11 @@
-// Classifies a return by its height over the ground.
+// Classifies a return by its height above the ground.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::ground {
 
-// A return between these heights over the ground is an obstacle. Both limits are included.
+// A return between these heights above the ground is an obstacle. Both limits are included.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;
@@ -17,7 +17,7 @@ inline constexpr std::int32_t kUnderMm = 400;
 enum class Kind : std::uint8_t {
   kGround,
   kObstacle,
-  kOverhang,  // high enough over the ground that the car can drive under it
+  kOverhang,  // high enough above the ground that the car can drive under it
   kUnder,     // below the surface by more than kUnderMm
 };
 

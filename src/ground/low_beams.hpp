@@ -1,15 +1,15 @@
-// The part of each beam that is close to the ground. Only low beams open ground. A hit counts as
-// moving only where a low beam has freed the cell before (docs/perception.md, section 4).
+// The part of each beam that is close to the ground. Only low beams open a cell to motion: a hit
+// counts as moving only if a low beam has freed its cell before (docs/perception.md, section 4).
 //
 // The height of the ground below a beam is known only per bin. On a bank that rises from one bin to
 // the next, a beam would therefore appear low over both the foot and the top. A hit in between
 // would then look like motion. For this reason, the height of a beam is measured from the lowest
 // ground nearby. The height of a tall return is measured from the highest ground nearby.
 //
-// A beam opens no ground where its height over the ground is less than MovedLimits::kUnderCarsMm.
-// It may pass under a parked car there while the next beam hits the body of the car. If the sensor
-// itself is mounted no higher than this over the car's plane, it has no other beams, so its beams
-// do open ground.
+// A beam opens no cells where it is less than MovedLimits::kUnderCarsMm above the ground. There it
+// may pass under a parked car, and the next beam may hit the body of this car. If the sensor is
+// mounted no higher than this above the car's plane, it has no higher beams, so all its low beams
+// open cells.
 #pragma once
 
 #include <array>

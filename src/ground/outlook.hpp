@@ -1,12 +1,11 @@
-// Computes where the beams of a sector exceed a height limit over the ground.
+// Computes where the beams of a sector exceed a height limit above the ground.
 //
 // Ranges: The room of a beam is its height difference from the limit. Heights are in units of 2^-14
 // mm, so a slope in units of 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is
 // at most 2^37: 64 bins of 2^31 each, plus 2^17 mm. Within a bin the room changes by less than
 // 2^32: 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. The divisor therefore has 32 bits, and
-// the dividend is below 2^32 times half a bin. Consider a beam that rises by at most 2^24 per bin,
-// which is a slope of 1, or 1/2 in long bins. Its room is at most 64 times 2^24 plus 2^16 mm, which
-// fits in one word.
+// the dividend is below 2^32 times half a bin. If a beam rises by at most 2^24 per bin (a slope of
+// 1, or 1/2 in long bins), its room is at most 64 times 2^24 plus 2^16 mm and fits in one word.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +22,8 @@ namespace iog::ground {
 // The side on which beams exceed the limits.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// The ground of a sector for beams that leave on one side. Call leave() for the beams in the order
-// in which they leave.
+// The ground of a sector for beams that exceed the limit on one side. Call leave() once for each
+// beam, in the order in which the beams exceed the limit.
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)

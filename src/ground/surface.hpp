@@ -30,8 +30,8 @@ class Surface {
     kKept,  // returns of an earlier turn
   };
 
-  // Converts a return's height over the car's plane to its height over the ground. Beyond the last
-  // bin the ground continues with that bin's slope for kBeyondMm.
+  // Converts a return's height above the car's plane to its height above the ground. Beyond the
+  // last bin the ground continues with that bin's slope for kBeyondMm.
   //
   // Range: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
   // 2^14, so their product is at most 2^30. |z_mm| <= 2^20 keeps the result below 2^21.

@@ -3,17 +3,17 @@
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
-// the slope. The first ground of a sector must also be near the car's plane, or hardly higher than
-// the surface of the last turn. A return far below the prediction is also ground. In that case, the
-// supposed ground before it was an object. A lowest return is also ground if it is hardly higher
-// than the lowest return in the nearest adjacent sectors. A bin without ground of its own uses the
-// ground of the adjacent sectors if their heights fit. Otherwise its ground is interpolated between
-// the nearest bins with ground.
+// the slope. The first ground of a sector must also be near the car's plane, or not much higher
+// than the surface of the last turn. A lowest return far below the prediction is always ground,
+// because the supposed ground before it must have been an object. A lowest return is also ground if
+// it is not much higher than the lowest return in the nearest adjacent sectors. A bin without
+// ground of its own uses the ground of the adjacent sectors if their heights fit. Otherwise its
+// ground is interpolated between the nearest bins with ground.
 //
 // Each height is the median of three sectors, which suppresses a mirror image under the road. In
-// addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. A
-// return that is more than this plus Limits::low_mm above the lowest return is therefore never
-// classified as ground, whatever other returns were received, real or forged.
+// addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. Other
+// returns, real or forged, can therefore never hide a return whose height above the bin's lowest
+// return exceeds 150 mm + Limits::low_mm. It is never classified as ground.
 //
 // All sectors are processed in parallel, eight per register. A ring contains one bin of every
 // sector.
@@ -29,7 +29,7 @@
 
 namespace iog::ground {
 
-// The maximum height of the surface over the lowest plausible return of a bin.
+// The maximum height of the surface above the lowest plausible return of a bin.
 inline constexpr std::int32_t kMostOverLowestMm = 150;
 
 class SurfaceWalk {

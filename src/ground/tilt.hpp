@@ -2,7 +2,7 @@
 //
 // The surface comes from the previous turn. Braking and bumps tilt the car by up to one degree per
 // turn, which is 0.35 m at a distance of 20 m. Therefore a straight line is fitted to the packet's
-// returns that lie near the sensor and near the ground. The line gives the height over the surface
+// returns that lie near the sensor and near the ground. The line gives the height above the surface
 // as a function of distance. A packet covers a narrow sector, in which pitch and roll appear as a
 // single slope. The result depends only on the returns of the packet and on the surface.
 #pragma once
@@ -28,7 +28,7 @@ struct Tilt {
 // A return whose distance is at least kFirstSampleMm and less than kEndOfSamplesMm.
 struct Sample {
   std::uint16_t along_16_mm = 0;  // distance in units of 16 mm, rounded down
-  std::int16_t height_mm = 0;     // height over the surface
+  std::int16_t height_mm = 0;     // height above the surface
 
   [[nodiscard]] constexpr std::uint32_t along_mm() const { return along_16_mm * 16U; }
 };
@@ -40,7 +40,7 @@ class Samples {
  public:
   static constexpr std::size_t kMost = 128;
 
-  // height_mm: the height over the surface. Returns outside the range of a Sample are ignored.
+  // height_mm: the height above the surface. Returns outside the range of a Sample are ignored.
   void add(std::uint32_t along_mm, std::int32_t height_mm);
   [[nodiscard]] std::span<const Sample> all() const { return std::span(samples_).first(count_); }
 

@@ -4,19 +4,21 @@
 // expected:
 //
 // - ground: sectors of a spinning lidar with ground beams. Ground beams meet the car's plane within
-//   20 m and with a slope of at least 1 in 16. A turn blocks the sector if both of these conditions
-//   hold. First, less than one sixteenth of its ground beams cause a return. Second, less than one
-//   sixteenth of all its beams cause a return, or at least one quarter of its ground beams
-//   previously did. The latter is a running mean, updated by 1/32 per turn. The sector opens after
-//   three turns in which one eighth of its ground beams, or else of all its beams, cause a return.
+//   20 m and with a slope of at least 1 in 16. A turn blocks the sector if less than one sixteenth
+//   of its ground beams have a return, and one of two conditions holds: less than one sixteenth of
+//   all its beams have a return, or at least one quarter of its ground beams previously had one.
+//   The latter fraction is a running mean, updated by 1/32 per turn. The sector opens after three
+//   turns in which one eighth of its ground beams, or else of all its beams, cause a return.
 // - sky: the other sectors of a spinning lidar. They are blocked while all its ground sectors are
 //   blocked.
 // - level: sectors of a unit that does not spin or has no ground beams, if one of their beams meets
-//   the car's plane within the unit's range. 32 scans without a return block the sector, and two
-//   scans with a return open it. Three scans without any return block all sectors of the unit.
-// - open: all sectors of a unit no beam of which meets the car's plane within its range, such as a
-//   level 2D scanner. Only the beams that return something are judged. 32 scans in which less than
-//   one sixteenth of them are returns block the sector, and two other scans open it.
+//   the car's plane within the unit's range. The sector is blocked after 32 scans without a return,
+//   and opens after two scans with a return. After three scans without any return, all sectors of
+//   the unit are blocked.
+// - open: all sectors of a unit whose beams never meet the car's plane within its range, such as a
+//   level 2D scanner. Only beams with any echo are judged. The sector is blocked after 32 scans in
+//   which less than one sixteenth of these echoes count as returns, and opens after two other
+//   scans.
 //
 // Returns closer than the sensor's minimum range are ignored. So are returns that the sensor flags
 // as dirt or rain. Only whole turns and scans are judged. They are sums over packets, so the order

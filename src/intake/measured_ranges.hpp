@@ -3,10 +3,10 @@
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. It measures the same range twice in 41 of 100 cases. The
-// probability that two packets agree in all of 64 or more ranges is therefore 10^-24. With 16 rows,
-// 32 ranges may be enough, and the probability is 10^-12. All other units either have a resolution
-// of 5 mm or better, or are noisier than the Ouster. Two of their ranges agree in at most 27 of 100
-// cases, and the probability that 32 ranges agree is 10^-18.
+// probability that two packets agree in every one of at least 64 ranges is therefore at most
+// 10^-24. With 16 rows, a hash may cover only 32 ranges, and the probability is 10^-12. All other
+// units either have a resolution of 5 mm or better, or are noisier than the Ouster. Two of their
+// ranges agree in at most 27 of 100 cases, and the probability that 32 ranges agree is 10^-18.
 #pragma once
 
 #include <array>
@@ -82,8 +82,8 @@ class FrozenWatch {
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 
   // True if a packet with this hash is frozen, which means that it repeats earlier ranges. A packet
-  // without a hash is frozen if its unit is frozen. A unit is frozen after a frame in which it
-  // repeated packets and sent no new ones.
+  // without a hash counts as frozen if its unit is frozen. A unit is frozen after a frame in which
+  // it repeated packets and sent no new ones.
   [[nodiscard]] bool is_frozen(std::uint64_t digest) const {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }

@@ -62,7 +62,7 @@ class Packet {
     with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
   }
 
-  // Does the same for the points of a sampling of a spinning unit (lidar/sampling.hpp).
+  // Does the same for the sampled points of a spinning unit (lidar/sampling.hpp).
   template <typename Visit>
   void for_each_sample(const lidar::Sampling& sampling, Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -73,7 +73,7 @@ class Packet {
   }
 
   // Calls visit(std::uint32_t) for raw ranges of a valid packet and returns visit. For a spinning
-  // unit these are the ranges of a sampling; for other units they are all ranges.
+  // unit these are the ranges of the sampled points; for other units they are all ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {

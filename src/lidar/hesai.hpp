@@ -156,8 +156,8 @@ class HesaiDecoder : public HesaiPacket {
     return kUnit.blocks * kUnit.lasers;
   }
 
-  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
-  // corrections. There is one correction for each laser, or none. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
+  // corrections exist. There is one correction for each laser, or none. Returns kOk, kWrongLength,
   // kWrongType or kWrongAngle.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
@@ -174,7 +174,8 @@ class HesaiDecoder : public HesaiPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Requires decode() == kOk.
+  // Calls visit(const ScanPoint&) for the first echo of each sampled beam. Requires decode() ==
+  // kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     for_each_place(sampling, [&](std::size_t block, std::uint8_t layer) {
@@ -182,7 +183,7 @@ class HesaiDecoder : public HesaiPacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the raw ranges of a sampling, and returns visit. Requires
+  // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit. Requires
   // decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
@@ -193,7 +194,7 @@ class HesaiDecoder : public HesaiPacket {
   }
 
  private:
-  // Calls visit(block, layer) for each point of a sampling.
+  // Calls visit(block, layer) for each sampled point.
   template <typename Visit>
   void for_each_place(const Sampling& sampling, Visit&& visit) const {
     const std::size_t echoes = is_dual() ? 2 : 1;

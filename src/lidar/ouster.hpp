@@ -161,8 +161,8 @@ class OusterDecoder : public OusterPacket {
 
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
-  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
-  // unit's corrections. There is one correction for each row. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
+  // unit's corrections exist. There is one correction for each row. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType: another type of packet, or the
   // times between columns do not match the unit's mode. kWrongAngle: a column number is too high or
   // contradicts its encoder, or the columns are not consecutive. kWrongPoint: nothing was measured.
@@ -180,7 +180,7 @@ class OusterDecoder : public OusterPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling in the measured columns.
+  // Calls visit(const ScanPoint&) for the first echo of each sampled beam in the measured columns.
   // Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
@@ -190,8 +190,8 @@ class OusterDecoder : public OusterPacket {
                    });
   }
 
-  // Calls visit(std::uint32_t) for the ranges of a sampling before the unit's corrections, and
-  // returns visit. Requires decode() == kOk.
+  // Calls visit(std::uint32_t) for the range of each sampled point before the unit's corrections,
+  // and returns visit. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_pixel(sampling, [&](std::span<const std::byte> pixel, std::size_t /*column*/,
@@ -200,7 +200,7 @@ class OusterDecoder : public OusterPacket {
   }
 
  private:
-  // Calls visit(pixel, column, row) for each point of a sampling.
+  // Calls visit(pixel, column, row) for each sampled point.
   template <typename Visit>
   void for_each_pixel(const Sampling& sampling, Visit&& visit) const {
     sampling.for_each_firing(end_column() - first_column(), [&](std::size_t firing) {

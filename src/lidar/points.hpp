@@ -141,8 +141,8 @@ class PointsDecoder : public PointsPacket {
   static constexpr bool kTurns = kHeadTurns;
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
-  // Checks the datagram and keeps a view of it. The view is valid as long as the datagram and the
-  // unit's elevations. There is one elevation for each layer. Returns kOk, kWrongLength,
+  // Checks the datagram and keeps a view of it. The view is valid only while the datagram and the
+  // unit's elevations exist. There is one elevation for each layer. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle or kWrongPoint. kWrongLength: the length differs from the length in the
   // header or exceeds the maximum, or the unit has no layers. kWrongType: another magic number or
   // version, or unknown flags. kWrongAngle: a sector of more than a turn, or a datagram number that
@@ -162,9 +162,9 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for each first echo in the layers of a sampling. It uses all
-  // firings, because a datagram contains only a few. In a datagram with x, y and z, it reads only
-  // every third point, because each direction has to be computed. Requires decode() == kOk.
+  // Calls visit(const ScanPoint&) for each first echo in the sampled layers. It uses all firings,
+  // because a datagram contains only a few. In a datagram with x, y and z, it reads only every
+  // third point, because each direction has to be computed. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};

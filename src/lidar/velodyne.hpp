@@ -3,8 +3,8 @@
 //
 // One datagram has 1206 bytes and is little endian. It contains 12 blocks, each with a flag, an
 // azimuth and 32 ranges, and then time, return mode and product (docs/spec.md). Units differ in the
-// lasers of a block, in the firing time of each laser and in the unit of range. These properties
-// are described by VelodyneUnit, from which the compiler generates a decoder.
+// lasers of a block, in the firing time of each laser and in the unit of range. VelodyneUnit
+// describes these properties, and the compiler generates a decoder from it.
 #pragma once
 
 #include <array>
@@ -166,8 +166,8 @@ class VelodyneDecoder : public VelodynePacket {
 
   [[nodiscard]] static constexpr const VelodyneUnit& unit() { return kUnit; }
 
-  // Checks the packet and keeps a view of it. The view is valid as long as the datagram and the
-  // corrections. There is one correction for each layer, or none. Returns kOk, kWrongLength,
+  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
+  // corrections exist. There is one correction for each layer, or none. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle or kOtherUnit.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
@@ -185,7 +185,8 @@ class VelodyneDecoder : public VelodynePacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for the first echoes of a sampling. Requires decode() == kOk.
+  // Calls visit(const ScanPoint&) for the first echo of each sampled beam. Requires decode() ==
+  // kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     Turns turns;
@@ -197,7 +198,7 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the raw ranges of a sampling, and returns visit as
+  // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit as
   // std::for_each() does. This keeps counters inside visit in registers. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
@@ -208,8 +209,8 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
  private:
-  // Calls visit(first block of the firing, bank, channel) for each point of a sampling. A block
-  // contains one firing, a part of a firing, or several firings. Each echo has its own blocks.
+  // Calls visit(first block of the firing, bank, channel) for each sampled point. A block contains
+  // one firing, a part of a firing, or several firings. Each echo has its own blocks.
   template <typename Visit>
   void for_each_place(const Sampling& sampling, Visit&& visit) const {
     constexpr std::size_t kFirings = kLayers < kPointsPerBlock ? kPointsPerBlock / kLayers : 1;

@@ -72,7 +72,7 @@ struct DecodedChunk {
   Chunk chunk{};                // only if the chunk is valid; refers to the datagram
 };
 
-// Accepts any bytes. The outcome is kTaken or kTooShort ... kOutOfRange.
+// Accepts any bytes. The outcome is kTaken, or one of the values from kTooShort to kOutOfRange.
 [[nodiscard]] DecodedChunk decode_chunk(std::span<const std::byte> datagram);
 
 }  // namespace iog::map

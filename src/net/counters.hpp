@@ -13,8 +13,8 @@
 
 namespace iog::net {
 
-// The reason for which a received frame was dropped. If several reasons apply to a frame, only the
-// first one is counted.
+// The reason why a received frame was dropped. If several reasons apply to a frame, only the first
+// one is counted.
 enum class Drop : std::uint8_t {
   kShort,            // shorter than an Ethernet header
   kNotForUsMac,      // destination is neither our Ethernet address nor broadcast nor our group
@@ -38,7 +38,7 @@ enum class Drop : std::uint8_t {
 };
 inline constexpr std::size_t kDropCauses = 19;
 
-// The reason for which a message was not sent.
+// The reason why a message was not sent.
 enum class Refusal : std::uint8_t {
   kUnresolved,  // the peer's Ethernet address is not known yet
   kRingFull,    // no transmit buffer is free

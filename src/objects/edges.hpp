@@ -1,4 +1,4 @@
-// The ends of a track's hits along and across the track's box.
+// The extent of a track's hits along and across the track's box.
 #pragma once
 
 #include <array>

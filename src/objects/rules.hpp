@@ -43,7 +43,7 @@ inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
 // The gate of a track. The track takes hits up to this distance outside its box. This distance is
-// increased by twice the deviation of the track's position, up to the limits below.
+// increased by twice the standard deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -109,7 +109,7 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// Applies to a moving track, because the deviation is 0.7 m/s with a 10 Hz scanner.
+// Applies to a moving track, because the standard deviation is 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
 // Applies to a track that is certainly a car. The speed must also exceed one standard deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
@@ -213,7 +213,7 @@ inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // all other tracks
 inline constexpr std::int32_t kNoThingMm = 20'000;
 inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // no road user is wider than this
 
-// Parameters of the reported deviation of a velocity (objects/stated.hpp).
+// Parameters of the reported standard deviation of a velocity (objects/stated.hpp).
 inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;

@@ -1,9 +1,9 @@
 // Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
 // stationary objects.
 //
-// Where only low beams open ground (perception/opening.hpp), a hit is considered only if a low beam
-// has freed its cell and there is a tall return at most Rules::tall_within cells away. Objects that
-// are so low that beams pass over them are never classified as moving.
+// If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
+// beam has freed its cell and a tall return lies within Rules::tall_within cells. Objects so low
+// that beams pass over them are therefore never classified as moving.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
 // the 3 by 3 cells around the hit is standing. A hit is *new* if its cell is open and freed, and

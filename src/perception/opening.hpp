@@ -1,16 +1,16 @@
-// Only low beams open ground.
+// Free-space gating: only low beams open cells to motion.
 //
 // A beam frees every cell that it crosses within the height band. This includes cells above a
 // bonnet, a verge or a kerb, and cells seen through the windows of a parked car. If a later beam
 // hits such a cell, the hit is at a different height, and nothing has moved. The car file therefore
-// specifies two heights for each sensor: the maximum height of a beam that opens ground (low_mm),
+// specifies two heights for each sensor: the maximum height of a beam that opens cells (low_mm),
 // and the minimum height of a moving object (tall_mm). The following rules apply:
 //
 //   1. A hit can indicate motion only on ground that a low beam has freed before, and only near a
 //      tall return (arrivals.hpp).
 //   2. If sensors look over objects, only low beams can free occupied cells. Other beams have no
 //      effect on such a cell.
-//   3. Ground becomes open and dense only where a low beam has freed it.
+//   3. A cell becomes open ground or dense ground only if a low beam has freed it.
 //
 // Tile::from_below stores whether a low beam has freed a cell. The bit is set when a low beam frees
 // the cell, and cleared when a standing object is hit there. All conditions refer to the state

@@ -36,7 +36,7 @@ struct Rules {
   // The masses for each index, in static storage. If it is null, all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
-  // Whether only low beams open ground (perception/opening.hpp). The value is true if low_mm and
+  // Whether only low beams open cells (perception/opening.hpp). The value is true if low_mm and
   // tall_mm are specified for any sensor.
   bool is_opened_from_below = false;
   // Whether only low beams free occupied cells. This applies only if is_opened_from_below is true.

@@ -22,14 +22,14 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
-// Whether a known tile has a standing cell outside its two outermost columns on each side. If it
-// returns false, all counts of standing_counts() are 0.
+// Whether a known tile has a standing cell in any column except the two outermost on each side. If
+// this function returns false, all counts of standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
 // Counts the cells of a known tile. The outermost two rows and columns are ignored, because cells
 // near them may belong to another tile. `hit` contains the cells with hits, and `crossed` the cells
-// that beams crossed. Where only low beams open ground (perception/opening.hpp), `crossed` contains
-// only cells that low beams crossed, because other beams pass over standing objects.
+// that beams crossed. If only low beams can open a cell (perception/opening.hpp), `crossed`
+// contains only cells that low beams crossed, because other beams pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed);
 

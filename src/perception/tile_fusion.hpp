@@ -31,7 +31,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // Takes as many of these groups as the budget allows, and returns their numbers.
+  // Takes as many of these groups as the budget allows, and returns how many it took of each kind.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};

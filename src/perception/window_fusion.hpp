@@ -2,7 +2,7 @@
 //
 // In each frame, the window first follows the vehicle, then slices are added, and finally the frame
 // is finished in these steps:
-//   1. Lookups of neighbours use the state before the frame. Where only low beams open ground
+//   1. Lookups of neighbours use the state before the frame. If only low beams open cells
 //      (perception/opening.hpp), evidence without effect is removed.
 //   2. Groups with evidence are aged, fused and classified.
 //   3. Tiles whose slot plus frame number is a multiple of 8 are refreshed: their other groups

@@ -1,4 +1,4 @@
-// The poses of the last second, which can be interpolated at any time in this second.
+// Stores the poses of the last second and interpolates the pose at any time within this second.
 //
 // Times are in us on the clock of the pose source, unless they are stated to be on the target's
 // clock. Messages must arrive in the order of the source's clock. A message that is not newer than
@@ -29,7 +29,8 @@ namespace iog::pose {
 // The pose at a time, or the reason why there is no pose.
 struct Placed {
   Cause cause = Cause::kLost;
-  // Valid if the cause is kNone. Otherwise the pose is zero, and its deviations are unknown.
+  // Valid if the cause is kNone. Otherwise the pose is zero, and its standard deviations are
+  // unknown.
   Pose pose{};
   Sigma sigma{};  // the larger values of the two messages between which the pose is interpolated
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
@@ -78,7 +79,7 @@ class History {
   // a message. Empty if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Incremented at each break. Data registered in an earlier epoch is now unknown.
+  // Incremented at each break. Data registered in an earlier epoch has lost its position.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
   // Whether a message of this run differs from the run's first message by a jump in position or

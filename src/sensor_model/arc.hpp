@@ -17,9 +17,9 @@
 // objects and around corners, and it does not report every object (docs/model.md, section 10).
 //
 // An ultrasonic sensor measures no direction, so the Gaussian represents its cone. The sensor
-// reports only the first echo. It detects an object in its cone with probability h. Consider a cell
-// in front of the target from which no echo was received. With a prior of 1/2 it is therefore
-// occupied with
+// reports only the first echo, and it detects an object in its cone with probability h. A cell in
+// front of the target has returned no echo. With a prior of 1/2, the probability that this cell is
+// occupied is therefore
 //
 //   P(o | z) = (1 - h) / (2 - h)
 //
@@ -57,8 +57,8 @@ struct Arc {
   // True if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // The maximum offset from the detection's azimuth, in whole ticks, that lies in one of these
-  // cells.
+  // The maximum offset from the detection's azimuth that lies in one of these cells, in whole
+  // ticks.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }

@@ -1,5 +1,5 @@
-// Divides a tile into runs, in row-major order. A run either equals a reference tile or has a
-// single value.
+// Divides a tile into runs, in row-major order. A run either matches the reference tile or repeats
+// a single value.
 //
 // A *stretch* consists of the cells between two changes of value. A run with a value starts at the
 // first cell of a stretch that differs from the reference, and ends at the end of the stretch. All

@@ -25,8 +25,8 @@
 // upper word of its product with the slope is used, so the result for each axis is in units of
 // 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14 borders.
 // base and the product are each too small by less than one unit. slope is too small by less than 2
-// units of 2^-32 borders per millimetre. In total this is less than 2^19 of these units, or 2 units
-// of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
+// units of 2^-32 borders per millimetre. In total this is less than 2^19 units of 2^-32 borders, or
+// 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
 // Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31 and base <= 2^32. A line of L < 2^18 mm crosses
 // fewer than 2^17 borders of an axis.

@@ -88,7 +88,7 @@ class Evidence {
     return its;
   }
 
-  // carves() is true if the beam carves. The other function is true if the point adds a hit.
+  // carves() returns whether the beam carves. marks() returns whether the point adds a hit.
   [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
   [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
   [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
