@@ -55,6 +55,11 @@ class Board {
   void end_run(hal::End end, std::string_view words);
   hal::RunBefore run_before() const { return boot_.before; }
 
+  // What the check of memory looks at beside the image: what the MMU walks, and guards around the
+  // rings of the Ethernet controller.
+  std::span<const std::byte> translation_tables() const;
+  std::array<health::Guard*, 5> ring_guards() const;
+
   // As hal::Thermometer.
   std::int16_t temperature_dc() { return thermometer_.read_dc(); }
 
@@ -85,3 +90,8 @@ class Board {
 };
 
 }  // namespace iog::imx6
+
+namespace iog::board {
+using imx6::Board;
+using imx6::MacAddress;
+}  // namespace iog::board

@@ -18,7 +18,7 @@
 namespace {
 
 using iog::imx6::Board;
-using iog::imx6::TextLine;
+using iog::board::TextLine;
 using iog::work::Loss;
 
 // Under counted instructions the cores run in turns of 100 ms, and one that hangs takes all of its
@@ -69,7 +69,7 @@ class Pile {
   // Every core gets an item.
   void wait_for_all() const {
     while (std::popcount(begun_.load(std::memory_order_relaxed)) < static_cast<int>(cores_)) {
-      iog::imx6::machine::yield();
+      iog::machine::yield();
     }
   }
 
@@ -102,7 +102,7 @@ void leave_groups(Board& board) {
   iog::require(board.cores().start(1, {.run = leave}));
   board.cores().wake(1);
   while (!is_left.load(std::memory_order_acquire)) {
-    iog::imx6::machine::yield();
+    iog::machine::yield();
   }
   // QEMU takes some time to stop a core that has a thread of its own.
   iog::imx6::src.scr.clear_bits(1u << iog::imx6::SrcRegisters::kScrCore1EnableShift);

@@ -59,7 +59,7 @@ void serve(EnetPort& port, std::span<const std::byte> received) {
 
 void report(Board& board) {
   const iog::hal::PortCounters counters = board.ethernet().counters();
-  iog::imx6::TextLine line;
+  iog::board::TextLine line;
   line.text("received ").decimal(counters.received);
   line.text(" errors ").decimal(counters.receive_errors);
   line.text(" oversized ").decimal(counters.oversized);

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-namespace iog::imx6 {
+namespace iog::board {
 
 class StackGauge {
  public:
@@ -33,4 +33,4 @@ class StackGauge {
   std::size_t next_swept_ = 0;  // counted from the lowest word
 };
 
-}  // namespace iog::imx6
+}  // namespace iog::board

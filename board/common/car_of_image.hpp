@@ -9,8 +9,8 @@
 // NOLINTNEXTLINE(readability-identifier-naming): a symbol of the assembly
 extern "C" const std::array<std::byte, 65'536> car_block_bytes;
 
-namespace iog::imx6 {
+namespace iog::board {
 
 [[nodiscard]] inline std::span<const std::byte, 65'536> car_of_image() { return car_block_bytes; }
 
-}  // namespace iog::imx6
+}  // namespace iog::board

@@ -2,8 +2,8 @@
 // It has the run's number, too, so that receivers tell one run from another (hal/run_number.hpp).
 //
 // After power-up DDR holds anything, so a record counts only if its seal fits its contents. The
-// region is mapped uncached, and whatever writes to it ends by draining the store buffers through
-// the PL310. So what is written is in memory when the function returns.
+// region is mapped uncached, and whatever writes to it ends by drain_stores() of the board's
+// Memory. So what is written is in memory when the function returns.
 #pragma once
 
 #include <array>
@@ -12,9 +12,8 @@
 #include <string_view>
 
 #include "hal/end_of_run.hpp"
-#include "memory/l2_cache.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
 struct BootRecord {
   static constexpr std::size_t kLastWordBytes = 240;
@@ -28,7 +27,7 @@ struct BootRecord {
   std::array<char, kLastWordBytes> last_word;
 };
 
-// The record, at an address of linker/imx6.ld. It is deliberately never initialised.
+// The record, at an address of linker/<board>.ld. It is deliberately never initialised.
 extern "C" BootRecord boot_record;
 
 // DDR behind the record that is never written: what the power-up left there.
@@ -44,9 +43,6 @@ struct Boot {
   std::string_view last_word_text() const { return {last_word.data(), last_word_bytes}; }
 };
 
-// Reads the record once, removes its last word and counts this boot.
-Boot open_boot_record(BootRecord& record, L2Cache& cache);
-
 // What differs from one cold start to the next, if it is read when the board has started.
 struct Differences {
   // DDR as the power-up left it: some cells fall to either side. All else may be the same.
@@ -55,11 +51,34 @@ struct Differences {
   std::array<std::uint8_t, 6> mac{};
 };
 
+namespace detail {
+Boot open(BootRecord& record);
+std::uint32_t begin_run(BootRecord& record, const Differences& differences);
+void write_last_word(BootRecord& record, hal::End end, std::string_view text);
+}  // namespace detail
+
+// Reads the record once, removes its last word and counts this boot.
+template <typename Memory>
+Boot open_boot_record(BootRecord& record, Memory& memory) {
+  const Boot boot = detail::open(record);
+  memory.drain_stores();
+  return boot;
+}
+
 // The number of this run, never 0: one more than that of the run before. If the record has none, a
 // number drawn from the differences, each bit of it from all of them.
-std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Cache& cache);
+template <typename Memory>
+std::uint32_t begin_run(BootRecord& record, const Differences& differences, Memory& memory) {
+  const std::uint32_t number = detail::begin_run(record, differences);
+  memory.drain_stores();
+  return number;
+}
 
 // Leaves a last word, which is not empty, for the next boot; it is cut to the space there is.
-void write_last_word(BootRecord& record, hal::End end, std::string_view text, L2Cache& cache);
+template <typename Memory>
+void write_last_word(BootRecord& record, hal::End end, std::string_view text, Memory& memory) {
+  detail::write_last_word(record, end, text);
+  memory.drain_stores();
+}
 
-}  // namespace iog::imx6
+}  // namespace iog::board

@@ -2,7 +2,7 @@
 
 #include "machine.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
 std::uint32_t StackGauge::used_bytes(std::span<const std::uint32_t> stack) {
   const auto is_used = [stack](std::size_t word) { return machine::load(stack[word]) != kPaint; };
@@ -27,4 +27,4 @@ std::uint32_t StackGauge::used_bytes(std::span<const std::uint32_t> stack) {
   return static_cast<std::uint32_t>(used_words_ * sizeof(std::uint32_t));
 }
 
-}  // namespace iog::imx6
+}  // namespace iog::board

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace iog::imx6 {
+namespace iog::board {
 namespace {
 
 // FNV-1a over everything after the seal: random DDR passes once in 2^32 cold starts, and the seal
@@ -42,15 +42,11 @@ std::uint32_t number_drawn_from(const Differences& differences) {
   return number;
 }
 
-// A barrier alone leaves it in the PL310's store buffer (erratum 769419).
-void close(BootRecord& record, L2Cache& cache) {
-  record.seal = seal_of(record);
-  cache.drain_stores();
-}
+void close(BootRecord& record) { record.seal = seal_of(record); }
 
 }  // namespace
 
-Boot open_boot_record(BootRecord& record, L2Cache& cache) {
+Boot detail::open(BootRecord& record) {
   Boot boot;
   const bool valid =
       record.last_word_bytes <= BootRecord::kLastWordBytes && record.seal == seal_of(record);
@@ -68,25 +64,25 @@ Boot open_boot_record(BootRecord& record, L2Cache& cache) {
   record.detail = 0;
   record.run_number = valid ? record.run_number : 0;
   record.last_word_bytes = 0;
-  close(record, cache);
+  close(record);
   return boot;
 }
 
-std::uint32_t begin_run(BootRecord& record, const Differences& differences, L2Cache& cache) {
+std::uint32_t detail::begin_run(BootRecord& record, const Differences& differences) {
   const bool has_one = record.run_number != 0;
   const std::uint32_t number = has_one ? record.run_number + 1 : number_drawn_from(differences);
   record.run_number = number != 0 ? number : 1;
-  close(record, cache);
+  close(record);
   return record.run_number;
 }
 
-void write_last_word(BootRecord& record, hal::End end, std::string_view text, L2Cache& cache) {
+void detail::write_last_word(BootRecord& record, hal::End end, std::string_view text) {
   const std::size_t bytes = std::min(text.size(), BootRecord::kLastWordBytes);
   std::copy_n(text.begin(), bytes, record.last_word.begin());
   record.last_word_bytes = static_cast<std::uint32_t>(bytes);
   record.cause = static_cast<std::uint32_t>(end.cause);
   record.detail = end.detail;
-  close(record, cache);
+  close(record);
 }
 
-}  // namespace iog::imx6
+}  // namespace iog::board

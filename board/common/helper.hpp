@@ -13,7 +13,7 @@
 #include "hal/cores.hpp"
 #include "text_line.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
 // Software-generated interrupts. core_start.S knows the second number.
 inline constexpr std::uint32_t kInterruptWake = 0;
@@ -33,17 +33,18 @@ using Helpers = std::array<Helper, hal::kMaxCores - 1>;
 // Of cores 1 to 3.
 extern Helpers all_helpers;
 
-// Which core this is, from MPIDR.
-std::size_t core_number();
-
 // Ends the helper that calls it: leaves its last word and sleeps for ever. Its caches stay on, so
 // that what it has stored stays visible.
 [[noreturn]] void end_helper(hal::CoreState state, const TextLine& last_word);
+
+// Of each board: its interrupt controller passes wake and stop to this core, or nothing any more.
+void hear_core_0();
+void hear_nobody();
 
 // Called by core_start.S on the helper's own stack, with MMU and caches on.
 extern "C" [[noreturn]] void run_helper();
 
 // Called by core_start.S when the stop interrupt has come; pc: of what it interrupted.
-extern "C" [[noreturn]] void stop_helper(std::uint32_t pc);
+extern "C" [[noreturn]] void stop_helper(std::uintptr_t pc);
 
-}  // namespace iog::imx6
+}  // namespace iog::board

@@ -17,14 +17,14 @@
 namespace {
 
 namespace car_block = iog::car_block;
-using iog::imx6::Board;
-using iog::imx6::kGrids;
-using iog::imx6::TextLine;
+using iog::board::Board;
+using iog::board::kGrids;
+using iog::board::TextLine;
 using Platform = iog::app::MachinePlatform<Board>;
 using Pipeline = iog::app::MachinePipeline<Board, kGrids>;
 
 // The fuses' address, if there is one, in the place of the description's.
-iog::net::Config with_mac(iog::net::Config network, const iog::imx6::MacAddress& address) {
+iog::net::Config with_mac(iog::net::Config network, const iog::board::MacAddress& address) {
   network.mac.octets = address;
   return network;
 }
@@ -69,7 +69,7 @@ std::optional<iog::app::SignedCommands> signed_commands(Board& board, car_block:
 
 // All of it once, before anything is made with it. Memory that is not what it should be ends the
 // run: what is wrong with it may be wrong with anything.
-void look_at_all(Board& board, const iog::imx6::ConstantMemory& memory) {
+void look_at_all(Board& board, const iog::board::ConstantMemory& memory) {
   if (const auto changed = iog::health::MemoryCheck(memory.regions()).look_at_all()) {
     board.end_run(
         {.cause = iog::hal::EndCause::kMemory, .detail = static_cast<std::uint32_t>(*changed)},
@@ -83,12 +83,12 @@ int main() {
   // Static: together they are up to 131 MB, and the stack is small.
   static car_block::SensorMemory sensors;
   static iog::vehicle::Vehicle car;
-  const car_block::Block block = iog::imx6::car_of_image();
+  const car_block::Block block = iog::board::car_of_image();
   const std::optional<iog::net::Config> network = car_block::read_network(block);
   const car_block::Verdict verdict = car_block::read_car(block, kGrids, sensors, car);
-  static Board board(network ? network->mac.octets : iog::imx6::MacAddress{});
+  static Board board(network ? network->mac.octets : iog::board::MacAddress{});
   board.print_banner();
-  static iog::imx6::ConstantMemory constants;
+  static iog::board::ConstantMemory constants(board.translation_tables(), board.ring_guards());
   constants.add("the car's sensors", std::as_bytes(std::span(&sensors, 1)));
   constants.add("the car", std::as_bytes(std::span(&car, 1)));
   look_at_all(board, constants);
@@ -99,7 +99,7 @@ int main() {
   if (network->service_instance != 0) {
     board.ethernet().join(iog::net::kDiscoveryGroupMac.octets);
   }
-  static Platform platform(board, with_mac(*network, board.mac_address()), iog::imx6::kCores,
+  static Platform platform(board, with_mac(*network, board.mac_address()), iog::board::kCores,
                            signed_commands(board, block, car, *network));
   static iog::net::Reassembly fragments(iog::app::fragment_senders(car, network->peer));
   platform.host().join_fragments(fragments);
@@ -107,7 +107,7 @@ int main() {
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.
   static Pipeline pipeline(car, network->peer.value, platform, serial);
-  if (const auto map = iog::imx6::map_of_image(); !map.empty()) {
+  if (const auto map = iog::board::map_of_image(); !map.empty()) {
     pipeline.begin_with_map(map);
   }
   pipeline.for_each_guard(

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace iog::imx6 {
+namespace iog::board {
 
 class TextLine {
  public:
@@ -23,4 +23,4 @@ class TextLine {
   std::size_t length_ = 0;
 };
 
-}  // namespace iog::imx6
+}  // namespace iog::board

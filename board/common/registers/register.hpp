@@ -4,14 +4,14 @@
 //   Wo  write only                      W1c event flags: reading tells, writing a one clears
 //
 // W1c has no read-modify-write on purpose: `flags |= bit` would clear every flag that is set.
-// Registers of one peripheral form a struct that the linker places (linker/peripherals.ld).
+// Registers of one peripheral form a struct that the linker places (linker/<board>_peripherals.ld).
 #pragma once
 
 #include <cstdint>
 
 #include "machine.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
 template <typename Word>
 class Ro {
@@ -64,4 +64,4 @@ using Ro16 = Ro<std::uint16_t>;
 template <unsigned kFrom, unsigned kTo>
 using Gap = std::uint8_t[kTo - kFrom];
 
-}  // namespace iog::imx6
+}  // namespace iog::board

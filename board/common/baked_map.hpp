@@ -12,11 +12,11 @@ extern "C" const std::array<std::uint8_t, std::size_t{4} << 20> baked_map;
 extern "C" const std::uint32_t baked_map_bytes;
 // NOLINTEND(readability-identifier-naming)
 
-namespace iog::imx6 {
+namespace iog::board {
 
 // Empty: there is none. It is not checked yet.
 [[nodiscard]] inline std::span<const std::uint8_t> map_of_image() {
   return std::span(baked_map).first(baked_map_bytes);
 }
 
-}  // namespace iog::imx6
+}  // namespace iog::board

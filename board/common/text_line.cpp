@@ -1,6 +1,6 @@
 #include "text_line.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
 TextLine& TextLine::text(std::string_view characters) {
   for (const char character : characters) {
@@ -34,4 +34,4 @@ TextLine& TextLine::decimal(std::uint32_t value) {
   return text({&digits[first], digits.size() - first});
 }
 
-}  // namespace iog::imx6
+}  // namespace iog::board

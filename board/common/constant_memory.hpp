@@ -11,9 +11,10 @@
 #include "health/guard.hpp"
 #include "health/memory_check.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 
-// One of the ranges of linker/imx6.ld, with the CRC-32 of its bytes as seal_image has written it.
+// One of the ranges of linker/<board>.ld, with the CRC-32 of its bytes as seal_image has written
+// it.
 struct ImageSeal {
   std::uint32_t begin;
   std::uint32_t end;
@@ -22,9 +23,10 @@ struct ImageSeal {
 
 class ConstantMemory {
  public:
-  // With the image, the translation tables and the rings' guards. The numbers of regions are those
-  // of docs/spec.md 3.7.
-  ConstantMemory();
+  // With the image, these translation tables and the guards of these rings. The numbers of regions
+  // are those of docs/spec.md 3.7.
+  ConstantMemory(std::span<const std::byte> translation_tables,
+                 std::span<health::Guard* const> ring_guards);
 
   // As it is now. The name and the bytes outlive it.
   void add(std::string_view name, std::span<const std::byte> bytes);
@@ -42,4 +44,4 @@ class ConstantMemory {
   std::size_t count_ = 0;
 };
 
-}  // namespace iog::imx6
+}  // namespace iog::board

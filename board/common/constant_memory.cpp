@@ -1,30 +1,32 @@
 #include "constant_memory.hpp"
 
-#include "ethernet/enet_port.hpp"
-#include "memory.hpp"
 #include "require/require.hpp"
 
-namespace iog::imx6 {
+namespace iog::board {
 namespace {
 
-// NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
+// Of the linker script.
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" const std::array<ImageSeal, 3> image_seal;
+extern "C" const std::byte car_block;
+extern "C" const std::byte car_block_end;
+// NOLINTEND(readability-identifier-naming)
 
 std::span<const std::byte> memory_from(std::uint32_t begin, std::uint32_t end) {
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the linker's tables hold addresses
-  return {reinterpret_cast<const std::byte*>(begin), end - begin};
+  return {reinterpret_cast<const std::byte*>(std::uintptr_t{begin}), end - begin};
 }
 
 }  // namespace
 
-ConstantMemory::ConstantMemory() {
-  const mmu::MemoryMap& map = memory_map();
+ConstantMemory::ConstantMemory(std::span<const std::byte> translation_tables,
+                               std::span<health::Guard* const> ring_guards) {
   add_sealed("vectors", image_seal[0]);
   add_sealed("code", image_seal[1]);
   add_sealed("constants", image_seal[2]);
-  add("the car's block", memory_from(map.constants[0].begin, map.constants[0].end));
-  add("translation tables", std::as_bytes(std::span(&translation_tables(), 1)));
-  for (health::Guard* const guard : guards_of(enet_memory)) {
+  add("the car's block", {&car_block, &car_block_end});
+  add("translation tables", translation_tables);
+  for (health::Guard* const guard : ring_guards) {
     add("a guard of the Ethernet rings", *guard);
   }
 }
@@ -44,4 +46,4 @@ void ConstantMemory::add_sealed(std::string_view name, const ImageSeal& seal) {
   regions_[count_++] = {.name = name, .bytes = memory_from(seal.begin, seal.end), .crc = seal.crc};
 }
 
-}  // namespace iog::imx6
+}  // namespace iog::board
