@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 // What boards share is at hand in this one.
 namespace iog::board {}
@@ -13,6 +14,8 @@ using namespace board;
 }
 
 namespace iog::machine {
+
+inline constexpr std::size_t kBurstBytes = 64;  // a line of the caches
 
 // One access of exactly the width of T, never merged, split or dropped by the compiler.
 template <typename T>
@@ -23,6 +26,11 @@ inline T load(const T& location) {
 template <typename T>
 inline void store(T& location, T value) {
   *static_cast<volatile T*>(&location) = value;
+}
+
+// Copies `bursts` times kBurstBytes, at least one.
+inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
+  std::memcpy(to, from, bursts * kBurstBytes);
 }
 
 // Makes everything that this core has stored visible to every DMA engine before anything after it

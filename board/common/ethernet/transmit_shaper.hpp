@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace iog::imx6 {
+namespace iog::board {
 
 class TransmitShaper {
  public:
@@ -50,4 +50,4 @@ class TransmitShaper {
   std::uint32_t tokens_ = kBurstFrames;
 };
 
-}  // namespace iog::imx6
+}  // namespace iog::board
