@@ -60,7 +60,8 @@ void Board::print_banner() {
   line.text(", run ").hex(run_number_).text("\n");
   console_.write(line.view());
   line = {};
-  line.text("counter ").decimal(stopwatch_.ticks_hz() / 1000).text(" kHz, MAC ");
+  line.text("counter ").decimal(stopwatch_.ticks_hz() / 1000).text(" kHz, PHY ");
+  line.hex(ethernet_.phy().id).text(" at ").decimal(ethernet_.phy().address).text(", MAC ");
   for (const std::uint8_t octet : mac_address_) {
     line.octet(octet);
   }

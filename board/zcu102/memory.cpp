@@ -25,14 +25,15 @@ std::uint64_t address_of(const std::uint32_t& symbol) { return machine::bus_addr
 
 constexpr std::size_t kStacks = 2 + 2 * (hal::kMaxCores - 1);
 // The ranges of code, data and the like, of the stacks, of the devices.
-constinit std::array<mmu::Range, 8 + kStacks + 3> ranges{};
+constinit std::array<mmu::Range, 8 + kStacks + 4> ranges{};
 constinit std::span<const mmu::Range> stacks{};
 constinit StackGauge main_stack_gauge{};
 
-// The GIC; the watchdog; UARTs and Ethernet controllers.
-constexpr std::array<mmu::Range, 3> kDevices{{{0xf900'0000, 0xf920'0000, mmu::Memory::kDevice},
+// The GIC; the watchdog; UARTs and Ethernet controllers; their clocks.
+constexpr std::array<mmu::Range, 4> kDevices{{{0xf900'0000, 0xf920'0000, mmu::Memory::kDevice},
                                               {0xfd40'0000, 0xfd60'0000, mmu::Memory::kDevice},
-                                              {0xff00'0000, 0xff20'0000, mmu::Memory::kDevice}}};
+                                              {0xff00'0000, 0xff20'0000, mmu::Memory::kDevice},
+                                              {0xff40'0000, 0xff60'0000, mmu::Memory::kDevice}}};
 
 void read_the_linker() {
   using enum mmu::Memory;
