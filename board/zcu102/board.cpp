@@ -16,8 +16,11 @@ Board::Board(const MacAddress& address)
       serial_(uart1),
       watchdog_(swdt),
       ethernet_(gem3, crl_apb,
-                {gem_memory.receive_descriptors, gem_memory.receive_buffers,
-                 gem_memory.transmit_descriptors, gem_memory.transmit_buffers, gem_memory.parked},
+                {.receive_descriptors = gem_memory.receive_descriptors,
+                 .receive_buffers = gem_memory.receive_buffers,
+                 .transmit_descriptors = gem_memory.transmit_descriptors,
+                 .transmit_buffers = gem_memory.transmit_buffers,
+                 .parked = gem_memory.parked},
                 [] { return Clock().now_us(); }),
       cores_(gic_distributor, clock_, all_helpers) {
   watchdog_.start();
@@ -60,12 +63,16 @@ void Board::print_banner() {
   line.text(", run ").hex(run_number_).text("\n");
   console_.write(line.view());
   line = {};
-  line.text("counter ").decimal(stopwatch_.ticks_hz() / 1000).text(" kHz, PHY ");
-  line.hex(ethernet_.phy().id).text(" at ").decimal(ethernet_.phy().address).text(", MAC ");
+  line.text("counter ").decimal(stopwatch_.ticks_hz() / 1000).text(" kHz, MAC ");
   for (const std::uint8_t octet : mac_address_) {
     line.octet(octet);
   }
-  line.text(" of the image\n");
+  line.text(" of the image");
+  if (const phy::Identity& phy = ethernet_.phy(); phy.answers()) {
+    line.text(", PHY ").hex(phy.id).text(" at ").decimal(phy.address).text("\n");
+  } else {
+    line.text(", no PHY\n");
+  }
   console_.write(line.view());
   if (boot_.last_word_bytes != 0) {
     console_.write("previous run: LAST WORD ");

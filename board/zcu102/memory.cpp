@@ -29,7 +29,7 @@ constinit std::array<mmu::Range, 8 + kStacks + 4> ranges{};
 constinit std::span<const mmu::Range> stacks{};
 constinit StackGauge main_stack_gauge{};
 
-// The GIC; the watchdog; UARTs and Ethernet controllers; their clocks.
+// The GIC; the watchdog; UARTs and Ethernet controllers; the clocks.
 constexpr std::array<mmu::Range, 4> kDevices{{{0xf900'0000, 0xf920'0000, mmu::Memory::kDevice},
                                               {0xfd40'0000, 0xfd60'0000, mmu::Memory::kDevice},
                                               {0xff00'0000, 0xff20'0000, mmu::Memory::kDevice},

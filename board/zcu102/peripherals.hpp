@@ -16,8 +16,8 @@ extern GicDistributorRegisters gic_distributor;
 extern WatchdogRegisters swdt;
 extern UartRegisters uart0;
 extern UartRegisters uart1;
-extern GemRegisters gem3;
 extern CrlApbRegisters crl_apb;
+extern GemRegisters gem3;
 }
 // NOLINTEND(bugprone-dynamic-static-initializers)
 

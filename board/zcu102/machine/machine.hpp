@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 // What boards share is at hand in this one.
 namespace iog::board {}
@@ -14,7 +15,7 @@ using namespace board;
 
 namespace iog::machine {
 
-inline constexpr std::size_t kBurstBytes = 32;
+inline constexpr std::size_t kBurstBytes = 64;  // a line of the caches
 
 // One access of exactly the width of T, never merged, split or dropped by the compiler.
 template <typename T>
@@ -27,21 +28,9 @@ inline void store(T& location, T value) {
   *static_cast<volatile T*>(&location) = value;
 }
 
-// Copies `bursts` times kBurstBytes, at least one; both sides are aligned to 8 bytes. Of uncached
-// memory a pair of registers is one access, where loads of single fields are one each.
+// Copies `bursts` times kBurstBytes, at least one.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
-  __asm__ volatile(
-      "1: ldp x9, x10, [%[from]]\n\t"
-      "ldp x11, x12, [%[from], #16]\n\t"
-      "add %[from], %[from], #32\n\t"
-      "stp x9, x10, [%[to]]\n\t"
-      "stp x11, x12, [%[to], #16]\n\t"
-      "add %[to], %[to], #32\n\t"
-      "subs %[bursts], %[bursts], #1\n\t"
-      "b.ne 1b"
-      : [to] "+r"(to), [from] "+r"(from), [bursts] "+r"(bursts)
-      :
-      : "x9", "x10", "x11", "x12", "cc", "memory");
+  std::memcpy(to, from, bursts * kBurstBytes);
 }
 
 // Makes everything that this core has stored visible to every DMA engine before anything after it
