@@ -93,5 +93,6 @@ class Board {
 
 namespace iog::board {
 using imx6::Board;
+using imx6::Cores;
 using imx6::MacAddress;
 }  // namespace iog::board

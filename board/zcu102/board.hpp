@@ -76,5 +76,6 @@ class Board {
 
 namespace iog::board {
 using zcu102::Board;
+using zcu102::Cores;
 using zcu102::MacAddress;
 }  // namespace iog::board
