@@ -25,8 +25,6 @@ class ManagementPort {
   EnetRegisters& registers_;
 };
 
-namespace phy = board::phy;
-using board::Link;
 using Mdio = board::Mdio<ManagementPort>;
 
 }  // namespace iog::imx6

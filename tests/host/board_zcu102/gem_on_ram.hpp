@@ -22,7 +22,7 @@ class GemOnRam : public testing::Test {
   GemOnRam() {
     now_us = 0;
     machine::poke(registers_.network_status, 4u);  // MDIO is always idle
-    phy_[2] = 0x0141;  // as in QEMU
+    phy_[2] = 0x0141;                              // as in QEMU
     phy_[3] = 0x0cc2;
     forget();
     port_.start(kAddress);
