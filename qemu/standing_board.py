@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests/e2e"))
 import debugger  # noqa: E402 ; it lies in the folder above
 
-IDLE = "iog::imx6::Board::idle()"
+IDLE = ("iog::imx6::Board::idle()", "iog::zcu102::Board::idle()")
 TICK_S = 0.001  # that a board sleeps at most: its clock is no faster than this PC's
 FRAME_END = 2  # docs/spec.md 3.3
 SHARE = 64  # datagrams that come at once: a dense unit spreads its turn, and the loop leaves what waits for 80 ms
@@ -26,7 +26,8 @@ class StandingBoard:
 
     def __init__(self, folder: str, image: str, maps_port: int | None):
         self._offer = debugger.Stub(pathlib.Path(folder))
-        self._idle = debugger.symbols_of(image)[IDLE]
+        symbols = debugger.symbols_of(image)
+        self._idle = next(symbols[name] for name in IDLE if name in symbols)
         self._maps_port = maps_port
         pipe = os.path.join(folder, "sent")
         os.mkfifo(pipe)

@@ -1,7 +1,7 @@
 #include "board.hpp"
 
 #include "clocks.hpp"
-#include "fault.hpp"
+#include "ending.hpp"
 #include "gic.hpp"
 #include "mac_fuses.hpp"
 #include "memory.hpp"
@@ -12,28 +12,6 @@
 
 namespace iog::imx6 {
 namespace {
-
-std::string_view reason_of(hal::EndCause cause) {
-  switch (cause) {
-    case hal::EndCause::kPowerUp:
-      return "cold start";
-    case hal::EndCause::kWithoutAWord:
-      return "reset without a word";
-    default:
-      return "reset after a last word";
-  }
-}
-
-std::string_view words_of(hal::EndCause cause) {
-  switch (cause) {
-    case hal::EndCause::kMemory:
-      return "memory has changed";
-    case hal::EndCause::kLate:
-      return "silent";
-    default:
-      return "the run ended";
-  }
-}
 
 // core_start.S.
 extern "C" void Helper_Start();  // NOLINT(readability-identifier-naming): as the vectors' handlers
@@ -82,6 +60,12 @@ Board::Board(const MacAddress& address)
       begin_run(boot_record,
                 {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_}, l2_cache_);
 }
+
+std::span<const std::byte> Board::translation_tables() const {
+  return std::as_bytes(std::span(&imx6::translation_tables(), 1));
+}
+
+std::array<health::Guard*, 5> Board::ring_guards() const { return guards_of(enet_memory); }
 
 void Board::idle() {
   machine::wait_for_interrupt();

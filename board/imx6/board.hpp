@@ -58,6 +58,11 @@ class Board {
   // As hal::SharedCache.
   void keep_cache(bool keep) { l2_cache_.keep(keep); }
 
+  // What the check of memory looks at beside the image: what the MMU walks, and guards around the
+  // rings of the Ethernet controller.
+  std::span<const std::byte> translation_tables() const;
+  std::array<health::Guard*, 5> ring_guards() const;
+
   // As hal::Thermometer.
   std::int16_t temperature_dc() { return thermometer_.read_dc(); }
 
@@ -88,3 +93,9 @@ class Board {
 };
 
 }  // namespace iog::imx6
+
+namespace iog::board {
+using imx6::Board;
+using imx6::Cores;
+using imx6::MacAddress;
+}  // namespace iog::board

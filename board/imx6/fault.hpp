@@ -1,10 +1,9 @@
-// The end of a run: one line that says what happened, on the console and in the boot record.
+// An exception of the processor, as the last word of the run or of a helper.
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
-#include "hal/end_of_run.hpp"
+#include "machine.hpp"
 #include "memory/mmu.hpp"
 #include "text_line.hpp"
 
@@ -41,12 +40,6 @@ struct FaultStatus {
 // "(stack guard)". An "asynchronous abort" has no address, and pc is where the core was when it
 // heard of it.
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
-
-// Prints and records the line and waits for the watchdog to reset the chip.
-[[noreturn]] void end_with_last_word(hal::End end, std::string_view text);
-
-// Ends the run if this is core 0, else this helper.
-[[noreturn]] void end_core(hal::End end, const TextLine& last_word);
 
 // Called by startup.S on the stack of the exception's mode.
 extern "C" [[noreturn]] void report_fault(const FaultFrame* frame);

@@ -34,7 +34,7 @@ std::uint32_t address_of(const std::uint32_t& symbol) { return machine::bus_addr
 [[gnu::section(".page_tables")]] constinit mmu::Tables tables{};
 
 constinit std::array<mmu::Range, 5 + 2 * (hal::kMaxCores - 1)> stacks{};
-// The MPCore block with the PL310, AIPS-1, AIPS-2: every peripheral of linker/peripherals.ld.
+// The MPCore block with the PL310, AIPS-1, AIPS-2: every peripheral of linker/imx6_peripherals.ld.
 constexpr std::array<mmu::Range, 2> kDevices{
     {{0x00a0'0000, 0x00b0'0000}, {0x0200'0000, 0x0220'0000}}};
 

@@ -80,7 +80,7 @@ class MeasuredPlatform {
     port.commit(frame_bytes);
     sent_bytes_ += frame_bytes;
     ++messages_;
-    if (messages_ % imx6::TransmitShaper::kFramesPerWindow == 0) {
+    if (messages_ % board::TransmitShaper::kFramesPerWindow == 0) {
       port.pump();
     }
     return true;

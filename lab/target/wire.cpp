@@ -39,12 +39,12 @@ bool Wire::deliver(std::span<const std::byte> frame) {
   }
   a9_model::pause();
   imx6::Descriptor& descriptor = imx6::enet_memory.receive_descriptors[next_];
-  const std::uint16_t flags = imx6::machine::load(descriptor.flags);
+  const std::uint16_t flags = machine::load(descriptor.flags);
   require((flags & imx6::receive_flag::kEmpty) != 0);
   std::ranges::copy(
       frame, imx6::enet_memory.receive_buffers.begin() + next_ * imx6::ReceiveRing::kBufferBytes);
-  imx6::machine::store(descriptor.length, static_cast<std::uint16_t>(frame.size() + kFcsBytes));
-  imx6::machine::store(
+  machine::store(descriptor.length, static_cast<std::uint16_t>(frame.size() + kFcsBytes));
+  machine::store(
       descriptor.flags,
       static_cast<std::uint16_t>((flags & imx6::receive_flag::kWrap) | imx6::receive_flag::kLast));
   next_ = next_ + 1 == imx6::EnetMemory::kReceiveFrames ? 0 : next_ + 1;

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "evidence/group.hpp"
+#include "lanes/moves_neon.hpp"
 
 namespace iog::evidence {
 
@@ -31,13 +32,7 @@ inline void store(int16x8_t lanes, Masses& masses) {
 class MassReader {
  public:
   explicit MassReader(const Taken& taken) : next_(&taken.occupied) {}
-  int16x8_t next() {
-    int16x8_t lanes;
-    asm("vld1.64 {%e[lanes]-%f[lanes]}, [%[next] :128]!"
-        : [lanes] "=w"(lanes), [next] "+r"(next_)
-        : "m"(*next_));
-    return lanes;
-  }
+  int16x8_t next() { return lanes::load_next(next_); }
 
  private:
   const Masses* next_;
@@ -46,11 +41,7 @@ class MassReader {
 class MassWriter {
  public:
   explicit MassWriter(Taken& taken) : next_(&taken.occupied) {}
-  void put(int16x8_t lanes) {
-    asm("vst1.64 {%e[lanes]-%f[lanes]}, [%[next] :128]!"
-        : [next] "+r"(next_), "=m"(*next_)
-        : [lanes] "w"(lanes));
-  }
+  void put(int16x8_t masses) { lanes::store_next(masses, next_); }
 
  private:
   Masses* next_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <arm_neon.h>
 
+#include "lanes/moves_neon.hpp"
 #include "placing/known_blocks.hpp"
 #include "placing/look_up.hpp"
 
@@ -30,22 +31,11 @@ static_assert(EightSteps::kMostRows < kRow);
 
 using Block = std::array<int8x8_t, EightSteps::kCount>;
 
-// Copies rows that consist of two half rows. Written in assembly because its loads and stores
-// advance their pointers, where the compiler uses additions.
+// Copies rows that consist of two half rows.
 std::int8_t* put_rows(const std::int8_t* left, const std::int8_t* right, std::int32_t count,
                       std::int8_t* to) {
-  using Row = std::int8_t[kRow];  // all that is written
   for (; count > 0; --count) {
-    int8x16_t one;
-    int8x16_t other;
-    asm("vld1.8 {%e[one]-%f[one]}, [%[left] :128], %[row]\n\t"
-        "vld1.8 {%e[other]-%f[other]}, [%[right] :128], %[row]\n\t"
-        "vst1.8 {%e[one]-%f[one]}, [%[to] :128]!\n\t"
-        "vst1.8 {%e[other]-%f[other]}, [%[to] :128]!"
-        : [one] "=&w"(one), [other] "=&w"(other), [left] "+r"(left), [right] "+r"(right),
-          [to] "+r"(to), "=m"(*reinterpret_cast<Row*>(to))
-        : [row] "r"(kRow)
-        : "memory");
+    lanes::copy_next_halves(left, right, to);
   }
   return to;
 }
@@ -99,11 +89,7 @@ struct Steps {
 
 // The cell of a patch at a point. The upper half of a coordinate is the cell number.
 inline const std::int8_t* cell_at(const std::int8_t* cells, FinePoint point) {
-  const std::int8_t* row;
-  asm("smlatb %[row], %[y], %[stride], %[cells]"
-      : [row] "=r"(row)
-      : [y] "r"(point.y), [stride] "r"(kRow), [cells] "r"(cells));
-  return row + (point.x >> kFineBits);
+  return lanes::row_at(cells, point.y, kRow) + (point.x >> kFineBits);
 }
 
 // Looks up the cells of a run. `low`: its lowest row and column.

@@ -1,4 +1,4 @@
-// The Cortex-A9 twin of tile_runs.cpp. No loop iterates over runs.
+// The NEON twin of tile_runs.cpp. No loop iterates over runs.
 //
 // 1. Two rows at a time, every cell is compared with the previous cell and with the reference. The
 // loads distribute cells over four registers, so the previous cell is mostly in the same lane of
@@ -11,6 +11,7 @@
 // 3. The cells at which runs start are compacted, eight at a time, by a byte table.
 #include <arm_neon.h>
 
+#include "lanes/moves_neon.hpp"
 #include "tile_coding/tile_runs.hpp"
 
 namespace iog::tile_coding {
@@ -74,12 +75,9 @@ void mark(const std::uint8_t* cells, Marks& marks) {
   }
 }
 
-// Replaces equal cells by kNoIndex. The assembly saves a copy that the compiler would make.
+// Replaces equal cells by kNoIndex.
 uint8x16_t none_where(uint8x16_t equal, uint8x16_t cells) {
-  asm("vbit %q[cells], %q[none], %q[equal]"
-      : [cells] "+w"(cells)
-      : [none] "w"(vdupq_n_u8(kNone)), [equal] "w"(equal));
-  return cells;
+  return lanes::replaced(cells, vdupq_n_u8(kNone), equal);
 }
 
 // `values`: the cells, with kNoIndex for those equal to the reference.
@@ -102,32 +100,12 @@ void mark(const std::uint8_t* cells, const std::uint8_t* reference, Marks& marks
   }
 }
 
-// sum := a + b, 1024 bits. The flags hold the carry, so no other instruction here may change them.
-void add(const Bits& a, const Bits& b, Bits& sum) {
-  const Word* from_a = a.data();
-  const Word* from_b = b.data();
-  Word* to = sum.data();
-  asm("adds r0, r0, #0\n"
-      ".rept 8\n"
-      "ldm %[a]!, {r0, r1, r2, r3}\n"
-      "ldm %[b]!, {r4, r5, r6, r8}\n"
-      "adcs r0, r0, r4\n"
-      "adcs r1, r1, r5\n"
-      "adcs r2, r2, r6\n"
-      "adcs r3, r3, r8\n"
-      "stm %[to]!, {r0, r1, r2, r3}\n"
-      ".endr\n"
-      : [a] "+r"(from_a), [b] "+r"(from_b), [to] "+r"(to), "=m"(sum)
-      :
-      : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
-}
-
 // A cell belongs to a run with a value if it differs from the reference, or if it is unchanged and
 // the previous cell belongs to one. Adding `differ` to `open` carries into each cell after such a
 // cell. In these cells a run starts at a change of value, in all others where the cell differs.
 void find_starts(const Marks& marks, Bits& starts) {
   alignas(16) Bits sum;
-  add(marks.open, marks.differ, sum);
+  lanes::add(marks.open, marks.differ, sum);
   for (std::size_t y = 0; y < kTileSide; y += 4) {
     const uint32x4_t differ = vld1q_u32(&marks.differ[y]);
     const uint32x4_t carried = veorq_u32(vld1q_u32(&sum[y]), vld1q_u32(&marks.open[y]));
@@ -153,14 +131,10 @@ consteval Places make_places() {
 }
 alignas(32) constexpr Places kPlaces = make_places();
 
-// Moves the bytes whose bit is set to the front. Writes eight bytes, `count` of them valid. The
-// store increments its pointer, for which the compiler would add an instruction.
+// Moves the bytes whose bit is set to the front. Writes eight bytes, `count` of them valid.
 void gather(uint8x8_t bytes, Word bits, Word count, std::uint8_t*& out) {
-  using Eight = std::uint8_t[8];
   const uint8x8_t together = vtbl1_u8(bytes, vld1_u8(kPlaces[bits & 0xFFU].data()));
-  asm("vst1.8 {%P[together]}, [%[out]], %[count]"
-      : [out] "+r"(out), "=m"(*reinterpret_cast<Eight*>(out))
-      : [together] "w"(together), [count] "r"(count & 0xFFU));
+  lanes::store_some(together, count & 0xFFU, out);
 }
 
 // The number of set bits of each byte.

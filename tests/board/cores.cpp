@@ -10,15 +10,15 @@
 #include "app/core_report.hpp"
 #include "board.hpp"
 #include "deep_stack.hpp"
-#include "peripherals.hpp"
+#include "left_core.hpp"
 #include "require/require.hpp"
 #include "text_line.hpp"
 #include "work/team.hpp"
 
 namespace {
 
-using iog::imx6::Board;
-using iog::imx6::TextLine;
+using iog::board::Board;
+using iog::board::TextLine;
 using iog::work::Loss;
 
 // Under counted instructions the cores run in turns of 100 ms, and one that hangs takes all of its
@@ -58,18 +58,19 @@ class Pile {
   }
 
  private:
-  static constexpr std::size_t kWords = 16;
+  static constexpr std::uint32_t kWords = 16;
 
-  void make(std::size_t item, std::size_t begin, std::size_t end) {
-    for (std::size_t at = begin; at < end; ++at) {
-      words_[item][at] = (round_ * 0x9e37'79b9u ^ item * 0x85eb'ca6bu) + at * at;
+  void make(std::size_t item, std::uint32_t begin, std::uint32_t end) {
+    const auto number = static_cast<std::uint32_t>(item);
+    for (std::uint32_t at = begin; at < end; ++at) {
+      words_[item][at] = (round_ * 0x9e37'79b9u ^ number * 0x85eb'ca6bu) + at * at;
     }
   }
 
   // Every core gets an item.
   void wait_for_all() const {
     while (std::popcount(begun_.load(std::memory_order_relaxed)) < static_cast<int>(cores_)) {
-      iog::imx6::machine::yield();
+      iog::machine::yield();
     }
   }
 
@@ -91,25 +92,7 @@ class Pile {
   std::array<std::array<std::uint32_t, kWords>, kItems> words_{};
 };
 
-// As a loader may leave a core: its private interrupts, those that wake and stop it, are in
-// group 1.
-void leave_groups(Board& board) {
-  static std::atomic<bool> is_left{false};
-  const auto leave = [](void*, std::size_t) {
-    iog::imx6::gic_distributor.igroupr[0].write(0xffff'ffff);
-    is_left.store(true, std::memory_order_release);
-  };
-  iog::require(board.cores().start(1, {.run = leave}));
-  board.cores().wake(1);
-  while (!is_left.load(std::memory_order_acquire)) {
-    iog::imx6::machine::yield();
-  }
-  // QEMU takes some time to stop a core that has a thread of its own.
-  iog::imx6::src.scr.clear_bits(1u << iog::imx6::SrcRegisters::kScrCore1EnableShift);
-  board.clock().wait_us(50'000);
-}
-
-using Team = iog::work::Team<iog::imx6::Cores>;
+using Team = iog::work::Team<iog::board::Cores>;
 
 void report(Board& board, const Team& team, std::uint32_t sum) {
   TextLine line;
@@ -138,7 +121,7 @@ int main() {
   static Pile pile;
   board.print_banner();
   if (board.cores().count() > 1) {
-    leave_groups(board);
+    iog::tests::leave_a_core(board);
   }
   team.start(iog::hal::kMaxCores);
   work(board, team, pile, 0);

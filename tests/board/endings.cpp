@@ -120,7 +120,7 @@ int main() {
   Board board({0x02, 0, 0, 0, 0, 1});
   board.print_banner();
   const iog::hal::End end = board.run_before().end;
-  iog::imx6::TextLine line;
+  iog::board::TextLine line;
   line.text("end ").decimal(static_cast<std::uint32_t>(end.cause)).text(" ").decimal(end.detail);
   line.text("\n");
   board.console().write(line.view());

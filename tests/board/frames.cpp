@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "board.hpp"
-#include "peripherals.hpp"
+#include "stopped_controller.hpp"
 #include "text_line.hpp"
 
 namespace {
 
-using iog::imx6::Board;
-using iog::imx6::EnetPort;
+using iog::board::Board;
+using Port = std::remove_reference_t<decltype(std::declval<Board&>().ethernet())>;
 
 constexpr std::size_t kTypeAt = 12;
 constexpr std::size_t kCountAt = 14;
@@ -24,7 +26,7 @@ std::uint16_t big_endian_16(std::span<const std::byte> bytes, std::size_t at) {
 }
 
 // Queues `count` frames; those the ring refuses are counted by the port.
-void answer_burst(EnetPort& port, std::span<const std::byte> asked, std::uint16_t count) {
+void answer_burst(Port& port, std::span<const std::byte> asked, std::uint16_t count) {
   for (std::uint16_t number = 0; number < count; ++number) {
     const std::span<std::byte> frame = port.acquire();
     if (frame.empty()) {
@@ -37,7 +39,7 @@ void answer_burst(EnetPort& port, std::span<const std::byte> asked, std::uint16_
   }
 }
 
-void echo(EnetPort& port, std::span<const std::byte> received) {
+void echo(Port& port, std::span<const std::byte> received) {
   const std::span<std::byte> frame = port.acquire();
   if (!frame.empty()) {
     std::copy(received.begin(), received.end(), frame.begin());
@@ -45,21 +47,21 @@ void echo(EnetPort& port, std::span<const std::byte> received) {
   }
 }
 
-void serve(EnetPort& port, std::span<const std::byte> received) {
+void serve(Port& port, std::span<const std::byte> received) {
   const std::uint16_t type = received.size() >= 16 ? big_endian_16(received, kTypeAt) : 0;
   if (type == 0x88b5) {
     answer_burst(port, received, big_endian_16(received, kCountAt));
     return;
   }
   if (type == 0x88b6) {
-    iog::imx6::enet.ecr.clear_bits(iog::imx6::EnetRegisters::kEcrEtherEn);
+    iog::tests::stop_controller();
   }
   echo(port, received);
 }
 
 void report(Board& board) {
   const iog::hal::PortCounters counters = board.ethernet().counters();
-  iog::imx6::TextLine line;
+  iog::board::TextLine line;
   line.text("received ").decimal(counters.received);
   line.text(" errors ").decimal(counters.receive_errors);
   line.text(" oversized ").decimal(counters.oversized);
@@ -74,7 +76,7 @@ void report(Board& board) {
 
 int main() {
   Board board({0x02, 0, 0, 0, 0, 1});
-  EnetPort& port = board.ethernet();
+  Port& port = board.ethernet();
   bool link_was_up = false;
   std::uint32_t reported = 0;
   for (;;) {

@@ -10,7 +10,7 @@
 namespace {
 
 using iog::imx6::Board;
-using iog::imx6::TextLine;
+using iog::board::TextLine;
 
 constexpr unsigned kNaps = 1000;
 constexpr unsigned kWords = 30;
@@ -29,9 +29,9 @@ void print(Board& board, std::string_view name, std::uint32_t value) {
 // are asked for; to ask each takes longer than the watchdog waits.
 std::uint32_t not_zeroed() {
   constexpr std::size_t kStep = 997;
-  std::uint32_t found = iog::imx6::machine::load(as_much_as_a_firmware.back());
+  std::uint32_t found = iog::machine::load(as_much_as_a_firmware.back());
   for (std::size_t at = 0; at < as_much_as_a_firmware.size(); at += kStep) {
-    found += iog::imx6::machine::load(as_much_as_a_firmware[at]) != 0 ? 1U : 0U;
+    found += iog::machine::load(as_much_as_a_firmware[at]) != 0 ? 1U : 0U;
   }
   return found;
 }
@@ -60,7 +60,7 @@ int main() {
   print(board, "l2 control", iog::imx6::pl310.control.read());
   print(board, "not zeroed", not_zeroed());
   // What nobody writes would be a constant.
-  iog::imx6::machine::store(as_much_as_a_firmware.back(), std::uint8_t{1});
+  iog::machine::store(as_much_as_a_firmware.back(), std::uint8_t{1});
   const std::uint64_t begin_us = board.clock().now_us();
   for (unsigned nap = 0; nap < kNaps; ++nap) {
     board.idle();

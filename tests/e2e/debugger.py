@@ -173,5 +173,6 @@ class Debugger:
 @functools.cache
 def symbols_of(image: str) -> dict[str, int]:
     """Addresses by the names that C++ gives them."""
-    table = subprocess.run(["arm-none-eabi-nm", "-C", image], check=True, text=True, stdout=subprocess.PIPE).stdout
-    return {line[19 - 8:]: int(line[:8], 16) for line in table.splitlines() if line[0] != " "}
+    table = subprocess.run(["nm", "-C", image], check=True, text=True, stdout=subprocess.PIPE).stdout
+    return {name: int(address, 16) for address, _, name in
+            (line.split(maxsplit=2) for line in table.splitlines() if line[0] != " ")}

@@ -17,6 +17,7 @@ namespace {
 struct ImageOptions {
   std::string path;
   std::string vehicle;
+  std::string board;
   std::string out;
 };
 
@@ -26,6 +27,9 @@ void change_or_show(const ImageOptions& options) {
         "--out needs --vehicle or --vehicle-file: without a car there is nothing to write");
   }
   FirmwareImage image(options.path);
+  if (!options.board.empty()) {
+    image.demand_board(options.board);
+  }
   if (!options.vehicle.empty()) {
     const CatalogueEntry& car = find_vehicle(options.vehicle);
     put_car(car, image);
@@ -46,6 +50,9 @@ void add_image(CLI::App& program) {
       ->option_text("(required)")
       ->required();
   add_vehicle_options(*command, options->vehicle, "NAME  (default: only show)");
+  command
+      ->add_option("--board", options->board, "Refuse an image for another board: imx6 or zcu102")
+      ->option_text("NAME");
   auto* const out = command->add_option("--out", options->out,
                                         "Write the result to this file, not to the image itself");
   out->option_text("FILE");

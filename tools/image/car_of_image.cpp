@@ -124,8 +124,10 @@ void put_car(const CatalogueEntry& car, FirmwareImage& image) {
 }
 
 std::string words_of_image(const FirmwareImage& image) {
-  std::string words = row("image", std::string(image.kind()) + ", block at byte " +
-                                       std::to_string(image.block_offset()));
+  std::string words =
+      row("image", std::string(image.kind()) + (image.board().empty() ? "" : " for the ") +
+                       std::string(image.board()) + ", block at byte " +
+                       std::to_string(image.block_offset()));
   const car_block::Block block = image.block();
   if (const auto firmware = car_block::read_firmware(block)) {
     words += row("firmware", words_of_firmware(*firmware));

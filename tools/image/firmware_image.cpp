@@ -17,9 +17,23 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-// Where images run (linker/imx6.ld).
-constexpr std::uint32_t kLoadAddress = 0x10100000;
-constexpr std::uint32_t kBlockAddress = kLoadAddress + car_block::kOffsetInImage;
+// Where images of each board run (linker/<board>.ld), and what their ELF header says (System V ABI,
+// e_ident[EI_CLASS] and e_machine).
+struct Board {
+  std::string_view name;
+  std::uint32_t load_address = 0;
+  std::byte elf_class{};
+  std::uint16_t machine = 0;
+
+  [[nodiscard]] std::uint64_t block_address() const {
+    return std::uint64_t{load_address} + car_block::kOffsetInImage;
+  }
+};
+constexpr auto kBoards = std::to_array<Board>({
+    {"imx6", 0x10100000, std::byte{1}, 40},
+    {"zcu102", 0x10100000, std::byte{2}, 183},
+});
+constexpr const Board& kImx6 = kBoards.front();  // the one whose loader takes legacy images
 
 // U-Boot, include/image.h: the header of a legacy image, big endian.
 constexpr std::size_t kLegacyHeaderBytes = 64;
@@ -38,6 +52,9 @@ std::uint32_t be32(Bytes bytes, std::size_t at) {
 }
 std::uint32_t le32(Bytes bytes, std::size_t at) {
   return wire::load_le32(bytes.subspan(at).first<4>());
+}
+std::uint64_t le64(Bytes bytes, std::size_t at) {
+  return wire::load_le64(bytes.subspan(at).first<8>());
 }
 std::uint16_t le16(Bytes bytes, std::size_t at) {
   return wire::load_le16(bytes.subspan(at).first<2>());
@@ -65,31 +82,54 @@ std::uint32_t crc_of_header(Bytes header) {
 // Of a firmware: a script has the same header, and another type.
 bool is_legacy_header(Bytes bytes) {
   return bytes.size() >= kLegacyHeaderBytes && be32(bytes, 0) == kLegacyMagic &&
-         bytes[kTypeAt] == kStandalone && be32(bytes, kLoadAt) == kLoadAddress &&
+         bytes[kTypeAt] == kStandalone && be32(bytes, kLoadAt) == kImx6.load_address &&
          be32(bytes, kHeaderCrcAt) == crc_of_header(bytes);
 }
 
-bool is_elf(Bytes bytes) {
-  return bytes.size() >= 52 && be32(bytes, 0) == 0x7F454C46 && bytes[4] == std::byte{1} &&
-         bytes[5] == std::byte{1};
+// Little endian, and of the first board of its class: another machine has no block there.
+const Board* board_of_elf(Bytes bytes) {
+  if (bytes.size() < 64 || be32(bytes, 0) != 0x7F454C46 || bytes[5] != std::byte{1}) {
+    return nullptr;
+  }
+  const auto* const found = std::ranges::find_if(kBoards, [bytes](const Board& board) {
+    return board.elf_class == bytes[4] && board.machine == le16(bytes, 18);
+  });
+  return found == kBoards.end() ? nullptr : found;
 }
 
-// ELF for 32 bits, little endian (System V ABI): which byte of the file stands at the address.
-std::optional<std::size_t> place_in_elf(Bytes bytes) {
-  const std::size_t headers_at = le32(bytes, 28);
-  const std::size_t header_bytes = le16(bytes, 42);
-  const std::size_t count = le16(bytes, 44);
+// One program header, of either class.
+struct Segment {
+  std::uint32_t type = 0;
+  std::uint64_t at = 0;  // in the file
+  std::uint64_t address = 0;
+  std::uint64_t bytes = 0;
+};
+Segment segment_32(Bytes header) {
+  return {le32(header, 0), le32(header, 4), le32(header, 12), le32(header, 16)};
+}
+Segment segment_64(Bytes header) {
+  return {le32(header, 0), le64(header, 8), le64(header, 24), le64(header, 32)};
+}
+
+// Which byte of the file stands at the block's address.
+std::optional<std::size_t> place_in_elf(Bytes bytes, const Board& board) {
+  const bool is_64 = board.elf_class == std::byte{2};
+  const std::uint64_t headers_at = is_64 ? le64(bytes, 32) : le32(bytes, 28);
+  const std::size_t header_bytes = le16(bytes, is_64 ? 54 : 42);
+  const std::size_t count = le16(bytes, is_64 ? 56 : 44);
   constexpr std::uint32_t kLoad = 1;
+  if (header_bytes < (is_64 ? 56U : 32U) || headers_at > bytes.size() ||
+      count * header_bytes > bytes.size() - headers_at) {
+    return std::nullopt;
+  }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = headers_at + i * header_bytes;
-    if (header_bytes < 32 || at + header_bytes > bytes.size()) {
-      return std::nullopt;
-    }
-    const std::uint64_t begin = le32(bytes, at + 12);
-    const std::uint64_t in_file = le32(bytes, at + 16);
-    if (le32(bytes, at) == kLoad && begin <= kBlockAddress &&
-        kBlockAddress + car_block::kBlockBytes <= begin + in_file) {
-      return le32(bytes, at + 4) + (kBlockAddress - begin);
+    const Bytes header = bytes.subspan(headers_at + i * header_bytes, header_bytes);
+    const Segment segment = is_64 ? segment_64(header) : segment_32(header);
+    const std::uint64_t before = board.block_address() - segment.address;
+    if (segment.type == kLoad && segment.address <= board.block_address() &&
+        before <= segment.bytes && car_block::kBlockBytes <= segment.bytes - before &&
+        segment.at < bytes.size() && before < bytes.size() - segment.at) {
+      return segment.at + before;
     }
   }
   return std::nullopt;
@@ -114,15 +154,17 @@ std::vector<std::size_t> legacy_images_on(Bytes card) {
 }  // namespace
 
 FirmwareImage::FirmwareImage(const std::string& path) : path_(path), bytes_(read_file(path)) {
-  if (is_elf(bytes_)) {
+  if (const Board* const board = board_of_elf(bytes_)) {
     kind_ = "ELF";
-    const std::optional<std::size_t> at = place_in_elf(bytes_);
-    block_at_ = at.value_or(bytes_.size());
+    board_ = board->name;
+    block_at_ = place_in_elf(bytes_, *board).value_or(bytes_.size());
   } else if (is_legacy_header(bytes_)) {
     kind_ = "U-Boot image";
+    board_ = kImx6.name;
     find_in_legacy_image(0);
   } else if (is_card(bytes_)) {
     kind_ = "card with a U-Boot image";
+    board_ = kImx6.name;
     const std::vector<std::size_t> found = legacy_images_on(bytes_);
     if (found.size() != 1) {
       throw error("a card with " + std::to_string(found.size()) +
@@ -155,6 +197,15 @@ void FirmwareImage::find_in_legacy_image(std::size_t header_at) {
   legacy_header_at_ = header_at;
   legacy_bytes_ = size;
   block_at_ = header_at + kLegacyHeaderBytes + car_block::kOffsetInImage;
+}
+
+void FirmwareImage::demand_board(std::string_view name) const {
+  if (!std::ranges::any_of(kBoards, [name](const Board& board) { return board.name == name; })) {
+    throw UsageError("there is no board " + std::string(name) + "; there are imx6 and zcu102");
+  }
+  if (!board_.empty() && board_ != name) {
+    throw error("an image for the board " + std::string(board_) + ", not for " + std::string(name));
+  }
 }
 
 car_block::Block FirmwareImage::block() const {

@@ -19,6 +19,10 @@ class FirmwareImage {
 
   // "ELF", "raw image", "U-Boot image", "card with a U-Boot image"
   [[nodiscard]] std::string_view kind() const { return kind_; }
+  // "imx6", "zcu102"; empty for a raw image, which does not say it.
+  [[nodiscard]] std::string_view board() const { return board_; }
+  // UsageError if there is no such board, or if the image is known to be for another one.
+  void demand_board(std::string_view name) const;
   [[nodiscard]] std::size_t block_offset() const { return block_at_; }
 
   [[nodiscard]] car_block::Block block() const;
@@ -35,6 +39,7 @@ class FirmwareImage {
   std::string path_;
   std::vector<std::byte> bytes_;
   std::string_view kind_;
+  std::string_view board_;
   std::size_t block_at_ = 0;
   std::size_t legacy_header_at_ = 0;
   std::size_t legacy_bytes_ = 0;  // behind the header; 0: there is none

@@ -15,11 +15,11 @@
 #include <cstdint>
 #include <span>
 
-#include "ethernet/link_monitor.hpp"
-#include "ethernet/mdio.hpp"
+#include "board/common/ethernet/link_monitor.hpp"
+#include "board/common/ethernet/transmit_shaper.hpp"
+#include "ethernet/phy.hpp"
 #include "ethernet/receive_ring.hpp"
 #include "ethernet/transmit_ring.hpp"
-#include "ethernet/transmit_shaper.hpp"
 #include "hal/ethernet_port.hpp"
 #include "health/guard.hpp"
 #include "memory/l2_cache.hpp"
@@ -127,9 +127,9 @@ class EnetPort {
   GptClock& clock_;
   ReceiveRing receive_ring_;
   TransmitRing transmit_ring_;
-  TransmitShaper shaper_;
+  board::TransmitShaper shaper_;
   Mdio mdio_{registers_};
-  LinkMonitor link_monitor_{mdio_};
+  board::LinkMonitor<Mdio> link_monitor_{mdio_};
   hal::PortCounters counters_;
   // The newest good frame, in whole bursts.
   alignas(64) std::array<std::byte, kFrameBursts * machine::kBurstBytes> copy_{};

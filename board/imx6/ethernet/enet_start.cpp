@@ -31,7 +31,7 @@ constexpr std::uint32_t kCrcPolynomial = 0xEDB8'8320;
 void EnetPort::start(const MacAddress& address) {
   address_ = address;
   set_up(Link{});
-  phy_ = phy::start(mdio_);
+  phy_ = start_phy(mdio_);
   run();
 }
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace iog::imx6::phy {
+namespace iog::imx6 {
 namespace {
 
 constexpr std::uint32_t kKsz9021Id = 0x0022'1610;
@@ -40,11 +40,8 @@ constexpr unsigned kLastAddress = 7;
 constexpr std::uint16_t kManualMaster = 1u << 12;
 constexpr std::uint16_t kMaster = 1u << 11;
 constexpr std::uint16_t kMultiport = 1u << 10;  // prefers to be master, where that is negotiated
-constexpr std::uint16_t kGigabitFull = 1u << 9;
-constexpr std::uint16_t kGigabitHalf = 1u << 8;
 constexpr std::uint16_t kBeMaster =
-    kManualMaster | kMaster | kMultiport | kGigabitFull | kGigabitHalf;
-constexpr std::uint16_t kNegotiateAnew = 1u << 12 | 1u << 9;
+    kManualMaster | kMaster | kMultiport | phy::kGigabitFull | phy::kGigabitHalf;
 
 // A PHY that was found answers; a failed write shows as a link that is down or loses frames, and
 // there is nothing else to do about it here.
@@ -52,28 +49,10 @@ void write(Mdio& mdio, unsigned phy_register, std::uint16_t value) {
   static_cast<void>(mdio.write(phy_register, value));
 }
 
-std::uint32_t identifier(Mdio& mdio) {
-  const std::uint32_t high = mdio.read(kIdHigh).value_or(0xffff);
-  const std::uint32_t low = mdio.read(kIdLow).value_or(0xffff);
-  const std::uint32_t id = high << 16 | low;
-  return id == 0 ? Identity::kNobody : id;  // a wire that is held low
-}
-
-// The first that answers.
-Identity find(Mdio& mdio) {
-  for (unsigned address = kFirstAddress; address <= kLastAddress; ++address) {
-    mdio.select(address);
-    if (const std::uint32_t id = identifier(mdio); id != Identity::kNobody) {
-      return {.address = address, .id = id};
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
-Identity start(Mdio& mdio) {
-  const Identity found = find(mdio);
+phy::Identity start_phy(Mdio& mdio) {
+  const phy::Identity found = mdio.find(kFirstAddress, kLastAddress);
   if ((found.id & kIdWithoutRevision) != kKsz9021Id) {
     return found;  // QEMU's PHY has no RGMII to delay and no clock to be master of
   }
@@ -82,9 +61,9 @@ Identity start(Mdio& mdio) {
           static_cast<std::uint16_t>(kExtendedWriteBit | skew.extended_register));
     write(mdio, kExtendedWrite, skew.value);
   }
-  write(mdio, kGigabitControl, kBeMaster);
-  write(mdio, kBasicControl, kNegotiateAnew);
+  write(mdio, phy::kGigabitControl, kBeMaster);
+  write(mdio, phy::kBasicControl, phy::kNegotiateAnew);
   return found;
 }
 
-}  // namespace iog::imx6::phy
+}  // namespace iog::imx6

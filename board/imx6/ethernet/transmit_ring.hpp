@@ -1,17 +1,12 @@
 // The ring of buffers that the program fills and the controller sends. It knows ownership and
-// order.
-//
-//      done                in flight            queued           free
-//   ... free | oldest_ ............. | handed ............ | next_ ... free
-//
-// A buffer is free, then queued (committed, still ours), then in flight (the controller's), then
-// free.
+// order (transmit_order.hpp).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "board/common/ethernet/transmit_order.hpp"
 #include "ethernet/descriptor.hpp"
 
 namespace iog::imx6 {
@@ -23,7 +18,7 @@ class TransmitRing {
 
   // One buffer of kBufferBytes for each descriptor.
   TransmitRing(std::span<Descriptor> descriptors, std::span<std::byte> buffers, L2Cache& cache)
-      : descriptors_(descriptors), buffers_(buffers), cache_(cache) {}
+      : descriptors_(descriptors), buffers_(buffers), cache_(cache), order_(descriptors.size()) {}
 
   // All buffers are free; what was queued or in flight is forgotten.
   void start();
@@ -31,16 +26,15 @@ class TransmitRing {
   // What the controller is told (TDSR).
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
-  std::size_t room() const { return descriptors_.size() - queued_ - in_flight_; }
+  std::size_t room() const { return order_.room(); }
   bool full() const { return room() == 0; }
-  std::size_t queued() const { return queued_; }
-  std::size_t in_flight() const { return in_flight_; }
-  // Frames that have left since the ring was made; wraps.
-  std::uint32_t sent() const { return sent_; }
+  std::size_t queued() const { return order_.queued(); }
+  std::size_t in_flight() const { return order_.in_flight(); }
+  std::uint32_t sent() const { return order_.sent(); }
 
   // The buffer to fill next. Only while not full().
   std::span<std::byte> buffer() const {
-    return buffers_.subspan(next_ * kBufferBytes, kBufferBytes);
+    return buffers_.subspan(order_.next() * kBufferBytes, kBufferBytes);
   }
 
   // Queues the first `bytes` of buffer().
@@ -54,15 +48,10 @@ class TransmitRing {
   void reclaim();
 
  private:
-  std::size_t after(std::size_t index, std::size_t steps) const;
-
   std::span<Descriptor> descriptors_;
   std::span<std::byte> buffers_;
   L2Cache& cache_;
-  std::size_t next_ = 0;       // the first free one, unless full
-  std::size_t queued_ = 0;     // counted back from next_
-  std::size_t in_flight_ = 0;  // counted back from the queued ones
-  std::uint32_t sent_ = 0;
+  board::TransmitOrder order_;
 };
 
 }  // namespace iog::imx6

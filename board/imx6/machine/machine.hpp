@@ -6,7 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace iog::imx6::machine {
+// What boards share is at hand in this one.
+namespace iog::board {}
+namespace iog::imx6 {
+using namespace board;
+}
+
+namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 32;
 
@@ -43,6 +49,16 @@ inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
 inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
 
+inline void mask_interrupts() { __asm__ volatile("cpsid i" ::: "memory"); }
+inline void unmask_interrupts() { __asm__ volatile("cpsie i\n\tisb" ::: "memory"); }
+
+// Which core this is, from MPIDR.
+inline std::size_t core_number() {
+  std::uint32_t mpidr = 0;
+  __asm__("mrc p15, 0, %0, c0, c0, 5" : "=r"(mpidr));
+  return mpidr & 3;
+}
+
 // A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
 inline void yield() { __asm__ volatile("yield" ::: "memory"); }
 
@@ -52,4 +68,4 @@ inline std::uint32_t bus_address(const T& object) {
   return reinterpret_cast<std::uint32_t>(&object);
 }
 
-}  // namespace iog::imx6::machine
+}  // namespace iog::machine

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "memory/l2_cache.hpp"
 #include "trace.hpp"
 
 namespace iog::imx6 {

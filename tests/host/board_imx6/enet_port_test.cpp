@@ -193,11 +193,11 @@ TEST_F(Port, OnlyPumpHandsOverAndAtMostABurst) {
   queue(kTransmit);
   EXPECT_EQ(send_all(), 0u) << "committed is not sent";
   pump_at(0);
-  EXPECT_EQ(send_all(), TransmitShaper::kBurstFrames);
+  EXPECT_EQ(send_all(), board::TransmitShaper::kBurstFrames);
   pump_at(100);
   EXPECT_EQ(send_all(), 0u);
   pump_at(260);
-  EXPECT_EQ(send_all(), kTransmit - TransmitShaper::kBurstFrames);
+  EXPECT_EQ(send_all(), kTransmit - board::TransmitShaper::kBurstFrames);
   EXPECT_EQ(port_.counters().sent, kTransmit);
 }
 

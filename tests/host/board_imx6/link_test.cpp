@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "ethernet/link_monitor.hpp"
-#include "ethernet/mdio.hpp"
+#include "board/common/ethernet/link_monitor.hpp"
 #include "ethernet/phy.hpp"
 #include "trace.hpp"
 
@@ -19,6 +18,7 @@ class Phy : public testing::Test {
  protected:
   Phy() {
     recorder.reset();
+    mdio_.select(address_);
     recorder.on_store = [this](const void* address, std::uint32_t value) {
       if (address == &registers_.eir) {
         poke(registers_.eir, 0u);  // writing the flag clears it
@@ -65,7 +65,7 @@ class Phy : public testing::Test {
   // Polls until the monitor has nothing left to read in this round.
   std::optional<Link> round() {
     std::optional<Link> change;
-    now_us_ += LinkMonitor::kPeriodUs;
+    now_us_ += board::LinkMonitor<Mdio>::kPeriodUs;
     for (int poll = 0; poll < 10; ++poll) {
       if (const std::optional<Link> now = monitor_.poll(++now_us_)) {
         change = now;
@@ -84,7 +84,7 @@ class Phy : public testing::Test {
 
   EnetRegisters registers_{};
   Mdio mdio_{registers_};
-  LinkMonitor monitor_{mdio_};
+  board::LinkMonitor<Mdio> monitor_{mdio_};
   std::array<std::uint16_t, 32> table_{};
   std::vector<std::uint32_t> frames_;
   bool alive_ = true;
@@ -114,7 +114,7 @@ TEST_F(Phy, ADeadBusIsReportedAndDoesNotHang) {
   alive_ = false;
   EXPECT_EQ(mdio_.read(2), std::nullopt);
   EXPECT_FALSE(mdio_.write(11, 0));
-  EXPECT_FALSE(phy::start(mdio_).answers());
+  EXPECT_FALSE(start_phy(mdio_).answers());
 }
 
 // KSZ9021 data sheet, "Strapping options": PHYAD2 is at RXC, which the board drives; PHYAD1 and 0
@@ -123,7 +123,7 @@ TEST_F(Phy, IsFoundAtEachAddressThatItsStrapsMayGive) {
   be_ksz9021();
   for (address_ = 4; address_ <= 7; ++address_) {
     frames_.clear();
-    const phy::Identity found = phy::start(mdio_);
+    const phy::Identity found = start_phy(mdio_);
     EXPECT_EQ(found.address, address_);
     EXPECT_EQ(found.id, 0x0022'1611u);
     EXPECT_EQ(writes().size(), 8u) << "to that address";
@@ -138,7 +138,7 @@ TEST_F(Phy, NobodyBetweenTheseAddressesIsSaid) {
   for (const std::uint32_t elsewhere : {0u, 3u, 8u, 31u}) {
     address_ = elsewhere;
     frames_.clear();
-    EXPECT_FALSE(phy::start(mdio_).answers());
+    EXPECT_FALSE(start_phy(mdio_).answers());
     EXPECT_EQ(frames_.size(), 8u) << "two identifiers at each of four addresses";
   }
 }
@@ -146,14 +146,14 @@ TEST_F(Phy, NobodyBetweenTheseAddressesIsSaid) {
 // A bus held low answers with zeros; that is nobody, too (802.3 22.2.4.3.1 has no such identifier).
 TEST_F(Phy, ABusHeldLowIsNobody) {
   for (address_ = 4; address_ <= 7; ++address_) {
-    EXPECT_FALSE(phy::start(mdio_).answers());
+    EXPECT_FALSE(start_phy(mdio_).answers());
   }
 }
 
 TEST_F(Phy, AnotherPhyIsLeftAlone) {
   table_[2] = 0x0007;
   table_[3] = 0xc0d1;  // QEMU's
-  const phy::Identity found = phy::start(mdio_);
+  const phy::Identity found = start_phy(mdio_);
   EXPECT_EQ(found.address, 6u);
   EXPECT_EQ(found.id, 0x0007'c0d1u);
   EXPECT_TRUE(writes().empty());
@@ -164,7 +164,7 @@ TEST_F(Phy, AnotherPhyIsLeftAlone) {
 // and 8 1000BASE-T full and half duplex. Register 0 is of 22.2.4.1: bit 12 negotiation on, 9 anew.
 TEST_F(Phy, TheBoardsPhyGetsItsSkewsAndIsMaster) {
   be_ksz9021();
-  phy::start(mdio_);
+  start_phy(mdio_);
   EXPECT_EQ(writes(), (std::vector<PhyWrite>{{11, 0x8104},
                                              {12, 0xf0f0},
                                              {11, 0x8105},
@@ -210,7 +210,7 @@ TEST_F(Phy, TheMonitorAsksOncePerPollAndOncePerPeriod) {
   plug_in(0x45e1, 0x0800);
   round();
   frames_.clear();
-  now_us_ += LinkMonitor::kPeriodUs;
+  now_us_ += board::LinkMonitor<Mdio>::kPeriodUs;
   for (int poll = 0; poll < 100; ++poll) {
     const std::size_t before = frames_.size();
     monitor_.poll(++now_us_);
@@ -223,7 +223,7 @@ TEST_F(Phy, ABusThatDiesTakesTheLinkDown) {
   plug_in(0x45e1, 0x0800);
   round();
   alive_ = false;
-  now_us_ += LinkMonitor::kPeriodUs;
+  now_us_ += board::LinkMonitor<Mdio>::kPeriodUs;
   EXPECT_EQ(monitor_.poll(now_us_), std::nullopt);
   EXPECT_EQ(monitor_.poll(now_us_ + 2999), std::nullopt);
   EXPECT_EQ(monitor_.poll(now_us_ + 3000), Link{});

@@ -1,13 +1,13 @@
 // The laws of the shaper: never more than a burst, never faster than the rate, nothing lost by
 // waiting.
-#include "ethernet/transmit_shaper.hpp"
+#include "board/common/ethernet/transmit_shaper.hpp"
 
 #include <gtest/gtest.h>
 
 namespace iog::imx6 {
 namespace {
 
-using S = TransmitShaper;
+using S = board::TransmitShaper;
 
 // Sends as much as allowed at each of `passes` moments that are step_us apart.
 std::uint64_t sent_in(std::uint32_t step_us, std::uint32_t passes) {

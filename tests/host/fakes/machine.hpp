@@ -11,7 +11,15 @@
 #include <functional>
 #include <vector>
 
-namespace iog::imx6::machine {
+namespace iog::board {}
+namespace iog::imx6 {
+using namespace board;
+}
+namespace iog::zcu102 {
+using namespace board;
+}
+
+namespace iog::machine {
 
 struct Event {
   enum class Kind { kStore, kBarrier, kSleep };
@@ -80,4 +88,4 @@ inline Word peek(const Register& source) {
   return value;
 }
 
-}  // namespace iog::imx6::machine
+}  // namespace iog::machine

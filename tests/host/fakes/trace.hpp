@@ -8,7 +8,7 @@
 
 #include "machine.hpp"
 
-namespace iog::imx6::machine {
+namespace iog::machine {
 
 // An offset in the block, as the manual counts, and what was stored there.
 struct Write {
@@ -44,4 +44,4 @@ std::uint32_t last_write(const Block& block, std::size_t offset) {
   return value;
 }
 
-}  // namespace iog::imx6::machine
+}  // namespace iog::machine

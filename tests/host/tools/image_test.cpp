@@ -46,6 +46,7 @@ Image elf_image() {
   Image image(kContentAt);
   put(image, 0, 0x7F454C46, true);
   image[4] = image[5] = std::byte{1};
+  image[18] = std::byte{40};             // EM_ARM
   put(image, 28, 52, false);             // program headers
   put(image, 42, 2U << 16 | 32, false);  // of 32 bytes, 2 of them
   put(image, 52, 0x70000001, false);
@@ -54,6 +55,26 @@ Image elf_image() {
   put(image, 84 + 12, 0x10100000, false);
   const Image content = raw_image();
   put(image, 84 + 16, static_cast<std::uint32_t>(content.size()), false);
+  image.insert(image.end(), content.begin(), content.end());
+  return image;
+}
+
+// The same for 64 bits and EM_AARCH64: System V ABI, "ELF-64 object file format".
+Image elf64_image() {
+  constexpr std::size_t kContentAt = 0x200;
+  Image image(kContentAt);
+  put(image, 0, 0x7F454C46, true);
+  image[4] = std::byte{2};
+  image[5] = std::byte{1};
+  image[18] = std::byte{183};
+  put(image, 32, 64, false);             // program headers
+  put(image, 54, 2U << 16 | 56, false);  // of 56 bytes, 2 of them
+  put(image, 64, 0x6474E551, false);
+  put(image, 120, 1, false);
+  put(image, 120 + 8, kContentAt, false);
+  put(image, 120 + 24, 0x10100000, false);
+  const Image content = raw_image();
+  put(image, 120 + 32, static_cast<std::uint32_t>(content.size()), false);
   image.insert(image.end(), content.begin(), content.end());
   return image;
 }
@@ -129,8 +150,9 @@ TEST_F(ImageFile, OfEachKindIsFoundAndChanged) {
     std::size_t block_at;
     std::size_t header_at;  // of U-Boot's; 0 with block_at 0x1000 and 0x1200: there is none
   };
-  const std::array<Case, 4> cases{{{raw_image(), "raw image", 0x1000, 0},
+  const std::array<Case, 5> cases{{{raw_image(), "raw image", 0x1000, 0},
                                    {elf_image(), "ELF", 0x1200, 0},
+                                   {elf64_image(), "ELF", 0x1200, 0},
                                    {legacy_image(), "U-Boot image", 0x1040, 0},
                                    {card(), "card with a U-Boot image", 0x1840, 0x800}}};
   for (const Case& each : cases) {
@@ -153,6 +175,19 @@ TEST_F(ImageFile, OfEachKindIsFoundAndChanged) {
   }
 }
 
+TEST_F(ImageFile, OfAnotherBoardIsRefused) {
+  const FirmwareImage imx6(write(elf_image()));
+  EXPECT_EQ(imx6.board(), "imx6");
+  EXPECT_THROW(imx6.demand_board("zcu102"), UsageError);
+  const FirmwareImage zcu102(write(elf64_image()));
+  EXPECT_EQ(zcu102.board(), "zcu102");
+  EXPECT_NO_THROW(zcu102.demand_board("zcu102"));
+  EXPECT_THROW(zcu102.demand_board("imx6"), UsageError);
+  EXPECT_EQ(FirmwareImage(write(card())).board(), "imx6");
+  EXPECT_NO_THROW(FirmwareImage(write(raw_image())).demand_board("zcu102")) << "it does not say";
+  EXPECT_THROW(zcu102.demand_board("zcu104"), UsageError);
+}
+
 TEST_F(ImageFile, WhatIsNoneIsRefused) {
   EXPECT_THROW(FirmwareImage{folder_ / "nowhere"}, UsageError);
   EXPECT_THROW(FirmwareImage{write({})}, UsageError);
@@ -171,6 +206,12 @@ TEST_F(ImageFile, WhatIsNoneIsRefused) {
   EXPECT_THROW(FirmwareImage{write(twice)}, UsageError);
   Image wild = elf_image();
   put(wild, 28, 0xFFFFFFF0, false);
+  EXPECT_THROW(FirmwareImage{write(wild)}, UsageError);
+  wild = elf64_image();
+  put(wild, 36, 0xFFFFFFFF, false);
+  EXPECT_THROW(FirmwareImage{write(wild)}, UsageError);
+  wild = elf64_image();
+  put(wild, 120 + 12, 0xFFFFFFFF, false);  // a segment from outside the file
   EXPECT_THROW(FirmwareImage{write(wild)}, UsageError);
 }
 

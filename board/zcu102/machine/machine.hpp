@@ -1,0 +1,97 @@
+// The only door to the machine: one load or store of a device register or a DMA descriptor, the
+// barriers, sleep, and a call of the firmware beneath. Tests on the PC are built against another
+// file of this name (tests/host/fakes/machine.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+// What boards share is at hand in this one.
+namespace iog::board {}
+namespace iog::zcu102 {
+using namespace board;
+}
+
+namespace iog::machine {
+
+inline constexpr std::size_t kBurstBytes = 64;  // a line of the caches
+
+// One access of exactly the width of T, never merged, split or dropped by the compiler.
+template <typename T>
+inline T load(const T& location) {
+  return *static_cast<const volatile T*>(&location);
+}
+
+template <typename T>
+inline void store(T& location, T value) {
+  *static_cast<volatile T*>(&location) = value;
+}
+
+// Copies `bursts` times kBurstBytes, at least one.
+inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
+  std::memcpy(to, from, bursts * kBurstBytes);
+}
+
+// Makes everything that this core has stored visible to every DMA engine before anything after it
+// happens.
+inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
+
+// Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
+inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
+
+inline void mask_interrupts() { __asm__ volatile("msr daifset, #2" ::: "memory"); }
+inline void unmask_interrupts() { __asm__ volatile("msr daifclr, #2\n\tisb" ::: "memory"); }
+
+// Which core this is, from MPIDR_EL1.
+inline std::size_t core_number() {
+  std::uint64_t mpidr = 0;
+  __asm__("mrs %0, mpidr_el1" : "=r"(mpidr));
+  return mpidr & 0xff;
+}
+
+// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
+inline void yield() { __asm__ volatile("yield" ::: "memory"); }
+
+// The address as the bus sees it: memory is mapped one to one, and all of it is below 4 GiB.
+template <typename T>
+inline std::uint32_t bus_address(const T& object) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&object));
+}
+
+// The generic timer (ARM ARM, D11): its counter, which no earlier instruction is read behind, and
+// its frequency, which the loader has set.
+inline std::uint64_t counter() {
+  std::uint64_t ticks = 0;
+  __asm__ volatile("isb\n\tmrs %0, cntpct_el0" : "=r"(ticks)::"memory");
+  return ticks;
+}
+inline std::uint64_t counter_hz() {
+  std::uint64_t hz = 0;
+  __asm__ volatile("mrs %0, cntfrq_el0" : "=r"(hz));
+  return hz;
+}
+
+// Its interrupt after so many ticks, or never.
+inline void alarm_in(std::uint64_t ticks) {
+  __asm__ volatile("msr cntp_tval_el0, %0\n\tmsr cntp_ctl_el0, %1\n\tisb" ::"r"(ticks),
+                   "r"(std::uint64_t{1}));
+}
+inline void alarm_off() { __asm__ volatile("msr cntp_ctl_el0, xzr\n\tisb" :::); }
+
+// A call of PSCI (ARM DEN 0022) in the firmware beneath: TF-A, or QEMU itself.
+inline std::int64_t call_psci(std::uint64_t function, std::uint64_t first = 0,
+                              std::uint64_t second = 0, std::uint64_t third = 0) {
+  register std::uint64_t x0 __asm__("x0") = function;
+  register std::uint64_t x1 __asm__("x1") = first;
+  register std::uint64_t x2 __asm__("x2") = second;
+  register std::uint64_t x3 __asm__("x3") = third;
+  __asm__ volatile("smc #0"
+                   : "+r"(x0), "+r"(x1), "+r"(x2), "+r"(x3)
+                   :
+                   : "x4", "x5", "x6", "x7", "x8", "x9", "x10", "x11", "x12", "x13", "x14", "x15",
+                     "x16", "x17", "memory");
+  return static_cast<std::int64_t>(x0);
+}
+
+}  // namespace iog::machine
