@@ -1,5 +1,9 @@
 // iog: everything a PC does for the grid. One subcommand for each file of tools/commands.
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +14,35 @@
 
 namespace iog::tools {
 namespace {
+
+// CLI11's ranges take "nan", which compares with nothing.
+void demand_numbers(CLI::App& command) {
+  for (CLI::Option* const option : command.get_options(
+           [](const CLI::Option* its) { return its->get_type_name().starts_with("FLOAT"); })) {
+    option->check([](const std::string& text) {
+      return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is no number";
+    });
+  }
+}
+
+// CLI11 breaks no lines of a footer. Its own line breaks begin paragraphs.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t kWidth = 110;
+  std::istringstream paragraphs(text);
+  std::string made;
+  for (std::string paragraph; std::getline(paragraphs, paragraph);) {
+    made += made.empty() ? "" : "\n";
+    std::istringstream words(paragraph);
+    std::size_t column = 0;
+    for (std::string word; words >> word; column += word.size()) {
+      const bool fits = column + 1 + word.size() <= kWidth;
+      made += column == 0 ? "" : fits ? " " : "\n";
+      column = column == 0 || !fits ? 0 : column + 1;
+      made += word;
+    }
+  }
+  return made;
+}
 
 // By what a user wants, in the order of --help.
 void add_commands(CLI::App& program) {
@@ -30,6 +63,8 @@ void add_commands(CLI::App& program) {
       add(program);
       CLI::App* const command = program.get_subcommands([](CLI::App*) { return true; }).back();
       command->group(group.title);
+      command->footer(wrapped(command->get_footer()));
+      demand_numbers(*command);
       command->parse_complete_callback([command] { check_outputs(*command); });
     }
   }

@@ -64,8 +64,7 @@ void add_budget(CLI::App& program) {
       "Typical: the share of returns that the reference car has on two drives, with one echo per "
       "direction.\n"
       "Worst: all returns that the car file allows, each at the highest known cost. Times are "
-      "milliseconds of\n"
-      "one core, from the packets to the last message.\n");
+      "milliseconds of one core, from the packets to the last message.");
   command->callback([name, is_check] {
     if (*is_check) {
       check_all();

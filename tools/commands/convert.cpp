@@ -231,14 +231,11 @@ void add_convert(CLI::App& program) {
       "A raw recording consists of ibeo 0x2202 messages of a LUX, or of Velodyne payloads of 1206 "
       "bytes.\n"
       "Packets are sorted by the sensors' own times. A LUX message longer than a datagram of 1400 "
-      "bytes is\n"
-      "split into several with the same scan number, each with its own sector. A KITTI folder "
-      "contains\n"
-      "velodyne_points and oxts (raw data), or velodyne, times.txt, poses.txt and calib.txt "
-      "(odometry,\n"
-      "SemanticKITTI). Each point is assigned to the laser that looks in its direction, by the "
-      "car's table,\n"
-      "and to the nearest firing. Poses are sent 100 times per second (docs/recordings.md).");
+      "bytes is split into several with the same scan number, each with its own sector. A KITTI "
+      "folder contains velodyne_points and oxts (raw data), or velodyne, times.txt, poses.txt and "
+      "calib.txt (odometry, SemanticKITTI). Each point is assigned to the laser that looks in its "
+      "direction, by the car's table, and to the nearest firing. Poses are sent 100 times per "
+      "second (docs/recordings.md).");
   command->callback([options] {
     if (!options->bag.empty()) {
       convert_packets(*options);

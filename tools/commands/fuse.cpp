@@ -307,17 +307,15 @@ void add_fuse(CLI::App& program) {
       ->option_text("FILE");
   command->footer(
       "fuse processes the capture as if `iog replay` sent it. It assigns packets to sensors by "
-      "destination\n"
-      "port and does not check source addresses. Time is that of the capture. A pause counts as at "
-      "most 1 s.\n"
-      "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and\n"
+      "destination port and does not check source addresses. Time is that of the capture. A pause "
+      "counts as at most 1 s.\n"
+      "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and "
       "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
       "CRCs.\n"
       "--classes-hashes: number, time on the poses' clock, slices and packets with a pose, packets "
-      "without\n"
-      "one, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of the "
-      "classes, and\n"
-      "the frames without evidence in which the window's time advanced, since the first line.\n" +
+      "without one, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of "
+      "the classes, and the frames without evidence in which the window's time advanced, since the "
+      "first line.\n" +
       std::string(kPictureFooter));
   const auto is_quiet = std::make_shared<bool>(false);
   command->add_flag("--quiet", *is_quiet, "Do not suggest commands for this drive on a terminal");

@@ -20,10 +20,8 @@ void add_info(CLI::App& program) {
   add_vehicle_file_option(*command);
   command->footer(
       "info reads captures (.pcap, .pcapng) of sensors or of a target's stream, MCAP files, bags "
-      "of "
-      "ROS 2, maps of ROS\n"
-      "map_server (YAML or PGM), maps of `iog map`, and folders written by `iog record --out "
-      "FOLDER`.\n");
+      "of ROS 2, maps of ROS map_server (YAML or PGM), maps of `iog map`, and folders written by "
+      "`iog record --out FOLDER`.");
   command->callback([path] { std::cout << summary_of_file(*path); });
 }
 

@@ -117,8 +117,7 @@ void add_map(CLI::App& program) {
   command->add_option("--png", options->png, "Also draw the map (.png)")->option_text("FILE");
   command->footer(
       "GeoJSON and Shapefiles may use any coordinate reference system that PROJ converts with an "
-      "accuracy of\n"
-      "1 m. docs/map.md lists the parts of the data that are used.\n");
+      "accuracy of 1 m. docs/map.md lists the parts of the data that are used.");
   command->callback([options] { make_map(*options); });
 }
 

@@ -110,14 +110,10 @@ void add_mount(CLI::App& program) {
   add_vehicle_options(*command, options->vehicle);
   command->footer(
       "mount prints the estimate and its uncertainty for each unit, then a `mount` line for the "
-      "car file. x, y\n"
-      "and yaw stay as they are in the file, which may be wrong by 10 degrees and 1 m. Record a "
-      "drive of at\n"
-      "least 15 s on an even road. If there are poses, turns of the lidar are left out while the "
-      "car stands,\n"
-      "brakes or turns. If too little ground was seen, or parts of the drive disagree, mount "
-      "prints no line\n"
-      "and exits with status 1 (docs/sensors.md).\n");
+      "car file. x, y and yaw stay as they are in the file, which may be wrong by 10 degrees and 1 "
+      "m. Record a drive of at least 15 s on an even road. If there are poses, turns of the lidar "
+      "are left out while the car stands, brakes or turns. If too little ground was seen, or parts "
+      "of the drive disagree, mount prints no line and exits with status 1 (docs/sensors.md).");
   command->callback([options] { fit_mounts(*options); });
 }
 

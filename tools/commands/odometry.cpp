@@ -70,11 +70,9 @@ void add_odometry(CLI::App& program) {
   add_log_options(*command, drive, "Find by how much the clock of this log differs, by the motion");
   command->footer(
       "Each turn is registered in a map of the turns before. The log is in the vehicle frame of "
-      "the "
-      "first turn.\n"
+      "the first turn.\n"
       "Where the surroundings do not determine the motion, as on an empty plain or in a tunnel, "
-      "its "
-      "sigma is 1 m.");
+      "its sigma is 1 m.");
   command->callback([options] { estimate(*options); });
 }
 

@@ -232,15 +232,13 @@ void add_pose(CLI::App& program) {
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);
   command->footer(
-      "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s,\n"
-      "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with\n"
+      "csv: the first line names the columns, at least time_s,x_m,y_m,heading_deg; speed_m_s, "
+      "yaw_rate_deg_s, sigma_m and sigma_heading_deg if known. oxts: a folder of KITTI with "
       "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. tum: timestamp tx ty tz qx "
       "qy qz qw.\n"
       "kitti: a folder with times.txt, poses.txt and calib.txt. mcap: nav_msgs/Odometry, else "
-      "base_link in /tf;\n"
-      "FILE.mcap:/topic names one of several. Latitude and longitude become metres east and north "
-      "of the\n"
-      "first position. docs/drives.md says how each is read.");
+      "base_link in /tf; FILE.mcap:/topic names one of several. Latitude and longitude become "
+      "metres east and north of the first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }
 

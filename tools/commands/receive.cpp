@@ -378,8 +378,7 @@ void add_receive(CLI::App& program) {
       "error.\n"
       "Reports of silence are frames without evidence. They are counted, but have no number.\n"
       "--serial shows the newest cells of each tile over the coarse grids (docs/spec.md 3.8) and "
-      "counts\n"
-      "frames by their numbers.\n" +
+      "counts frames by their numbers.\n" +
       std::string(kPictureFooter));
   command->callback([options] {
     catch_interrupts();

@@ -214,13 +214,10 @@ void add_record(CLI::App& program) {
   add_destinations(*command, *options);
   command->footer(
       "docs/recordings.md lists the programs that open the files. Ctrl-C ends a recording cleanly. "
-      "If record\n"
-      "is killed, its MCAP file loses at most the last second. With --pcap and --stream, the same "
-      "input\n"
-      "gives the same bytes. A folder receives frame_NNNNNN.png for every frame with evidence,\n"
-      "classes_NNNNNN.png if the frame has classes, and the last frame as map.pgm and map.yaml. "
-      "Files of an\n"
-      "earlier run are removed.\n");
+      "If record is killed, its MCAP file loses at most the last second. With --pcap and --stream, "
+      "the same input gives the same bytes. A folder receives frame_NNNNNN.png for every frame "
+      "with evidence, classes_NNNNNN.png if the frame has classes, and the last frame as map.pgm "
+      "and map.yaml. Files of an earlier run are removed.");
   command->callback([options] {
     catch_interrupts();
     record(*options);

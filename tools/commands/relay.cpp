@@ -136,14 +136,10 @@ void add_relay(CLI::App& program) {
       ->option_text("NAME=ADDRESS[:PORT] ...");
   command->footer(
       "relay connects to ibeo LUX and SICK LD-MRS units, which are TCP servers. Without --unit, it "
-      "uses the\n"
-      "source_ipv4 of each sensor in the car file. It sends nothing to a unit, which must already "
-      "be set up\n"
-      "to measure. It restores lost connections until interrupted. A target accepts packets from a "
-      "sensor's\n"
-      "source_ipv4 and from its peer. So run relay on the peer, or name this host as source_ipv4 "
-      "in the car\n"
-      "file and give each --unit.");
+      "uses the source_ipv4 of each sensor in the car file. It sends nothing to a unit, which must "
+      "already be set up to measure. It restores lost connections until interrupted. A target "
+      "accepts packets from a sensor's source_ipv4 and from its peer. So run relay on the peer, or "
+      "name this host as source_ipv4 in the car file and give each --unit.");
   command->callback([options] {
     catch_interrupts();
     relay(*options);

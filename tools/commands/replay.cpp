@@ -335,10 +335,9 @@ void add_replay(CLI::App& program) {
   command->add_flag("--loop", options->loop, "Restart at the end, until interrupted");
   command->footer(
       "--step waits for Enter, or for the output of `iog receive --notify` on standard input. A "
-      "pause of the\n"
-      "capture lasts at most 1 s. With --loop, a capture should be longer than 30 frames, because "
-      "a target\n"
-      "drops repeated packets as duplicates. Each lap restarts the pose source.");
+      "pause of the capture lasts at most 1 s. With --loop, a capture should be longer than 30 "
+      "frames, because a target drops repeated packets as duplicates. Each lap restarts the pose "
+      "source.");
   command->callback([options] {
     catch_interrupts();
     Replay replay(*options);

@@ -355,20 +355,14 @@ void add_simulate(CLI::App& program) {
   add_town_options(*command, *options, moving, scene);
   command->footer(
       "Without --moving, the world stands still during a scan, and all scanners scan at the same "
-      "time. With\n"
-      "it, each point is measured from the car's position at that time, each scanner has its own "
-      "phase, and\n"
-      "messages to UDP port 15010 state the car's pose and its uncertainty. The true occupancy "
-      "has\n"
-      "1024 x 1024 cells of 0.1 m around the car, with x to the right and y up. A cell is 0 if "
-      "something within\n"
-      "the car's height band covers its centre, and 255 otherwise. docs/drives.md explains "
-      "--truth-cells,\n"
-      "--truth-points and the events of the scene 'street'. The same options give the same bytes "
-      "on every\n"
-      "machine. Spinning scanners turn ten times per second, with one return per beam. A car with "
-      "only such\n"
-      "scanners has ten frames per second.");
+      "time. With it, each point is measured from the car's position at that time, each scanner "
+      "has its own phase, and messages to UDP port 15010 state the car's pose and its uncertainty. "
+      "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, with x to the right and y "
+      "up. A cell is 0 if something within the car's height band covers its centre, and 255 "
+      "otherwise. docs/drives.md explains --truth-cells, --truth-points and the events of the "
+      "scene 'street'. The same options give the same bytes on every machine. Spinning scanners "
+      "turn ten times per second, with one return per beam. A car with only such scanners has ten "
+      "frames per second.");
   command->callback([options] { simulate(*options); });
 }
 

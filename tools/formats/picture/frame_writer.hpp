@@ -44,12 +44,10 @@ class FrameWriter {
 void add_picture_options(CLI::App& command, PictureOptions& options);
 inline constexpr const char* kPictureFooter =
     "Pictures show the car from above, with x (forward) up, y to the left and rings every 10 m. "
-    "Pale blue\n"
-    "is free, orange to red is occupied, and dark is unknown. A stronger colour is a stronger "
-    "index.\n"
+    "Pale blue is free, orange to red is occupied, and dark is unknown. A stronger colour is a "
+    "stronger index.\n"
     "Occupied cells are drawn at least 3 pixels wide. map.pgm and map.yaml contain the last frame "
-    "of\n"
-    "whole scans for ROS map_server, with x to the right and y up. classes_NNNNNN.png shows the\n"
+    "of whole scans for ROS map_server, with x to the right and y up. classes_NNNNNN.png shows the "
     "perception grid in the world, with x to the right, y up, the car's outline and a scale bar.\n";
 
 }  // namespace iog::tools
