@@ -184,6 +184,15 @@ void print_input(const CarCapture& capture, std::uint64_t other_ports) {
   print("capture", "", capture.clock_words());
 }
 
+void write_hashes(const FuseOptions& options, const RunStatistics& statistics) {
+  if (!options.hashes.empty()) {
+    write_records(options.hashes, statistics.records());
+  }
+  if (!options.classes_hashes.empty()) {
+    write_class_records(options.classes_hashes, statistics.classes().records());
+  }
+}
+
 void fuse(const FuseOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
@@ -234,12 +243,7 @@ void fuse(const FuseOptions& options) {
     std::cout << row("OTHER VEHICLE?", words);
   }
   std::cout << statistics.table(false);
-  if (!options.hashes.empty()) {
-    write_records(options.hashes, statistics.records());
-  }
-  if (!options.classes_hashes.empty()) {
-    write_class_records(options.classes_hashes, statistics.classes().records());
-  }
+  write_hashes(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " +
