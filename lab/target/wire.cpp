@@ -44,9 +44,8 @@ bool Wire::deliver(std::span<const std::byte> frame) {
   std::ranges::copy(
       frame, imx6::enet_memory.receive_buffers.begin() + next_ * imx6::ReceiveRing::kBufferBytes);
   machine::store(descriptor.length, static_cast<std::uint16_t>(frame.size() + kFcsBytes));
-  machine::store(
-      descriptor.flags,
-      static_cast<std::uint16_t>((flags & imx6::receive_flag::kWrap) | imx6::receive_flag::kLast));
+  machine::store(descriptor.flags, static_cast<std::uint16_t>((flags & imx6::receive_flag::kWrap) |
+                                                              imx6::receive_flag::kLast));
   next_ = next_ + 1 == imx6::EnetMemory::kReceiveFrames ? 0 : next_ + 1;
   a9_model::resume();
   return true;

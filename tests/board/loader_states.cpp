@@ -9,8 +9,8 @@
 
 namespace {
 
-using iog::imx6::Board;
 using iog::board::TextLine;
+using iog::imx6::Board;
 
 constexpr unsigned kNaps = 1000;
 constexpr unsigned kWords = 30;

@@ -5,8 +5,6 @@
 
 namespace iog::tests {
 
-inline void stop_controller() {
-  imx6::enet.ecr.clear_bits(imx6::EnetRegisters::kEcrEtherEn);
-}
+inline void stop_controller() { imx6::enet.ecr.clear_bits(imx6::EnetRegisters::kEcrEtherEn); }
 
 }  // namespace iog::tests
