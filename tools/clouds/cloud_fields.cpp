@@ -116,6 +116,7 @@ void add_times(const CloudRecords& records, const CloudField& field,
   if (first == last) {
     return;
   }
+  cloud.time_span = last - first;
   unit = unit == TimeUnit::kFound ? unit_of(last - first, times.size(), field.kind) : unit;
   if (unit == TimeUnit::kFound) {
     cloud.has_unknown_times = true;

@@ -18,6 +18,7 @@ namespace iog::tools {
 struct SeenCloud {
   std::uint64_t time_us = 0;       // that of its first point
   bool has_times = false;          // of its points
+  double time_span = 0;            // of its points, in their own unit
   bool has_unknown_times = false;  // its points' times are left out: their unit is not known
   bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
   std::vector<WirePoint> points{};
@@ -25,9 +26,9 @@ struct SeenCloud {
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
 };
 
-// Unit of the points' times. The first cloud that shows it decides for all later clouds: its points
-// are 5 to 500 ms apart in that unit, and it has at least 100 points, or the field's type agrees
-// (seconds in floats, nanoseconds in integers).
+// Unit of the points' times. A cloud shows it if its points are 5 to 500 ms apart in that unit, and
+// it has at least 100 points, or the field's type agrees (seconds in floats, nanoseconds in
+// integers).
 enum class TimeUnit : std::uint8_t { kFound, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
 
 struct CloudField {

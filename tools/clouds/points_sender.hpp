@@ -23,7 +23,6 @@ struct SentClouds {
   std::uint64_t without_stamp = 0;  // clouds: it is 0
   std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
   std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
-  std::uint64_t unknown_times = 0;  // clouds: SeenCloud::has_unknown_times
 };
 
 class PointsSender {

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -122,8 +123,6 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.wrong_times,
          "scans were sent without beams' times: time_increment is below 0, no number or too long",
          words);
-  remark(sent.unknown_times, "clouds before the first full one were sent without points' times",
-         words);
   out << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
       << " datagrams " << where << '\n';
   for (const std::string& word : words) {
@@ -146,34 +145,83 @@ SeenCloud cloud_in(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
       path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
 }
 
+// Calls take(cloud) with each cloud of all inputs. Returns remarks.
+std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& unit,
+                                        const std::function<void(SeenCloud&&)>& take) {
+  std::vector<std::string> remarks;
+  std::uint64_t clouds = 0;
+  const auto count = [&](SeenCloud&& cloud) {
+    ++clouds;
+    take(std::move(cloud));
+  };
+  for (const std::string& input : options.inputs) {
+    if (ros::is_recording(input)) {
+      std::ranges::move(for_each_cloud(input, options.topic, unit, count),
+                        std::back_inserter(remarks));
+    } else if (std::filesystem::is_directory(input)) {
+      std::ranges::move(for_each_of_set(input, count), std::back_inserter(remarks));
+    } else {
+      const double us = 1e6 * static_cast<double>(clouds) / options.clouds_per_second;
+      count(cloud_in(input, unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
+    }
+  }
+  return remarks;
+}
+
+// The unit that the longest of the first clouds shows, before anything is sent: a part of a scan
+// may be a whole scan in another unit. kFound if they have no times.
+TimeUnit unit_of(PointsOptions options) {
+  constexpr int kEnough = 10;
+  constexpr int kMost = 100;
+  struct Enough {};
+  std::erase_if(options.inputs, [](const std::string& input) {  // KITTI's have no unit
+    return !ros::is_recording(input) &&
+           (input.ends_with(".bin") || std::filesystem::is_directory(input));
+  });
+  TimeUnit shown = TimeUnit::kFound;
+  TimeUnit unit = TimeUnit::kFound;
+  double longest = 0;
+  int seen = 0;
+  int timed = 0;
+  try {
+    for_each_input(options, shown, [&](SeenCloud&& cloud) {
+      // A Livox message says its unit itself.
+      const bool is_asked = cloud.has_unknown_times || shown != TimeUnit::kFound;
+      const double time_span = is_asked ? cloud.time_span : 0;
+      timed += time_span > 0 ? 1 : 0;
+      unit = time_span > longest ? shown : unit;
+      longest = std::max(longest, time_span);
+      shown = TimeUnit::kFound;
+      if (++seen == kMost || (timed >= kEnough && unit != TimeUnit::kFound)) {
+        throw Enough();
+      }
+    });
+  } catch (const Enough&) {
+  }
+  if (timed > 0 && unit == TimeUnit::kFound) {
+    throw UsageError("no cloud shows the unit of its points' times: give --time-unit");
+  }
+  return unit;
+}
+
 void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
   PointsSender sender(car, sensor);
   Destination destination(options, car.sensors[sensor].udp_port);
-  std::vector<std::string> remarks;
+  options.unit = options.unit == TimeUnit::kFound ? unit_of(options) : options.unit;
   Progress progress("clouds");
-  const auto take = [&](SeenCloud&& cloud) {
+  std::vector<std::string> remarks = for_each_input(options, options.unit, [&](SeenCloud&& cloud) {
+    if (cloud.has_unknown_times) {
+      throw UsageError("cloud " + std::to_string(sender.sent().clouds) +
+                       " does not show the unit of its points' times: give --time-unit");
+    }
     const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
     std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
     progress.show(sender.sent().clouds);
-  };
-  for (const std::string& input : options.inputs) {
-    if (ros::is_recording(input)) {
-      std::ranges::move(for_each_cloud(input, options.topic, options.unit, take),
-                        std::back_inserter(remarks));
-    } else if (std::filesystem::is_directory(input)) {
-      std::ranges::move(for_each_of_set(input, take), std::back_inserter(remarks));
-    } else {
-      const double us = 1e6 * static_cast<double>(sender.sent().clouds) / options.clouds_per_second;
-      take(cloud_in(input, options.unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
-    }
-  }
+  });
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
-  }
-  if (options.unit == TimeUnit::kFound && sender.sent().unknown_times > 0) {
-    throw UsageError("no cloud shows the unit of its points' times: give --time-unit");
   }
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
@@ -209,7 +257,7 @@ void add_points(CLI::App& program) {
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
   command->add_option("--time-unit", options->unit, "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which the first full scan takes 5 to 500 ms)")
+      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
       ->transform(CLI::CheckedTransformer(units));
   command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")

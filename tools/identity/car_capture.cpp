@@ -243,7 +243,14 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
   }
   if (!is_beside() && packets.last_us > 0) {
     std::ranges::for_each(poses_, [&clocks](const auto& pose) { clocks.add(pose); });
-    throw UsageError(drive.poses + ": " + clocks.words_apart());
+    std::string words = clocks.words_apart();
+    if (drive.clock_offset_s) {
+      words += "; with " + std::to_string(*drive.clock_offset_s) + " s they have none";
+    }
+    for (const std::string& left_out : log_words_) {
+      words += left_out.starts_with("not used") ? "; " + left_out : "";
+    }
+    throw UsageError(drive.poses + ": " + words);
   }
   offset_us_ = found_us_ ? *found_us_ + clocks.sensors_us() : offset_us_;
   return std::abs(delay_us) < kSecondUs && !has_log_ ? 0 : delay_us;

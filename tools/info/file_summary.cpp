@@ -241,6 +241,9 @@ std::string summary_of_bag(const std::string& path) {
     }
     text += describe_clouds(plain.path());
   }
+  for (const std::string& words : ros::words_of_unlisted(path)) {
+    text += words + '\n';
+  }
   return text;
 }
 

@@ -19,6 +19,16 @@ constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
 
+// 2.7 hours at 200 Hz. One message of a damaged file may contain millions.
+constexpr std::size_t kMostPoses = 2'000'000;
+
+void add(const LoggedPose& pose, const std::string& where, PoseLog& log) {
+  if (log.poses.size() == kMostPoses) {
+    throw UsageError(where + ": more than " + std::to_string(kMostPoses) + " poses: cut the file");
+  }
+  log.poses.push_back(pose);
+}
+
 // A point or a vector, and a turn.
 void read_place(CdrReader& in, LoggedPose& pose) {
   std::array<double, 7> numbers{};
@@ -75,7 +85,7 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
                            .append(" and in ")
                            .append(printable(from)));
     }
-    log.poses.push_back(pose);
+    add(pose, message.where, log);
   }
 }
 
@@ -91,7 +101,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
                        printable(std::string(message.topic)) + " have poses: choose one by " +
                        path + ':' + printable(its));
     }
-    log.poses.push_back(pose_of_odometry(message));
+    add(pose_of_odometry(message), message.where, log);
   });
   if (log.poses.empty()) {
     log.remarks = ros::for_each_message(path, {kTransforms}, topic, [&](const auto& message) {

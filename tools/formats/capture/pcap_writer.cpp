@@ -65,19 +65,13 @@ PcapWriter::PcapWriter(const std::string& path, Unfinished left)
   std::error_code error;
   if (left == Unfinished::kNothing && path != "-" &&
       (std::filesystem::is_regular_file(path, error) || !std::filesystem::exists(path, error))) {
-    part_ = std::filesystem::weakly_canonical(path, error).string() + ".part";  // behind links
+    const auto target = std::filesystem::weakly_canonical(path, error);  // behind links
+    part_ = UnfinishedFile(target.string() + ".part");
   }
   errno = 0;
-  file_.reset(pcap_dump_open(link_.get(), part_.empty() ? path.c_str() : part_.c_str()));
+  file_.reset(pcap_dump_open(link_.get(), (part_.is_none() ? path : part_.path()).c_str()));
   if (!file_) {
     throw file_error(path, "cannot be written");
-  }
-}
-
-PcapWriter::~PcapWriter() {
-  if (file_ && !part_.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
   }
 }
 
@@ -121,10 +115,14 @@ void PcapWriter::finish() {
     throw file_error(path_, "not written completely");
   }
   file_.reset();
-  if (!part_.empty() &&
-      std::rename(part_.c_str(), part_.substr(0, part_.rfind(".part")).c_str()) != 0) {
+  if (part_.is_none()) {
+    return;
+  }
+  const std::string& part = part_.path();
+  if (std::rename(part.c_str(), part.substr(0, part.rfind(".part")).c_str()) != 0) {
     throw file_error(path_, "cannot be written");
   }
+  part_.keep();
 }
 
 }  // namespace iog::tools

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/program/interrupt.hpp"
 
 struct pcap;
 struct pcap_dumper;
@@ -18,16 +19,12 @@ namespace iog::tools {
 class PcapWriter {
  public:
   // What is left of a capture that ends before finish(): its beginning, or nothing. kNothing writes
-  // into PATH.part, which becomes the capture in finish(); a killed program leaves that. Devices
+  // into PATH.part, which becomes the capture in finish(). Devices
   // and pipes are written directly.
   enum class Unfinished : std::uint8_t { kBeginning, kNothing };
 
   // UsageError if the file cannot be written.
   explicit PcapWriter(const std::string& path, Unfinished left = Unfinished::kBeginning);
-  ~PcapWriter();
-  PcapWriter(PcapWriter&&) = default;
-  PcapWriter& operator=(PcapWriter&&) = delete;
-
   // Payloads of at most 65,507 bytes. UsageError if the disk is full.
   void write(const CapturedDatagram& datagram);
 
@@ -46,7 +43,7 @@ class PcapWriter {
   };
 
   std::string path_;
-  std::string part_;  // empty if the capture is written directly
+  UnfinishedFile part_;  // none if the capture is written directly
   std::unique_ptr<pcap, Closer> link_;
   std::unique_ptr<pcap_dumper, Closer> file_;
   std::uint16_t identification_ = 0;

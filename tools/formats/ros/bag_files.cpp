@@ -97,37 +97,41 @@ std::vector<std::string> files_of_recording(const std::string& path) {
   return found;
 }
 
+std::vector<std::string> words_of_unlisted(const std::string& path) {
+  std::vector<std::string> words;
+  if (files::is_directory(path)) {
+    const std::vector<std::string> read = files_of_recording(path);
+    for (const std::string& name : all_in(path)) {
+      const bool is_read = std::ranges::any_of(
+          read, [&](const std::string& its) { return files::equivalent(its, name); });
+      if (!is_read) {
+        words.push_back(printable(name) + ": metadata.yaml does not list this file; not read");
+      }
+    }
+  }
+  return words;
+}
+
 PlainFile::PlainFile(const std::string& path) : path_(path) {
   UnpackedFile packed(path);
   if (packed.packer().empty()) {
     return;
   }
-  path_ = files::temp_directory_path() / "iog_bag_XXXXXX";
-  const int made = mkstemp(path_.data());
+  copy_ = UnfinishedFile(files::temp_directory_path() / "iog_bag_XXXXXX");
+  const int made = mkstemp(copy_.letters());
+  path_ = copy_.path();
   if (made < 0) {
     throw file_error(path_, "cannot be made");
   }
   close(made);
-  is_copy_ = true;
-  try {
-    OutputFile out(path_);
-    std::vector<std::byte> bytes(1U << 20);
-    while (const std::size_t got = packed.read(bytes)) {
-      out.write(std::span(bytes).first(got));
-    }
-    out.finish();
-    if (!packed.trouble().empty()) {
-      throw UsageError(path + ": " + packed.trouble());
-    }
-  } catch (...) {
-    unlink(path_.c_str());
-    throw;
+  OutputFile out(path_);
+  std::vector<std::byte> bytes(1U << 20);
+  while (const std::size_t got = packed.read(bytes)) {
+    out.write(std::span(bytes).first(got));
   }
-}
-
-PlainFile::~PlainFile() {
-  if (is_copy_) {
-    unlink(path_.c_str());
+  out.finish();
+  if (!packed.trouble().empty()) {
+    throw UsageError(path + ": " + packed.trouble());
   }
 }
 

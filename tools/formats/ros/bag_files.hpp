@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/program/interrupt.hpp"
+
 namespace iog::tools::ros {
 
 // Whether it is a file or folder whose messages for_each_message() reads, by its name.
@@ -15,20 +17,21 @@ namespace iog::tools::ros {
 // read.
 [[nodiscard]] std::vector<std::string> files_of_recording(const std::string& path);
 
+// Of the folder of a bag: files of messages that its metadata.yaml does not list, which are not
+// read, each with these words.
+[[nodiscard]] std::vector<std::string> words_of_unlisted(const std::string& path);
+
 // A file as it was before zstd or gzip has packed it: itself, or a copy in the folder for temporary
 // files, which goes with the object. UsageError if it cannot be unpacked to its end.
 class PlainFile {
  public:
   explicit PlainFile(const std::string& path);
-  ~PlainFile();
-  PlainFile(const PlainFile&) = delete;
-  PlainFile& operator=(const PlainFile&) = delete;
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
   std::string path_;
-  bool is_copy_ = false;
+  UnfinishedFile copy_;
 };
 
 }  // namespace iog::tools::ros
