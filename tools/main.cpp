@@ -51,7 +51,7 @@ void add_commands(CLI::App& program) {
     std::vector<void (*)(CLI::App&)> commands;
   };
   const std::vector<Group> groups{
-      {"From a capture", {add_info, add_fuse, add_view, add_record}},
+      {"From a capture", {add_info, add_fuse, add_batch, add_view, add_record}},
       {"Make a capture", {add_simulate, add_points, add_convert, add_pose, add_odometry}},
       {"Live, with a target", {add_replay, add_relay, add_receive}},
       {"Cars", {add_vehicles, add_mount, add_budget}},

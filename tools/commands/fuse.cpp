@@ -40,6 +40,7 @@ struct FuseOptions {
   std::optional<std::uint64_t> frame;
   std::string out_raw;
   std::string hashes;
+  std::string summary;
   std::string rule;
   std::string stream;
   std::uint32_t run_number = OfflineTarget::kRunNumber;
@@ -184,7 +185,10 @@ void print_input(const CarCapture& capture, std::uint64_t other_ports) {
   print("capture", "", capture.clock_words());
 }
 
-void write_hashes(const FuseOptions& options, const RunStatistics& statistics) {
+void write_tables(const FuseOptions& options, const RunStatistics& statistics) {
+  if (!options.summary.empty()) {
+    write_facts(options.summary, statistics.facts());
+  }
   if (!options.hashes.empty()) {
     write_records(options.hashes, statistics.records());
   }
@@ -243,7 +247,7 @@ void fuse(const FuseOptions& options) {
     std::cout << row("OTHER VEHICLE?", words);
   }
   std::cout << statistics.table(false);
-  write_hashes(options, statistics);
+  write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " +
@@ -282,6 +286,10 @@ void add_fuse(CLI::App& program) {
       ->option_text("hits_win | bayes")
       ->check(CLI::IsMember({"hits_win", "bayes"}));
   command->add_option("--hashes", options->hashes, "Write one line per frame with evidence")
+      ->option_text("FILE");
+  command
+      ->add_option("--summary", options->summary,
+                   "Write the numbers of the table as key=value lines")
       ->option_text("FILE");
   command
       ->add_option("--stream", options->stream,

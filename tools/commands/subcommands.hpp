@@ -9,6 +9,7 @@ namespace iog::tools {
 
 void add_simulate(CLI::App& program);
 void add_fuse(CLI::App& program);
+void add_batch(CLI::App& program);
 void add_points(CLI::App& program);
 void add_pose(CLI::App& program);
 void add_relay(CLI::App& program);

@@ -1,0 +1,107 @@
+#include "tools/batch/recordings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+namespace files = std::filesystem;
+
+// Without the ending of a packer: "drive.pcap" for "drive.pcap.gz".
+files::path unpacked(const files::path& path) {
+  return path.extension() == ".gz" || path.extension() == ".zst" ? path.parent_path() / path.stem()
+                                                                 : path;
+}
+
+bool is_capture(const files::path& path) {
+  const files::path ending = unpacked(path).extension();
+  return ending == ".pcap" || ending == ".pcapng";
+}
+
+// "drive.poses.csv" for "drive.pcap.gz"; a folder is "drive.poses".
+std::string poses_beside(const files::path& capture) {
+  constexpr std::array kEndings{"", ".csv", ".nmea", ".ubx", ".txt", ".tum", ".mcap", ".db3"};
+  std::string found;
+  for (const char* const ending : kEndings) {
+    const std::string log = unpacked(capture).replace_extension().string() + ".poses" + ending;
+    std::error_code error;
+    if (!files::exists(log, error)) {
+      continue;
+    }
+    if (!found.empty()) {
+      throw UsageError(capture.string() + ": there are two logs of its poses: " + found + " and " +
+                       log);
+    }
+    found = log;
+  }
+  return found;
+}
+
+ListedCapture recording_of(const std::string& name, const files::path& path) {
+  const files::path place = files::absolute(path).lexically_normal();
+  std::error_code error;
+  const auto bytes = files::is_regular_file(place, error) ? files::file_size(place, error) : 0;
+  return {.name = name,
+          .path = place.string(),
+          .poses = poses_beside(place),
+          .bytes = error ? 0 : bytes};
+}
+
+std::vector<ListedCapture> in_folder(const files::path& folder) {
+  std::vector<ListedCapture> found;
+  std::error_code error;
+  for (files::recursive_directory_iterator next(folder, error), end; !error && next != end;
+       next.increment(error)) {
+    if (is_capture(next->path()) && !next->is_directory()) {
+      found.push_back(recording_of(next->path().lexically_relative(folder).string(), next->path()));
+    }
+  }
+  if (error) {
+    throw UsageError(folder.string() + ": cannot be listed: " + error.message());
+  }
+  return found;
+}
+
+std::vector<ListedCapture> in_list(const std::string& list) {
+  std::vector<ListedCapture> found;
+  std::set<std::string> paths;
+  for (std::string name : read_lines(list)) {
+    name.erase(name.find_last_not_of('\r') + 1);
+    if (name.find('\0') != std::string::npos) {
+      throw UsageError(list + ": no list of recordings, which is a text file, one path a line");
+    }
+    if (name.empty()) {
+      continue;
+    }
+    ListedCapture recording = recording_of(name, files::path(list).parent_path() / name);
+    if (paths.insert(recording.path).second) {
+      found.push_back(std::move(recording));
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<ListedCapture> recordings_of(const std::string& folder_or_list) {
+  const bool is_folder = files::is_directory(folder_or_list);
+  std::vector<ListedCapture> found =
+      is_folder ? in_folder(folder_or_list) : in_list(folder_or_list);
+  if (found.empty()) {
+    throw UsageError(folder_or_list + (is_folder ? ": no capture (.pcap, .pcapng; also .gz or .zst)"
+                                                 : ": this list names no recording"));
+  }
+  std::ranges::sort(found, [](const ListedCapture& a, const ListedCapture& b) {
+    return a.bytes != b.bytes ? a.bytes > b.bytes : a.name < b.name;
+  });
+  return found;
+}
+
+}  // namespace iog::tools

@@ -1,0 +1,289 @@
+// iog batch: the results of many recordings, each by a process of its own.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <vector>
+
+#include "tools/batch/children.hpp"
+#include "tools/batch/recordings.hpp"
+#include "tools/batch/summary.hpp"
+#include "tools/commands/subcommands.hpp"
+#include "tools/commands/vehicle_options.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
+#include "tools/program/hexadecimal.hpp"
+#include "tools/program/interrupt.hpp"
+#include "tools/program/joined.hpp"
+#include "tools/program/printable.hpp"
+#include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
+#include "tools/vehicles/upward_mount.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+namespace {
+
+struct BatchOptions {
+  std::string recordings;
+  std::string vehicle = kDefaultVehicle;
+  std::string car_file;
+  std::string out;
+  std::size_t processes = 1;
+  std::vector<std::string> of_fuse;  // handed to each `iog fuse`
+};
+
+// The car's file as it is now: every recording gets the same one, whoever edits it meanwhile.
+std::string kept_car(const BatchOptions& options) {
+  if (options.car_file.empty()) {
+    return {};
+  }
+  const std::filesystem::path given = options.car_file;
+  const std::string kept = options.out + '/' + given.filename().string();
+  std::error_code error;
+  if (!std::filesystem::equivalent(given, kept, error)) {
+    OutputFile file(kept);
+    file.write(read_file(options.car_file));
+    file.finish();
+  }
+  return kept;
+}
+
+std::string settings_of(const BatchOptions& options, const std::string& version) {
+  const CatalogueEntry& car = find_vehicle(options.vehicle);
+  return version + "\ncar " + std::string(car.vehicle->name) + ' ' + hex(car.vehicle->id) +
+         "\noptions " + joined(options.of_fuse, " ") + '\n';
+}
+
+// Why it failed, in its own last words: "iog: drive.pcap: cannot be read".
+std::string reason_of(const Children::Ended& ended, const std::string& said,
+                      const std::string& path) {
+  std::string words;
+  for (const std::string& line : read_lines(said)) {
+    words = line.empty() ? words : line;
+  }
+  for (const std::string& prefix : {std::string("iog: "), path + ": "}) {
+    words.erase(0, words.starts_with(prefix) ? prefix.size() : 0);
+  }
+  if (ended.how.empty()) {
+    return words.empty() ? "ended with status " + std::to_string(ended.status) : words;
+  }
+  return ended.how + (words.empty() ? "" : ": " + words);
+}
+
+// Rows of the table of `iog fuse` that a user has to see: on the input, and those in capitals.
+std::string remarks_of(const std::string& table) {
+  std::string remarks;
+  bool is_of_input = true;
+  for (const std::string& line : read_lines(table)) {
+    is_of_input = is_of_input && !line.starts_with("frames ");
+    const bool is_loud =
+        line.size() > 1 && std::isupper(line[0]) != 0 && std::isupper(line[1]) != 0;
+    if (!is_loud && (!is_of_input || line.starts_with("packets "))) {
+      continue;
+    }
+    std::string words = line;
+    if (const std::size_t end = line.find("  "); end != std::string::npos) {
+      words = line.substr(0, end) + ": " + line.substr(line.find_first_not_of(' ', end));
+    }
+    remarks += (remarks.empty() ? "" : "; ") + words;
+  }
+  return remarks;
+}
+
+Facts read_facts(const std::string& path) {
+  Facts facts;
+  for (const std::string& line : read_lines(path)) {
+    const std::size_t end = line.find('=');
+    facts.emplace_back(line.substr(0, end), line.substr(end + 1));
+  }
+  return facts;
+}
+
+double seconds_of_children() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+class Batch {
+ public:
+  Batch(const BatchOptions& options, const std::string& version)
+      : options_(&options),
+        all_(recordings_of(options.recordings)),
+        summary_(options.out, settings_of(options, version)),
+        car_(kept_car(options)),
+        work_(options.out + "/running") {
+    known_ =
+        std::erase_if(all_, [&](const ListedCapture& each) { return summary_.has(each.name); });
+    make_folder(work_);
+  }
+
+  void run() {
+    const auto begin = std::chrono::steady_clock::now();
+    Children children(work_, options_->processes);
+    Progress progress("recordings", all_.size());
+    for (const ListedCapture& each : all_) {
+      bytes_ += each.bytes;
+    }
+    while (!was_interrupted() && (next_ < all_.size() || children.are_running())) {
+      while (next_ < all_.size() && children.free_place()) {
+        start(children, *children.free_place());
+      }
+      if (const auto ended = children.wait()) {
+        take(*ended, children);
+        progress.show(done_, bytes_ > 0 ? std::optional(static_cast<double>(bytes_done_) /
+                                                        static_cast<double>(bytes_))
+                                        : std::nullopt);
+      }
+    }
+    wall_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
+
+  void report() const {
+    std::filesystem::remove_all(work_);
+    const std::string table = options_->out + "/summary.csv";
+    const std::size_t left = all_.size() - done_;
+    const double all_s = std::max(wall_s_, 0.01) * static_cast<double>(options_->processes);
+    const auto busy = static_cast<int>(100 * seconds_of_children() / all_s);
+    std::cout << row("recordings", std::to_string(done_) + " now, " + std::to_string(known_) +
+                                       " before, " + std::to_string(left) + " left")
+              << row("with remarks", std::to_string(with_remarks_) + " now")
+              << row("failed", std::to_string(summary_.failed()))
+              << row("processes", std::to_string(options_->processes) + ", busy " +
+                                      std::to_string(busy) + " % of " +
+                                      std::to_string(static_cast<int>(wall_s_)) + " s")
+              << row("table", table);
+    if (left > 0) {
+      throw CheckFailed("interrupted: the same command goes on with the " + std::to_string(left) +
+                        " recordings that are left");
+    }
+    if (summary_.failed() > 0) {
+      throw CheckFailed(std::to_string(summary_.failed()) + " of " +
+                        std::to_string(done_ + known_) +
+                        " recordings failed; the column reason of " + table + " says why");
+    }
+  }
+
+ private:
+  void start(Children& children, std::size_t place) {
+    const ListedCapture& recording = all_[next_];
+    std::vector<std::string> words{
+        "iog",    "fuse",        "--quiet", "--summary", children.file(place, ".facts"),
+        "--pcap", recording.path};
+    const std::vector<std::string> car{car_.empty() ? "--vehicle" : "--vehicle-file",
+                                       car_.empty() ? options_->vehicle : car_};
+    words.insert(words.end(), car.begin(), car.end());
+    if (!recording.poses.empty()) {
+      words.insert(words.end(), {"--poses", recording.poses});
+    }
+    words.insert(words.end(), options_->of_fuse.begin(), options_->of_fuse.end());
+    children.start(place, next_++, std::move(words));
+  }
+
+  void take(const Children::Ended& ended, const Children& children) {
+    const ListedCapture& recording = all_[ended.work];
+    Outcome outcome{.name = recording.name, .seconds = ended.seconds};
+    if (ended.how.empty() && ended.status == kDone) {
+      outcome.facts = read_facts(children.file(ended.place, ".facts"));
+      outcome.remarks = remarks_of(children.file(ended.place, ".out"));
+    } else {
+      outcome.reason = reason_of(ended, children.file(ended.place, ".err"), recording.path);
+      std::cerr << (isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "")
+                << "iog: " << printable(recording.name + ": " + outcome.reason) << '\n';
+    }
+    summary_.add(outcome);
+    ++done_;
+    bytes_done_ += recording.bytes;
+    with_remarks_ += outcome.remarks.empty() ? 0U : 1U;
+  }
+
+  const BatchOptions* options_;
+  std::vector<ListedCapture> all_;  // that are not in the summary yet
+  Summary summary_;
+  std::string car_;   // a file; empty: by name
+  std::string work_;  // folder for what the processes write
+  std::size_t known_ = 0;
+  std::size_t next_ = 0;
+  std::size_t done_ = 0;
+  std::size_t with_remarks_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t bytes_done_ = 0;
+  double wall_s_ = 0;
+};
+
+}  // namespace
+
+void add_batch(CLI::App& program) {
+  auto* const command = program.add_subcommand(
+      "batch", "Run `iog fuse` on many recordings, side by side, into one table");
+  const auto options = std::make_shared<BatchOptions>();
+  command
+      ->add_option("RECORDINGS", options->recordings,
+                   "Folder whose captures are taken, those in folders below among them, or a text "
+                   "file that lists captures, one a line")
+      ->option_text("FOLDER | LIST_FILE")
+      ->required();
+  add_vehicle_options(*command, options->vehicle);
+  command->add_option("--out", options->out, "Folder for summary.csv, one row per recording")
+      ->option_text("FOLDER")
+      ->required();
+  const long online = sysconf(_SC_NPROCESSORS_ONLN);
+  options->processes = static_cast<std::size_t>(std::max(online, 1L));
+  command->add_option("-j,--jobs", options->processes, "Processes at a time")
+      ->option_text("N  (1 to 1024, default one per processor)")
+      ->check(CLI::Range(1, 1024));
+  struct Handed {
+    const char* name;
+    const char* text;
+    int words;
+  };
+  for (const auto& [name, text, words] : {Handed{"--rule", "hits_win | bayes", 1},
+                                          {"--map", "FILE.iogmap", 1},
+                                          {"--poses-mount", "X Y YAW", 3},
+                                          {"--clock-offset", "SECONDS | auto", 1}}) {
+    command
+        ->add_option_function<std::vector<std::string>>(
+            name,
+            [options, name](const std::vector<std::string>& values) {
+              options->of_fuse.emplace_back(name);
+              options->of_fuse.insert(options->of_fuse.end(), values.begin(), values.end());
+            },
+            "As of `iog fuse`, for each recording")
+        ->option_text(text)
+        ->expected(words);
+  }
+  command->footer(
+      "Captures are .pcap and .pcapng, also .gz or .zst. Paths in a list are relative to the "
+      "list.\n"
+      "Poses come from the log beside NAME.pcap that is called NAME.poses.csv (or .nmea, .ubx, "
+      ".txt, .tum,\n"
+      ".mcap, .db3, or a folder NAME.poses), and else from the capture. docs/batch.md has the "
+      "columns.\n"
+      "A recording that fails has a row with its reason, and the others go on. Exit status 1 if "
+      "one failed.\n"
+      "The same command continues an interrupted batch. Remove a row to compute its recording "
+      "again.");
+  command->callback([&program, options, command] {
+    if (const CLI::Option* const file = command->get_option("--vehicle-file"); !file->empty()) {
+      options->car_file = file->results().front();
+    }
+    std::cerr << warning_of_upward_mounts(find_vehicle(options->vehicle));
+    catch_interrupts();
+    Batch batch(*options, program.version());
+    batch.run();
+    batch.report();
+  });
+}
+
+}  // namespace iog::tools
