@@ -10,6 +10,7 @@
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <sys/file.h>
 #include <unistd.h>
 #include <utility>
 
@@ -119,7 +120,7 @@ Summary::Summary(const std::string& folder, const std::string& settings)
   if (file_ < 0) {
     throw file_error(path_, "cannot be written");
   }
-  if (lockf(file_, F_TLOCK, 0) != 0) {
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
     throw UsageError(path_ + ": another iog batch is writing this table");
   }
   const std::string of_rows = folder + "/batch.txt";
