@@ -264,16 +264,12 @@ void add_batch(CLI::App& program) {
         ->expected(words);
   }
   command->footer(
-      "Captures are .pcap and .pcapng, also .gz or .zst. Paths in a list are relative to the "
-      "list.\n"
+      "Captures are .pcap and .pcapng, also .gz or .zst. Paths in a list are relative to the list. "
       "Poses come from the log beside NAME.pcap that is called NAME.poses.csv (or .nmea, .ubx, "
-      ".txt, .tum,\n"
-      ".mcap, .db3, or a folder NAME.poses), and else from the capture. docs/batch.md has the "
-      "columns.\n"
-      "A recording that fails has a row with its reason, and the others go on. Exit status 1 if "
-      "one failed.\n"
+      ".txt, .tum, .mcap, .db3, or a folder NAME.poses), and else from the capture. A recording "
+      "that fails has a row with its reason, and the others go on. Exit status 1 if one failed. "
       "The same command continues an interrupted batch. Remove a row to compute its recording "
-      "again.");
+      "again. docs/batch.md lists the columns.");
   command->callback([&program, options, command] {
     if (const CLI::Option* const file = command->get_option("--vehicle-file"); !file->empty()) {
       options->car_file = file->results().front();

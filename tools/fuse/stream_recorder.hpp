@@ -1,5 +1,5 @@
 // What the target would send, as a capture: each message a datagram from the reference board to its
-// peer (board/imx6/main.cpp), at the time when its frame closed.
+// peer (board/common/main.cpp), at the time when its frame closed.
 #pragma once
 
 #include <cstddef>

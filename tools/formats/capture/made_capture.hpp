@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kTargetIpv4 = 0x0A00020F;   // 10.0.2.15
 inline constexpr std::uint32_t kUnnamedIpv4 = 0x0A000264;  // of a sensor whose car names no address
 
 // Where a target's stream comes from and goes to: as with the reference board
-// (board/imx6/main.cpp).
+// (board/common/main.cpp).
 inline constexpr Endpoint kStreamSource{.ipv4 = kTargetIpv4, .port = 15001};
 inline constexpr Endpoint kStreamDestination{.ipv4 = 0x0A000202, .port = 15000};
 
