@@ -20,7 +20,8 @@ void SweptSectors::for_each_word(const lidar::Sector& sector, Visit&& visit) con
     const std::uint32_t bit = tick % kWordTicks;
     const std::uint32_t count =
         std::min<std::uint32_t>({left, kWordTicks - bit, ticks_per_turn_ - tick});
-    goes_on = visit(tick / kWordTicks, ~std::uint32_t{0} >> (kWordTicks - count) << bit);
+    const std::uint64_t ones = (std::uint64_t{1} << count) - 1;
+    goes_on = visit(tick / kWordTicks, static_cast<std::uint32_t>(ones << bit));
     left -= count;
     tick = tick + count == ticks_per_turn_ ? 0 : tick + count;
   }

@@ -9,7 +9,7 @@
 // What boards share is at hand in this one.
 namespace iog::board {}
 namespace iog::imx6 {
-using namespace board;
+using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 }
 
 namespace iog::machine {

@@ -10,7 +10,7 @@
 // What boards share is at hand in this one.
 namespace iog::board {}
 namespace iog::zcu102 {
-using namespace board;
+using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 }
 
 namespace iog::machine {

@@ -13,10 +13,10 @@
 
 namespace iog::board {}
 namespace iog::imx6 {
-using namespace board;
+using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 }
 namespace iog::zcu102 {
-using namespace board;
+using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 }
 
 namespace iog::machine {
