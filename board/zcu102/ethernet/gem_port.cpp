@@ -100,7 +100,10 @@ std::span<std::byte> GemPort::acquire() {
   if (!acquired_.empty()) {
     return acquired_;
   }
-  if (room() == 0) {
+  if (transmit_ring_.order().room() == 0) {
+    transmit_ring_.reclaim();
+  }
+  if (transmit_ring_.order().room() == 0) {
     ++counters_.send_refused;
     return {};
   }
