@@ -119,16 +119,31 @@ class PointsNode(unittest.TestCase):
                           [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
                           [cloud_message(now, cloud, is_big_endian) for now, cloud in its], turns=True)
 
+    def parts_of_clouds(self, *sizes: tuple[int, int]) -> list[numpy.ndarray]:
+        """Of so many points, and from the first to the last so many nanoseconds."""
+        clouds = []
+        for count, span in sizes:
+            cloud = numpy.zeros(count, [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("t", "<u4")])
+            cloud["x"], cloud["t"] = 5, numpy.linspace(0, span, count)
+            clouds.append(cloud)
+        return clouds
+
     def test_a_part_of_a_cloud_keeps_the_unit(self):
         """20 us in nanoseconds would be 20 ms in microseconds."""
-        kinds = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("t", "<u4")]
-        its = []
-        for i, (count, span) in enumerate([(10, 20_000), (1000, 10**8), (10, 20_000), (20, 1_900_000)]):
-            cloud = numpy.zeros(count, kinds)
-            cloud["x"], cloud["t"] = 5, numpy.linspace(0, span, count)
-            its.append((made_bags.START_NS + i * 10**8, cloud))
+        clouds = self.parts_of_clouds((1000, 10**8), (10, 20_000), (20, 1_900_000))
+        its = [(made_bags.START_NS + i * 10**8, cloud) for i, cloud in enumerate(clouds)]
         self.sent("turning", "cloud", [("/it", now, made_bags.point_cloud2(now, cloud)) for now, cloud in its],
                   [cloud_message(now, cloud) for now, cloud in its], turns=True)
+
+    def test_before_the_first_full_cloud_no_unit_is_known(self):
+        """`iog points` looks ahead; the node cannot."""
+        node, unit_us = load_node(), None
+        scans = []
+        for cloud in self.parts_of_clouds((10, 20_000), (1000, 10**8), (10, 20_000)):
+            scan, unit_us = node.scan_of_cloud(cloud_message(made_bags.START_NS, cloud), unit_us)
+            scans.append(scan)
+        self.assertIsNone(scans[0].after_us)
+        self.assertEqual([scan.after_us[-1] for scan in scans[1:]], [100_000, 20])
 
     def test_a_scan_whose_head_contradicts_itself(self):
         node = load_node().PointsNode()
