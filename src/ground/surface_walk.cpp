@@ -20,6 +20,12 @@ constexpr std::int32_t kSteepStartRise = 80;
 constexpr std::int16_t kOverLast = 60;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
+// A far and high first ground may be the lower edge of an object that hides the road. The walk's
+// steps are smaller until kProofs more bins have ground of their own.
+constexpr std::int32_t kHighStart = 60;
+constexpr std::size_t kNearBins = 3;
+constexpr std::int16_t kProofs = 3;
+constexpr std::int16_t kDoubtfulWidest = 200;
 constexpr std::int16_t kWidest = 300;
 constexpr std::int32_t kSteepest = 180;
 constexpr std::int16_t kReach = 12;  // bins for which a slope continues without ground
@@ -115,6 +121,7 @@ void SurfaceWalk::close_turn(Bins bins, const Lows& lows, Surface& surface) {
     turn_slopes(bins, bin);
     choose();
     catch_up(bins, bin);
+    doubt(bin);
     stand(bin);
   }
   go_straight_on();
@@ -134,6 +141,7 @@ void SurfaceWalk::begin(const Surface& surface) {
   height_.fill(0);
   slope_.fill(0);
   last_.fill(-1);
+  doubt_.fill(0);
 }
 
 void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
@@ -152,7 +160,8 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
     const std::int16_t last = last_[sector];
     const std::int16_t gap = std::min(narrow(number - last), kReach);
     const std::int16_t expected = narrow(height_[sector] + slope_[sector] * gap);
-    const std::int16_t step = std::min(narrow(kStep + step_rise * gap), kWidest);
+    const std::int16_t widest = pick(mask(doubt_[sector] > 0), kDoubtfulWidest, kWidest);
+    const std::int16_t step = std::min(narrow(kStep + step_rise * gap), widest);
     const std::int16_t most = pick(mask(last < 0), first, step);
     const std::int16_t low = believed(lows[sector], plausible);
     const std::int16_t off = narrow(low - expected);
@@ -233,6 +242,18 @@ void SurfaceWalk::catch_up(Bins bins, std::size_t bin, std::size_t sector) {
   for (std::int32_t i = 1; i < gap; ++i) {
     ground_[bin - static_cast<std::size_t>(gap - i)][sector] =
         narrow(height_[sector] + ((each * i) >> 16));
+  }
+}
+
+// Begins the doubt at a far and high first ground, and lessens it at ground of the sector's own.
+void SurfaceWalk::doubt(std::size_t bin) {
+  const std::int16_t begin = bin < kNearBins ? std::int16_t{0} : kProofs;
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t is_first = narrow(stands_[sector] & mask(last_[sector] < 0));
+    const std::int16_t at_first = pick(mask(found_[sector] > kHighStart), begin, 0);
+    const std::int16_t left = doubt_[sector];
+    const std::int16_t is_less = narrow(mask(own_[sector] != Lows::kNothing) & mask(left > 0));
+    doubt_[sector] = pick(is_first, at_first, narrow(left + is_less));
   }
 }
 

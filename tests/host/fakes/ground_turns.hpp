@@ -115,6 +115,22 @@ inline Turn turn_beside(Random& random, std::int32_t bin_mm) {
   return turn;
 }
 
+// First ground in bin 3 that is just doubtful or just not, and then the highest step that is
+// allowed after a doubtful one, or a millimetre less or more.
+inline Turn doubtful_ground(std::int32_t bin_mm) {
+  Turn returns;
+  for (std::int32_t i = 0; i < 16; ++i) {
+    const std::int32_t first = 59 + i / 4;
+    const std::int32_t expected = first + 4 * (first / 16);
+    for (const std::int32_t beside : {-1, 0, 1}) {
+      const std::int32_t sector = 8 + 16 * i + beside;
+      returns.push_back({sector, 3 * bin_mm, first});
+      returns.push_back({sector, 7 * bin_mm, expected + 199 + i % 4});
+    }
+  }
+  return returns;
+}
+
 // Two turns. In the first, sectors far from one another have ground as high as a first ground can
 // be, or higher. In the second, they have it just as much higher as it may be from turn to turn, or
 // a millimetre more, or just as high as it can ever be.

@@ -31,6 +31,10 @@ struct GroundRule {
   Whole step = 100;
   Whole step_rise = 100;
   Whole widest = 300;
+  Whole high_start = 60;
+  Whole near_starts = 3;
+  Whole proofs = 3;
+  Whole doubtful_widest = 200;
   Whole slope_parts = 4;  // of an error, one is believed
   Whole steepest = 180;
   Whole reach = 12;
@@ -135,6 +139,7 @@ class ReferenceGround {
     Whole height = 0;
     Whole slope = 0;
     Whole bin = -1;
+    Whole proofs_missing = 0;
     std::vector<Whole> ground = std::vector<Whole>(kBins, 0);
   };
 
@@ -174,7 +179,8 @@ class ReferenceGround {
     const Walker& its = walkers_[at(sector)];
     const Whole gap = bin - its.bin;
     if (its.bin >= 0) {
-      return std::min(rule_.step + of_bin(rule_.step_rise) * gap, rule_.widest);
+      const Whole widest = its.proofs_missing > 0 ? rule_.doubtful_widest : rule_.widest;
+      return std::min(rule_.step + of_bin(rule_.step_rise) * gap, widest);
     }
     const std::vector<Whole>& last_turn = rows_[at(sector)];
     const Whole over_last =
@@ -253,6 +259,12 @@ class ReferenceGround {
     for (Whole i = 1; i <= gap; ++i) {
       walker.ground[at(walker.bin + i)] =
           i == gap ? height : walker.height + floor_of(rise * inverse * i, 65'536);
+    }
+    if (walker.bin < 0) {
+      const bool is_doubtful = bin >= rule_.near_starts && height > rule_.high_start;
+      walker.proofs_missing = is_doubtful ? rule_.proofs : 0;
+    } else if (is_own) {
+      --walker.proofs_missing;
     }
     walker.height = height;
     walker.bin = bin;

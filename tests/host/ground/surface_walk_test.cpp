@@ -98,6 +98,7 @@ std::vector<Turn> all_turns(Bins bins) {
     turns.push_back(tests::turn_beside(random, length_of(bins)));
     turns.push_back(tests::any_turn(random, 1 << random.between(0, 13)));
     turns.push_back(tests::steep_turn(random, length_of(bins)));
+    turns.push_back(tests::doubtful_ground(length_of(bins)));
     turns.push_back(tests::first_ground(length_of(bins), 0));
     turns.push_back(tests::first_ground(length_of(bins), 1));
   }
@@ -135,16 +136,18 @@ TEST(SurfaceWalk, TakesHeightsOfAnySize) {
 // The turns of these tests meet each number of the rule: with any of them one larger or smaller,
 // the second implementation finds another surface.
 TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
+  constexpr int kNumbers = 20;
   const auto number_of = [](GroundRule& rule, int number) -> tests::Whole& {
-    const std::array<tests::Whole*, 16> all{
+    const std::array<tests::Whole*, kNumbers> all{
         &rule.plausible,  &rule.plausible_rise,   &rule.most_plausible, &rule.start,
         &rule.start_rise, &rule.steep_start_rise, &rule.over_last,      &rule.step,
         &rule.step_rise,  &rule.widest,           &rule.slope_parts,    &rule.steepest,
-        &rule.reach,      &rule.across,           &rule.beside,         &rule.over_lowest};
+        &rule.reach,      &rule.across,           &rule.beside,         &rule.over_lowest,
+        &rule.high_start, &rule.near_starts,      &rule.proofs,         &rule.doubtful_widest};
     return *all[static_cast<std::size_t>(number)];
   };
   const std::vector<Turn> turns = all_turns(kShort);
-  for (int number = 0; number < 16; ++number) {
+  for (int number = 0; number < kNumbers; ++number) {
     for (const int more : {1, -1}) {
       GroundRule rule;
       number_of(rule, number) += more;
@@ -234,6 +237,27 @@ TEST(SurfaceWalk, ACarBesideAHighUnitIsNotTheFirstGround) {
     for (const Return& its : turn) {
       ASSERT_EQ(surface.height_over(kShort, 60, static_cast<std::uint32_t>(its.along_mm), its.z_mm),
                 its.z_mm);
+    }
+  }
+}
+
+// A car hides the road and the lower part of a parked car behind it. The edge of this part is low
+// enough for a first ground, but its door and its bonnet are no ground.
+TEST(SurfaceWalk, AHalfHiddenCarIsNotGround) {
+  Turn turn;
+  for (std::int32_t sector = 100; sector < 115; ++sector) {
+    for (const auto& [bin, z_mm] :
+         {std::array<std::int32_t, 2>{3, 180}, {7, 460}, {9, 780}, {11, 810}, {12, 900}}) {
+      turn.push_back({sector, bin * 1024, z_mm});
+    }
+  }
+  SurfaceWalk walk;
+  Surface surface;
+  for (int turns = 0; turns < 20; ++turns) {
+    walk.close_turn(kShort, lows_of(kShort, turn), surface);
+    for (const std::int32_t bin : {9, 11, 12}) {
+      ASSERT_GT(surface.height_over(kShort, 107, static_cast<std::uint32_t>(bin * 1024), 780), 220)
+          << turns << ' ' << bin;
     }
   }
 }
