@@ -202,7 +202,7 @@ class TileSender {
     work::keep_order();
     found.is_left_out = added.is_left_out();
     if (!found.is_left_out) {
-      found.remainder = stream::Crc32::remainder_of(added.cells);
+      found.remainder = stream::GridCrc32::remainder_of(added.cells);
       found.encoded = encoder.encode(added.cells, frame_number_, reference, found.payload);
       found.reference_frame = reference ? reference->frame_number : frame_number_;
     }
