@@ -45,7 +45,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   int32_t x_mm_before, y_mm_before;
   uint64_t end_us_before;
   uint32_t next, over[16], overs, candidate, candidates, candidate_sequences[2];
-  uint32_t crc_p4[256], crc_32[256];
+  uint32_t crc[256];  // table of CRC-32/P4, 3.1
 } iogrid_receiver;
 
 enum iogrid_contents { IOGRID_HAS_CLASSES = 4, IOGRID_NO_INDEXES = 8, IOGRID_HAS_OBJECTS = 16 };
@@ -62,10 +62,9 @@ enum iogrid_kind {  // of a message, 3.2
 static inline void iogrid_init(iogrid_receiver* r) {
   memset(r, 0, sizeof *r);
   for (uint32_t i = 0; i < 256; ++i) {
-    r->crc_p4[i] = r->crc_32[i] = i;
+    r->crc[i] = i;
     for (int bit = 0; bit < 8; ++bit) {
-      r->crc_p4[i] = r->crc_p4[i] >> 1 ^ (r->crc_p4[i] & 1 ? 0xC8DF352FU : 0);
-      r->crc_32[i] = r->crc_32[i] >> 1 ^ (r->crc_32[i] & 1 ? 0xEDB88320U : 0);
+      r->crc[i] = r->crc[i] >> 1 ^ (r->crc[i] & 1 ? 0xC8DF352FU : 0);
     }
   }
 }
@@ -106,8 +105,8 @@ static inline int iogrid_close(iogrid_receiver* r) {
   if (!r->is_open) return 0;
   r->is_open = 0;
   r->next = r->number + 1;
-  if (r->has_indexes) iogrid_close_grid(&r->indexes, r->crc_32, r->dropped);
-  if (r->has_classes) iogrid_close_grid(&r->classes, r->crc_32, r->dropped);
+  if (r->has_indexes) iogrid_close_grid(&r->indexes, r->crc, r->dropped);
+  if (r->has_classes) iogrid_close_grid(&r->classes, r->crc, r->dropped);
   r->is_whole = r->indexes.has_end && (!r->has_indexes || r->indexes.is_whole) &&
                 (!r->has_classes || r->classes.is_whole) &&
                 (!r->has_objects || iogrid_are_objects_complete(&r->objects));
@@ -182,9 +181,8 @@ static inline enum iogrid_drop iogrid_fault(const iogrid_receiver* r, const uint
   if (bytes > 1392 || iogrid_be32(m + 4) != bytes - 8 || iogrid_be16(m + 16) != bytes - 8 ||
       m[14] != 2 || m[15] != 0 || iogrid_be32(m + 20) != 0x494F4701U)
     return IOGRID_DAMAGED;
-  const uint32_t crc = iogrid_crc(r->crc_p4, 0xFFFFFFFF, m + 8, 16);
-  if (iogrid_be32(m + 24) != ~iogrid_crc(r->crc_p4, crc, content, bytes - 28))
-    return IOGRID_DAMAGED;
+  const uint32_t crc = iogrid_crc(r->crc, 0xFFFFFFFF, m + 8, 16);
+  if (iogrid_be32(m + 24) != ~iogrid_crc(r->crc, crc, content, bytes - 28)) return IOGRID_DAMAGED;
   if (bytes < 76 || iogrid_be16(content + 2) < 48 || iogrid_be16(content + 2) > bytes - 28 ||
       iogrid_be16(m + 18) != iogrid_be16(content + 6))
     return IOGRID_MALFORMED;

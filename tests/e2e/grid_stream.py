@@ -2,7 +2,6 @@
 
 import dataclasses
 import struct
-import zlib
 from collections.abc import Iterator
 
 import map_state
@@ -323,20 +322,20 @@ class Assembler:
             assert any(cells), "a tile in which nothing is known"
             self._encodings[tile.encoding] += 1
             place = struct.pack(">HH", tile.number % TILES_ACROSS, tile.number // TILES_ACROSS)
-            self._crc = zlib.crc32(place + cells, self._crc)
+            self._crc = protected_message.crc32_p4(place + cells, self._crc)
 
     def _take_classes(self, frame: int, window: Window, message: Tiles) -> None:
         assert self._window in (None, window), "two messages of a frame disagree on its window"
         if self._window is None:
             self._window = window
-            self._class_crc = zlib.crc32(struct.pack(">ii", window.a, window.b))
+            self._class_crc = protected_message.crc32_p4(struct.pack(">ii", window.a, window.b))
         assert message.first == self._classes_spoken_of, "tiles of classes are out of order"
         self._classes_spoken_of = message.end
         for tile in message.tiles:
             cells = self._cells_of(frame, tile, self._own[1])
             assert any(cells) and all(cell == 0 or 8 <= cell < 72 for cell in cells), "no classes"
             self._class_tiles += 1
-            self._class_crc = zlib.crc32(struct.pack(">H", tile.number) + cells, self._class_crc)
+            self._class_crc = protected_message.crc32_p4(struct.pack(">H", tile.number) + cells, self._class_crc)
 
     def _take_class_end(self, end: ClassEnd) -> None:
         assert end.window == self._window and self._class_end is None

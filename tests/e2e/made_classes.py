@@ -1,10 +1,10 @@
 """Classes of a window that are made by hand, as docs/spec.md sections 3.9 and 3.10 say."""
 
 import struct
-import zlib
 
 import grid_stream
 import object_parts
+import protected_message
 
 TILE = 32
 TILES_ACROSS = 32
@@ -97,9 +97,9 @@ class Window:
 
     @property
     def crc(self) -> int:
-        crc = zlib.crc32(struct.pack(">ii", *self.corner))
+        crc = protected_message.crc32_p4(struct.pack(">ii", *self.corner))
         for number, cells in self.by_slot:
-            crc = zlib.crc32(struct.pack(">H", number) + cells, crc)
+            crc = protected_message.crc32_p4(struct.pack(">H", number) + cells, crc)
         return crc if self.by_slot else 0
 
     def bodies(self, age: int = 0) -> list[tuple[int, bytes]]:

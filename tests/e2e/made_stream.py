@@ -3,7 +3,6 @@
 import itertools
 import socket
 import struct
-import zlib
 
 import grid_stream
 import made_classes
@@ -37,7 +36,7 @@ class Grid:
         for number, cells in sorted(self.tiles.items()):
             if any(cells):
                 place = struct.pack(">HH", number % (SIDE // TILE), number // (SIDE // TILE))
-                crc = zlib.crc32(place + cells, crc)
+                crc = protected_message.crc32_p4(place + cells, crc)
         return crc
 
 

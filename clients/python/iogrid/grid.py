@@ -2,11 +2,10 @@
 
 import collections
 import struct
-import zlib
 
 import numpy
 
-from iogrid.protection import Unsound, require
+from iogrid.protection import Unsound, crc_p4, require
 from iogrid.tiles import CELLS, RunStarts, draw, read_tile, reference_of
 
 TILES = 1024  # of a grid, 32 x 32
@@ -120,8 +119,8 @@ class Grid:
     def name_of(self, cells: numpy.ndarray) -> int:
         """3.6, and 3.10 for classes."""
         numbers = numpy.flatnonzero(cells.any(axis=1)).tolist()
-        crc = zlib.crc32(self.window[4:12])
+        crc = crc_p4(self.window[4:12]) if self.is_of_classes else 0
         for number in numbers:
             place = struct.pack(">H", number) if self.is_of_classes else struct.pack(">HH", number % 32, number // 32)
-            crc = zlib.crc32(cells[number], zlib.crc32(place, crc))
+            crc = crc_p4(place + cells[number].tobytes(), crc)
         return crc if numbers else 0

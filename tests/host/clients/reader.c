@@ -7,6 +7,7 @@
 
 static iogrid_receiver receiver;
 static uint8_t datagram[65536];
+static uint32_t zlib_crc[256];
 
 static uint32_t lost(const iogrid_grid* grid) {
   uint32_t tiles = 0;
@@ -22,7 +23,7 @@ static uint32_t picture(const iogrid_receiver* r, int of_classes) {
       const uint8_t cell =
           of_classes ? iogrid_cell(r, column, row)
                      : (uint8_t)iogrid_index_at(r, (column - 511.5) * 0.1, (row - 511.5) * 0.1);
-      crc = iogrid_crc(r->crc_32, crc, &cell, 1);
+      crc = iogrid_crc(zlib_crc, crc, &cell, 1);
     }
   }
   return ~crc;
@@ -46,7 +47,7 @@ static void print_objects(const iogrid_receiver* r) {
         o->length_cm, o->width_cm, o->has_heading ? o->heading : -1, o->is_hit, o->is_end_hidden,
         o->vx_cm_s, o->vy_cm_s, o->sigma_v_along, o->sigma_v_across, o->sigma_along,
         o->sigma_across, o->since_hit_ms, o->since_stopped, is_told, x, y, sigma);
-    crc = iogrid_crc(r->crc_32, crc, (const uint8_t*)text, (size_t)bytes);
+    crc = iogrid_crc(zlib_crc, crc, (const uint8_t*)text, (size_t)bytes);
   }
   printf(" objects %d %08x", count, ~crc);
 }
@@ -86,6 +87,12 @@ static void print(const iogrid_receiver* r) {
 
 int main(void) {
   iogrid_init(&receiver);
+  for (uint32_t i = 0; i < 256; ++i) {
+    zlib_crc[i] = i;
+    for (int bit = 0; bit < 8; ++bit) {
+      zlib_crc[i] = zlib_crc[i] >> 1 ^ (zlib_crc[i] & 1 ? 0xEDB88320U : 0);
+    }
+  }
   for (int high; (high = getchar()) != EOF;) {
     const size_t bytes = (size_t)high << 8 | (size_t)getchar();
     // On the heap, so that a byte read beyond its end is found.
