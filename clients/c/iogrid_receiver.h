@@ -129,11 +129,15 @@ static inline void iogrid_open(iogrid_receiver* r, uint32_t number, uint8_t cont
   r->blocked = 0;
 }
 
+static inline int iogrid_is_spoken_of(const iogrid_grid* grid) {
+  return grid->says_geometry && grid->spoken_of == grid->tiles;
+}
+
 // Whether nothing is to come any more of the frame that is open.
 static inline int iogrid_has_come(const iogrid_receiver* r) {
   const iogrid_grid *indexes = &r->indexes, *classes = &r->classes;
-  return indexes->has_end && (!r->has_indexes || indexes->spoken_of == IOGRID_TILES) &&
-         (!r->has_classes || (classes->has_end && classes->spoken_of == IOGRID_TILES)) &&
+  return indexes->has_end && (!r->has_indexes || iogrid_is_spoken_of(indexes)) &&
+         (!r->has_classes || (classes->has_end && iogrid_is_spoken_of(classes))) &&
          (!r->has_objects || iogrid_are_objects_complete(&r->objects));
 }
 
@@ -141,14 +145,11 @@ static inline int iogrid_has_come(const iogrid_receiver* r) {
 // what came before.
 static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, const uint8_t* body,
                                    size_t bytes) {
-  static const uint8_t indexes[18] = {5, 0,    4,    0,    4, 0,    0,    100,  0,
-                                      0, 0xFF, 0xFF, 0x38, 0, 0xFF, 0xFF, 0x38, 0};
-  static const uint8_t classes[18] = {5, 2, 4, 0, 4, 0, 0, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   const int are_tiles = content[0] == IOGRID_KIND_TILES;
   if (are_tiles && bytes < 24) return 0;
-  const int are_classes = are_tiles ? memcmp(body + 6, classes, sizeof classes) == 0
-                                    : content[0] == IOGRID_KIND_END_OF_CLASSES;
-  if (are_tiles && !are_classes && memcmp(body + 6, indexes, sizeof indexes) != 0) return 0;
+  const int are_classes =
+      are_tiles ? body[7] == 2 : content[0] == IOGRID_KIND_END_OF_CLASSES;  // storage, 3.3
+  if (are_tiles && !are_classes && body[7] != 0) return 0;
   if (are_classes ? !r->has_classes : are_tiles && !r->has_indexes) return 0;
   iogrid_grid* grid = are_classes ? &r->classes : &r->indexes;
   size_t at = are_tiles ? 24 : 0;
@@ -177,7 +178,7 @@ static inline enum iogrid_drop iogrid_fault(const iogrid_receiver* r, const uint
                                             size_t bytes) {
   const uint8_t* content = m + 28;
   if (bytes < 28 || iogrid_be32(m) != 0x4F478001U || m[12] != 1) return IOGRID_NOT_OURS;
-  if (m[13] != 4) return IOGRID_OTHER_VERSION;
+  if (m[13] != 5) return IOGRID_OTHER_VERSION;
   if (bytes > 1392 || iogrid_be32(m + 4) != bytes - 8 || iogrid_be16(m + 16) != bytes - 8 ||
       m[14] != 2 || m[15] != 0 || iogrid_be32(m + 20) != 0x494F4701U)
     return IOGRID_DAMAGED;
@@ -219,8 +220,8 @@ static inline void iogrid_begin_run(iogrid_receiver* r, uint32_t run) {
   r->candidates = 0;
   r->has_next = r->had_pose = 0;
   r->refusal[0] = 0;
-  memset(r->indexes.has_own, 0, sizeof r->indexes.has_own);
-  memset(r->classes.has_own, 0, sizeof r->classes.has_own);
+  memset(&r->indexes, 0, sizeof r->indexes);
+  memset(&r->classes, 0, sizeof r->classes);
 }
 
 static inline enum iogrid_result iogrid_drop_it(iogrid_receiver* r, enum iogrid_drop cause) {

@@ -58,7 +58,7 @@ layout.PARTS.tiles = {
   { "uint16", "width", "Width of the grid, cells", base.DEC },
   { "uint16", "height", "Height of the grid, cells", base.DEC },
   { "uint16", "cell_mm", "Side of a cell, mm", base.DEC },
-  { "uint16" },
+  { "uint16", "epsilon_e5", "Epsilon of the indexes, 1e-5", base.DEC },
   { "int32", "x_mm", "Lowest x, mm", base.DEC },
   { "int32", "y_mm", "Lowest y, mm", base.DEC },
 }

@@ -12,8 +12,8 @@ import plots
 from matplotlib import pyplot as plt
 from matplotlib.patches import Polygon
 
-from drive import Drive, Followed, World
-from iogrid import CELL_M, SIDE, Class, Frame, State
+from drive import CELL_M, SIDE, Drive, Followed, World
+from iogrid import Class, Frame, State
 
 # Of `iog`: tools/formats/picture/class_picture.cpp and grid_picture.cpp; tests/e2e/own_drive compares them.
 NOTHING = (30, 33, 38)

@@ -6,8 +6,9 @@ import math
 import numpy as np
 import pandas
 
-from iogrid import CELL_M, FREE_CLASSES, Cause, Class, Frame, Object, State
+from iogrid import FREE_CLASSES, Cause, Class, Frame, Object, State
 
+CELL_M, SIDE = 0.1, 1024  # of the drives' cars
 CELL_M2 = CELL_M ** 2
 # As the page names them, and the classes of docs/spec.md 3.9.
 NAMED = {"free": FREE_CLASSES, "moving": (Class.MOVING,), "stopped": (Class.STOPPED,), "standing": (Class.STANDING,),

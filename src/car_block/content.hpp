@@ -98,7 +98,7 @@ void visit_car(auto& content, auto& car) {
   content.numbers(car.footprint.x_min, car.footprint.x_max);
   content.numbers(car.footprint.y_min, car.footprint.y_max, car.z_min, car.z_max);
   content.below(2, car.rule);
-  content.below(2, car.quantisation);
+  content.quantisation_and_epsilon(car.quantisation, car.epsilon_e5);
   content.numbers(car.frame_period_us);
   content.grids_and_objects(car.grids, car.has_objects);
   content.numbers(car.poses.source_ipv4, car.poses.udp_port, car.poses.log2_slice_ms);
@@ -145,6 +145,14 @@ class Writer {
   void grids_and_objects(vehicle::Grids grids, bool has_objects) {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
+  }
+  // An extra bit is set if an unusual epsilon follows.
+  void quantisation_and_epsilon(index::Quantisation quantisation, std::uint16_t epsilon_e5) {
+    const bool is_usual = epsilon_e5 == vehicle::kUsualEpsilonE5;
+    number(static_cast<std::uint8_t>(static_cast<unsigned>(quantisation) | (is_usual ? 0U : 2U)));
+    if (!is_usual) {
+      number(epsilon_e5);
+    }
   }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }
   void text(std::string_view text) {

@@ -34,6 +34,9 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   if (!is_within<std::uint32_t>(car.frame_period_us, 10'000, 1'000'000)) {
     tell({.field = "frame_period_us", .allowed = "10000 ... 1000000"});
   }
+  if (!is_within<std::uint16_t>(car.epsilon_e5, 1'000, 40'000)) {
+    tell({.field = "epsilon", .allowed = "0.01 ... 0.4"});
+  }
   if (!is_within<std::uint32_t>(car.window.group_budget, 1, perception::kGroupBudget)) {
     tell({.field = "window.group_budget", .allowed = "1 ... 65536"});
   }

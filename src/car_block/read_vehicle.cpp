@@ -50,6 +50,16 @@ class Reader {
     demand(grids <= vehicle::Grids::kBoth && (!is_off || vehicle::have_classes(grids)));
     has_objects = vehicle::have_classes(grids) && !is_off;
   }
+  void quantisation_and_epsilon(index::Quantisation& quantisation, std::uint16_t& epsilon_e5) {
+    unsigned bits = 0;
+    below(4, bits);
+    quantisation = static_cast<index::Quantisation>(bits & 1U);
+    epsilon_e5 = vehicle::kUsualEpsilonE5;
+    if ((bits & 2U) != 0) {
+      numbers(epsilon_e5);
+      demand(epsilon_e5 != vehicle::kUsualEpsilonE5);
+    }
+  }
   void shares_and_heights(bool& layers_share_lines, vehicle::GroundLimits& ground,
                           vehicle::MovedLimits& moved) {
     unsigned bits = 0;

@@ -55,6 +55,8 @@ struct Header {
   std::uint32_t packets_fused = 0;    // packets fused in this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped for any cause since start
   std::uint32_t run_number = 0;       // identifies the target's run; different after each start
+  // Sent in the header of index tiles instead (TilesHeader).
+  std::uint16_t epsilon_e5 = vehicle::kUsualEpsilonE5;
 
   // True if any sensor contributed to the frame.
   [[nodiscard]] constexpr bool has_evidence() const {

@@ -75,6 +75,7 @@ struct TilesHeader {
   std::uint16_t end_tile = 0;    // one past the last tile that the message covers
   std::uint16_t tile_count = 0;  // number of tiles with content in this message
   Geometry geometry;
+  std::uint16_t epsilon_e5 = 0;         // epsilon of the recursive set in 1e-5; 0 for classes
   std::optional<ClassWindow> window{};  // only for classes
 };
 inline constexpr std::size_t kTilesHeaderBytes = 24;

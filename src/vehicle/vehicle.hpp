@@ -30,6 +30,8 @@ inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
 inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the ground
 
+inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file says another
+
 // The maximum number of cached lines of all level rotating sensors of a vehicle. There is one line
 // for each azimuth step. A line takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
@@ -204,6 +206,7 @@ struct Vehicle {
 
   FusionRule rule = FusionRule::kHitsWin;
   index::Quantisation quantisation = index::Quantisation::kBlurring;
+  std::uint16_t epsilon_e5 = kUsualEpsilonE5;  // epsilon of the recursive set in 1e-5
   std::uint32_t frame_period_us = 0;
   Grids grids = Grids::kIndexes;
   bool has_objects = false;  // tracks objects on the class grid (docs/objects.md)

@@ -235,7 +235,7 @@ def read_class_end(body: bytes) -> ClassEnd:
 def read_tiles(body: bytes, level: int = 0) -> Tiles:
     side = 1024 >> level
     first, end, count, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
-    assert geometry == [5, int(level > 0), side, side, 100 << level, 0, -51200, -51200]
+    assert geometry == [5, int(level > 0), side, side, 100 << level, 5000, -51200, -51200]
     tiles = [Tile(number, encoding, payload) for (number, encoding), payload
              in records_of(body, TILES_BYTES, count, struct.Struct(">HBH"))]
     return tiles_between(first, end, TILE_COUNT >> 2 * level, tiles)
@@ -244,7 +244,7 @@ def read_tiles(body: bytes, level: int = 0) -> Tiles:
 def read_frame_end(body: bytes) -> FrameEnd:
     sent, lost, crc, stack_bytes, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
-    assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
+    assert stages == 4 and fates == 13
     with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
     all_links = with_discovery + COMMAND_COUNTERS
     assert causes in (10, 11, len(PACKET_DROPS)), "10 and 11 of older targets"

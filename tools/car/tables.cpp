@@ -37,6 +37,12 @@ std::uint16_t millimetres(double metres) {
                                    : std::uint16_t{0};
 }
 
+// 0, which is refused, of what is no epsilon.
+std::uint16_t hundred_thousandths(double epsilon) {
+  return epsilon > 0 && epsilon < 0.5 ? static_cast<std::uint16_t>(numeric::round(epsilon * 1e5))
+                                      : std::uint16_t{0};
+}
+
 // x and y are measured from the grid's corner, the vehicle's origin is in the middle.
 double grid_metres(double vehicle_metres) {
   return vehicle_metres + geometry::kOriginCell * geometry::kCellMm / 1000.0;
@@ -266,6 +272,7 @@ Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
           .sensors = sensors,
           .rule = car.rule,
           .quantisation = car.quantisation,
+          .epsilon_e5 = hundred_thousandths(car.epsilon),
           .frame_period_us = car.frame_period_us,
           .grids = car.grids,
           .has_objects = vehicle::have_classes(car.grids) && car.objects,

@@ -246,8 +246,14 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
   if (tiles.geometry != stream::geometry_of_level(0)) {
     return &MessageCounts::not_understood;
   }
-  const bool is_taken = waiting.frame.header.has_indexes() && waiting.indexes.take(tiles, body);
-  return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
+  std::uint16_t& epsilon_e5 = waiting.frame.epsilon_e5;
+  const bool agrees = 0 < tiles.epsilon_e5 && tiles.epsilon_e5 < 50'000 &&
+                      (epsilon_e5 == 0 || epsilon_e5 == tiles.epsilon_e5);
+  if (!agrees || !waiting.frame.header.has_indexes() || !waiting.indexes.take(tiles, body)) {
+    return &MessageCounts::malformed;
+  }
+  epsilon_e5 = tiles.epsilon_e5;
+  return &MessageCounts::messages;
 }
 
 FrameAssembler::Fate FrameAssembler::take_class_tiles(WaitingFrame& waiting,

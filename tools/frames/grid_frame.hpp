@@ -25,6 +25,7 @@ struct GridFrame {
   stream::Header header;  // of its last message, or of its tiles if that is lost
   stream::FrameEnd end;   // only if has_end
   bool has_end = false;
+  std::uint16_t epsilon_e5 = 0;  // of its indexes; 0 before their first message
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
   // Sets of tiles are by y * kTilesPerSide + x.
@@ -49,6 +50,10 @@ struct GridFrame {
   }
   // The list has come, and the frame has a place.
   [[nodiscard]] bool knows_objects() const { return objects && objects->has_place(); }
+  // Epsilon of the recursive set, for the probabilities of indexes.
+  [[nodiscard]] std::optional<double> epsilon() const {
+    return epsilon_e5 > 0 ? std::optional(epsilon_e5 / 1e5) : std::nullopt;
+  }
   [[nodiscard]] std::span<const index::OccupancyIndex, geometry::kCellCount> grid() const {
     return std::span(cells).first<geometry::kCellCount>();
   }

@@ -322,14 +322,14 @@ std::string status_json(const StatusParts& parts) {
                   {"frame", *parts.frame ? frame_json(**parts.frame) : nullptr}});
 }
 
-std::string vehicle_json(std::uint32_t vehicle_id) {
+std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon) {
   const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
   Json sensors = Json::array();
   Json json{{"name", words_of_vehicle(vehicle_id)},
             {"cell_m", geometry::kCellMm / 1000.0},
             {"cells", geometry::kCellsPerSide},
             {"footprint", nullptr},
-            {"epsilon", nullptr}};
+            {"epsilon", epsilon ? Json(*epsilon) : nullptr}};
   if (car != nullptr) {
     for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));
@@ -341,7 +341,6 @@ std::string vehicle_json(std::uint32_t vehicle_id) {
                          {"y_max", body.y_max_m}};
     json["z_min"] = car->description->z_min_m;
     json["z_max"] = car->description->z_max_m;
-    json["epsilon"] = car->description->epsilon;
     json["period_us"] = car->description->frame_period_us;
   }
   json["sensors"] = std::move(sensors);

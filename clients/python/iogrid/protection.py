@@ -5,7 +5,7 @@ import struct
 import numpy
 
 MOST_BYTES = 1392  # of a message
-VERSION = 4  # of the interface
+VERSION = 5  # of the interface
 
 
 class Unsound(ValueError):

@@ -248,7 +248,7 @@ TEST(Offering, IsWithdrawnBeforeARunIsEndedForSilence) {
   const auto sent = datagrams_of(bench.machine.ethernet().take_sent());
   ASSERT_EQ(sent.size(), 1U);
   const std::size_t ttl_at = net::testing::kPayloadOffset + discovery::testing::kTtlAt;
-  EXPECT_EQ(be16(sent[0], ttl_at - 1), 0x0400U) << "version, time to live";
+  EXPECT_EQ(be16(sent[0], ttl_at - 1), 0x0500U) << "version, time to live";
   EXPECT_EQ(be16(sent[0], ttl_at + 1), 0U);
 }
 

@@ -107,6 +107,18 @@ TEST(Identity, HasThatNothingIsFollowed) {
   EXPECT_EQ(byte_with(Grids::kBoth, false), (std::vector<std::uint8_t>{6}));
 }
 
+// The bytes of a car with the usual epsilon are what they were before epsilon was among them.
+TEST(Identity, HasAnUnusualEpsilon) {
+  const auto bytes_with = [](std::uint16_t epsilon_e5) {
+    std::vector<std::uint8_t> bytes;
+    content_detail::Writer out([&](std::uint8_t byte) { bytes.push_back(byte); });
+    out.quantisation_and_epsilon(index::Quantisation::kNearest, epsilon_e5);
+    return bytes;
+  };
+  EXPECT_EQ(bytes_with(5'000), (std::vector<std::uint8_t>{1}));
+  EXPECT_EQ(bytes_with(0x1234), (std::vector<std::uint8_t>{3, 0x12, 0x34}));
+}
+
 // Of one that has neither, the bytes are what they were before any could.
 TEST(Identity, HasTheGroundAndWhatOpensItOfASensorThatHasThem) {
   using vehicle::GroundLimits;

@@ -11,18 +11,20 @@ static uint32_t zlib_crc[256];
 
 static uint32_t lost(const iogrid_grid* grid) {
   uint32_t tiles = 0;
-  for (uint32_t tile = 0; tile < IOGRID_TILES; ++tile) tiles += grid->is_lost[tile];
+  for (uint32_t tile = 0; tile < grid->tiles; ++tile) tiles += grid->is_lost[tile];
   return tiles;
 }
 
 // CRC-32 of the cells row by row.
 static uint32_t picture(const iogrid_receiver* r, int of_classes) {
   uint32_t crc = 0xFFFFFFFF;
-  for (uint32_t row = 0; row < IOGRID_SIDE; ++row) {
-    for (uint32_t column = 0; column < IOGRID_SIDE; ++column) {
+  const iogrid_grid* grid = of_classes ? &r->classes : &r->indexes;
+  for (uint32_t row = 0; row < grid->rows; ++row) {
+    for (uint32_t column = 0; column < grid->columns; ++column) {
       const uint8_t cell =
           of_classes ? iogrid_cell(r, column, row)
-                     : (uint8_t)iogrid_index_at(r, (column - 511.5) * 0.1, (row - 511.5) * 0.1);
+                     : (uint8_t)iogrid_index_at(r, grid->x_m + (column + 0.5) * grid->cell_m,
+                                                grid->y_m + (row + 0.5) * grid->cell_m);
       crc = iogrid_crc(zlib_crc, crc, &cell, 1);
     }
   }
@@ -67,6 +69,7 @@ static void print(const iogrid_receiver* r) {
   printf("%u run %u whole %d lost %u %u cells %08x %08x", r->number, r->run, r->is_whole,
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
+  printf(" p(3) %.6f", r->indexes.epsilon > 0 ? iogrid_probability(r, 3) : 0);
   print_objects(r);
   uint32_t is_watched = 0, is_blocked = 0;
   for (int i = 0; i < 32; ++i) {

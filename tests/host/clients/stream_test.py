@@ -255,9 +255,9 @@ class Stream(unittest.TestCase):
 
     def test_another_version_is_named(self):
         receiver, message = iogrid.Receiver(), streams.messages_of(streams.raw())[0]
-        for version in (3, 5):
+        for version in (4, 6):
             self.assertEqual(receiver.take(protected_message.of_version(message, version)), [])
-        self.assertEqual(receiver.dropped, {"interface version 3": 1, "interface version 5": 1})
+        self.assertEqual(receiver.dropped, {"interface version 4": 1, "interface version 6": 1})
 
 
 if __name__ == "__main__":

@@ -102,7 +102,8 @@ def tiles_of(message: bytes) -> list[tuple[tuple[bool, int], grid_stream.Tile]]:
 
 def by_tile(cells: numpy.ndarray) -> numpy.ndarray:
     """The same cells as [row of tiles, column, row of the tile, column]."""
-    return cells.reshape(32, 32, 32, 32).swapaxes(1, 2)
+    rows, columns = cells.shape
+    return cells.reshape(rows // 32, 32, columns // 32, 32).swapaxes(1, 2)
 
 
 def encodings_of(messages: list[bytes]) -> collections.Counter:

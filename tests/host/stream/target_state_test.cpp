@@ -1,4 +1,4 @@
-// The counters by name: their places are those of docs/spec.md 3.7 since version 4 of the stream.
+// The counters by name: their places are those of docs/spec.md 3.7 in version 5 of the stream.
 #include "stream/target_state.hpp"
 
 #include <gtest/gtest.h>

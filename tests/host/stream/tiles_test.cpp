@@ -26,14 +26,14 @@ Bytes body_of(std::span<const std::byte> message) {
 
 // Speaks of tiles 5 to 66 and carries 33 and 65: one of two bytes, one of one.
 Bytes some_body() {
-  return bytes_of({0,   5, 0, 66,   0,    2,    5,    0,    4,    0,    4,    0, 0,
-                   100, 0, 0, 0xFF, 0xFF, 0x38, 0x00, 0xFF, 0xFF, 0x38, 0x00, 0, 33,
-                   4,   0, 2, 7,    8,    0,    65,   5,    0,    1,    9});
+  return bytes_of({0,   5,    0,    66,   0,    2,    5,    0,    4,    0,    4,    0, 0,
+                   100, 0x30, 0x39, 0xFF, 0xFF, 0x38, 0x00, 0xFF, 0xFF, 0x38, 0x00, 0, 33,
+                   4,   0,    2,    7,    8,    0,    65,   5,    0,    1,    9});
 }
 
 TEST(TilesWriter, WritesWhatTheSpecificationSays) {
   TilesWriter writer;
-  writer.begin_grid({.frame_number = 9}, geometry_of_level(0));
+  writer.begin_grid({.frame_number = 9, .epsilon_e5 = 0x3039}, geometry_of_level(0));
   writer.begin_message(5);
   ASSERT_TRUE(writer.append(33, Encoding::kRunStarts, bytes_of({7, 8})));
   ASSERT_TRUE(writer.append(65, Encoding::kRunStartsSince, bytes_of({9})));
@@ -92,6 +92,7 @@ TEST(TilesReader, ReadsWhatTheSpecificationSays) {
   EXPECT_EQ(header.first_tile, 5);
   EXPECT_EQ(header.end_tile, 66);
   EXPECT_EQ(header.geometry, geometry_of_level(0));
+  EXPECT_EQ(header.epsilon_e5, 0x3039);
   TileRecord record;
   ASSERT_TRUE(records.next(record));
   EXPECT_EQ(record.tile, 33);

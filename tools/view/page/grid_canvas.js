@@ -57,7 +57,7 @@ export class GridCanvas {
     return this.vehicle ? this.vehicle.cell_m : 0.1;
   }
 
-  // Of the car's file: the stream does not say it. Null: the car is not known here.
+  // Of the stream. Null: no indexes have come.
   get epsilon() {
     return this.vehicle ? this.vehicle.epsilon : null;
   }
