@@ -93,7 +93,7 @@ void visit_window(auto& content, auto& rules) {
 
 // The grid sizes come first because the tables are in units of the grid's subcells.
 void visit_car(auto& content, auto& car) {
-  content.grid(geometry::kCellMm, geometry::kCellsPerSide, geometry::kResolution);
+  content.grid(car.grid);
   content.text(car.name);
   content.numbers(car.footprint.x_min, car.footprint.x_max);
   content.numbers(car.footprint.y_min, car.footprint.y_max, car.z_min, car.z_max);
@@ -174,7 +174,14 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  void grid(std::integral auto... sizes) { (number(static_cast<std::uint16_t>(sizes)), ...); }
+  // 0 instead of the cells of a side: another rectangle follows.
+  void grid(const geometry::Grid& grid) {
+    const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
+    numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});
+    if (!grid.is_whole()) {
+      numbers(grid.columns, grid.rows, grid.origin_column, grid.origin_row);
+    }
+  }
   void assignment(const evidence::Assignment* assignment) {
     truth(assignment != nullptr);
     if (assignment != nullptr) {

@@ -134,10 +134,18 @@ class Reader {
         });
   }
 
-  void grid(std::integral auto... sizes) {
-    bool differs = false;
-    ((differs = number<std::uint16_t>() != sizes || differs), ...);
-    is_of_other_grid_ = differs && ok();
+  void grid(geometry::Grid& grid) {
+    std::uint16_t side = 0;
+    std::uint16_t resolution = 0;
+    grid = {};
+    numbers(grid.cell_mm, side, resolution);
+    const bool is_other =
+        (side != 0 && side != geometry::kCellsPerSide) || resolution != geometry::kResolution;
+    if (side == 0) {
+      numbers(grid.columns, grid.rows, grid.origin_column, grid.origin_row);
+      demand(!grid.is_whole());
+    }
+    is_of_other_grid_ = is_other && ok();
   }
 
   // Reads one of the firmware's own assignments, or none.
@@ -190,6 +198,9 @@ Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
   content_detail::visit_car(in, vehicle);
   if (in.is_of_other_grid()) {
     return Refusal::kOtherGrid;
+  }
+  for (vehicle::Sensor& sensor : memory.sensors) {
+    sensor.grid = vehicle.grid;
   }
   return in.ok() && in.is_at_end() ? Refusal::kNone : Refusal::kNotACar;
 }

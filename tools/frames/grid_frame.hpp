@@ -28,11 +28,12 @@ struct GridFrame {
   std::uint16_t epsilon_e5 = 0;  // of its indexes; 0 before their first message
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
-  // Sets of tiles are by y * kTilesPerSide + x.
+  geometry::Grid shape;  // of its grid of occupancy indexes
+  // Sets of tiles are by y * kTilesPerSide + x. Tiles outside the grid are valid and unknown.
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are
-  // Row by row from the lowest y; a cell of a missing tile is 0.
+  // Row by row of the memory (geometry/grid.hpp) from the lowest y; a cell of a missing tile is 0.
   std::vector<index::OccupancyIndex> cells =
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   // If the target sends classes (stream::kFlagClasses).
@@ -58,6 +59,9 @@ struct GridFrame {
     return std::span(cells).first<geometry::kCellCount>();
   }
 };
+
+// The cells of the grid alone, row by row from the lowest y.
+[[nodiscard]] std::vector<index::OccupancyIndex> cells_in_grid(const GridFrame& frame);
 
 // The number in the grid of a tile's cell i. Both count row by row.
 [[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {

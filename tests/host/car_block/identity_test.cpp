@@ -66,6 +66,18 @@ TEST(Identity, IsTheCrcOfTheMembersInTheirOrder) {
   EXPECT_EQ(identity_of(car()), crc_of(bytes_of_car().number(1, 0).all));
 }
 
+// A grid that is no square around the car: 0 cells of a side, and four numbers more.
+TEST(Identity, HasTheRectangleOfTheGrid) {
+  Vehicle with = car();
+  with.grid = {.cell_mm = 200, .columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
+  Bytes grid;
+  grid.number(2, 200).number(2, 0).number(2, geometry::kResolution);
+  grid.number(2, 512).number(2, 320).number(2, 0).number(2, 160);
+  const auto rest = bytes_of_car().number(1, 0).all;
+  grid.all.insert(grid.all.end(), rest.begin() + 6, rest.end());
+  EXPECT_EQ(identity_of(with), crc_of(grid.all));
+}
+
 TEST(Identity, HasTheSensorsToo) {
   std::array<Sensor, 1> sensors;
   Sensor& sensor = sensors[0];

@@ -168,5 +168,30 @@ TEST(Geometry, OfEveryLevelIsTheSameSquare) {
   }
 }
 
+// A receiver takes what a car can have, and no more than the memory holds.
+TEST(Geometry, IsOfAGridThatACarCanHave) {
+  constexpr geometry::Grid kGrid{
+      .cell_mm = 50, .columns = 1024, .rows = 640, .origin_column = 0, .origin_row = 320};
+  constexpr Geometry kGeometry = geometry_of(kGrid);
+  EXPECT_EQ(kGeometry.width, 1024);
+  EXPECT_EQ(kGeometry.height, 640);
+  EXPECT_EQ(kGeometry.cell_mm, 50);
+  EXPECT_EQ(kGeometry.origin_x_mm, 0);
+  EXPECT_EQ(kGeometry.origin_y_mm, -16'000);
+  EXPECT_EQ(grid_of(kGeometry), kGrid);
+  EXPECT_EQ(grid_of(geometry_of_level(0)), geometry::Grid{});
+  const auto is_taken = [&](auto&& change) {
+    Geometry geometry = kGeometry;
+    change(geometry);
+    return grid_of(geometry).has_value();
+  };
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 2048; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.height = 0; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.cell_mm = 0; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_x_mm = 50; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_y_mm = -16'001; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.storage = Storage::kHighestIndex; }));
+}
+
 }  // namespace
 }  // namespace iog::stream
