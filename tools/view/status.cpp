@@ -327,10 +327,12 @@ std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon
   Json sensors = Json::array();
   Json json{{"name", words_of_vehicle(vehicle_id)},
             {"cell_m", geometry::kCellMm / 1000.0},
-            {"cells", geometry::kCellsPerSide},
             {"footprint", nullptr},
             {"epsilon", epsilon ? Json(*epsilon) : nullptr}};
   if (car != nullptr) {
+    const geometry::Grid& grid = car->vehicle->grid;
+    json["cell_m"] = grid.cell_mm / 1000.0;
+    json["origin_cell"] = {grid.origin_column, grid.origin_row};
     for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));
     }
