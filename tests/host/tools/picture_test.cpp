@@ -45,6 +45,16 @@ TEST(RosMap, FilesAreExact) {
             "free_thresh: 0.196\n");
 }
 
+// Of 5 cm, ahead of the car: 2 columns and 3 rows, of which one is to its right.
+TEST(RosMap, IsOfTheGridOfTheCar) {
+  const geometry::Grid grid{
+      .cell_mm = 50, .columns = 2, .rows = 3, .origin_column = 0, .origin_row = 1};
+  const RosMap map{.cells = {1, -1, 0, 0, 0, 2}, .grid = grid};
+  EXPECT_EQ(ros_map_pixels(map), (std::vector<std::uint8_t>{205, 0, 205, 205, 0, 254}));
+  const std::string yaml = ros_map_yaml("map.pgm", map);
+  EXPECT_NE(yaml.find("resolution: 0.05\norigin: [0.00, -0.05, 0.0]\n"), std::string::npos) << yaml;
+}
+
 // map_server computes p = (255 - pixel) / 255 and compares with its two thresholds.
 TEST(RosMap, ThresholdsGiveBackTheClasses) {
   for (int index = -127; index <= 127; ++index) {
