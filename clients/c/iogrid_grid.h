@@ -171,33 +171,14 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
-// Where the fields behind counters and sensors begin in the end of a frame (3.5), or `bytes`.
+// Where the fields behind counters and sensors begin in the end of a frame (3.5); 0: it is too
+// short.
 static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size_t bytes) {
-  if (bytes < 32) return bytes;
+  if (bytes < 32) return 0;
   size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
-  if (at >= bytes) return bytes;
+  if (at >= bytes) return 0;
   at += 4 + (size_t)sensors * body[at];
-  return at < bytes ? at : bytes;
-}
-
-// Unwatched sectors, and those in which a sensor is blocked; false from an older target.
-static inline int iogrid_sectors(uint32_t sensors, const uint8_t* body, size_t bytes,
-                                 uint64_t* unwatched, uint64_t* blocked) {
-  const size_t at = iogrid_end_tail(sensors, body, bytes);
-  if (at + 8 > bytes) return 0;
-  *unwatched = iogrid_be64(body + at);
-  *blocked = at + 16 <= bytes ? iogrid_be64(body + at + 8) : 0;
-  return 1;
-}
-
-enum { IOGRID_NO_TEMPERATURE = -32768 };
-
-// The chip's temperature in tenths of a degree Celsius, or IOGRID_NO_TEMPERATURE.
-static inline int16_t iogrid_temperature(uint32_t sensors, const uint8_t* body, size_t bytes) {
-  const size_t at = iogrid_end_tail(sensors, body, bytes) + 16;
-  if (at + 2 > bytes) return IOGRID_NO_TEMPERATURE;
-  const int32_t dc = body[at] << 8 | body[at + 1];
-  return (int16_t)(dc < 0x8000 ? dc : dc - 0x10000);
+  return at + 24 <= bytes ? at : 0;
 }
 
 #endif

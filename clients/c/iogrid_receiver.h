@@ -23,7 +23,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint32_t number, vehicle, run, points_used;
   uint64_t closed_us;         // by the target's clock
   uint8_t complete, partial;  // bit i: sensor i has delivered its scan, or a part of it
-  uint8_t knows_unwatched;    // of an older target: false
+  uint8_t knows_unwatched;    // false: the frame's end was lost
   int16_t temperature_dc;     // of the chip, 1/10 degree Celsius; or IOGRID_NO_TEMPERATURE
   uint64_t unwatched;         // bit i: no sensor watches sector i of 64 around the car now (3.5)
   uint64_t blocked;           // likewise: nearly nothing comes back to some sensor; 0: not known
@@ -48,6 +48,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint32_t crc[256];  // table of CRC-32/P4, 3.1
 } iogrid_receiver;
 
+enum { IOGRID_NO_TEMPERATURE = -32768 };
 enum iogrid_contents { IOGRID_HAS_CLASSES = 4, IOGRID_NO_INDEXES = 8, IOGRID_HAS_OBJECTS = 16 };
 
 enum iogrid_kind {  // of a message, 3.2
@@ -155,8 +156,9 @@ static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, c
   size_t at = are_tiles ? 24 : 0;
   const uint8_t* window = body + at;
   if (are_classes && (at = iogrid_window(grid, body, bytes, at)) == 0) return 0;
+  const size_t tail = are_tiles || are_classes ? at : iogrid_end_tail(content[24], body, bytes);
   if (are_tiles ? !iogrid_take_tiles(grid, r->number, r->dropped, body, bytes, at)
-                : bytes - at < 12)
+                : bytes - at < 12 || (!are_classes && tail == 0))
     return 0;
   if (are_classes) memcpy(grid->window, window, sizeof grid->window);
   grid->has_window = (uint8_t)are_classes;
@@ -166,9 +168,11 @@ static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, c
   grid->name = iogrid_be32(body + at + 8);
   grid->has_end = 1;
   if (!are_classes) {
-    r->knows_unwatched =
-        (uint8_t)iogrid_sectors(content[24], body, bytes, &r->unwatched, &r->blocked);
-    r->temperature_dc = iogrid_temperature(content[24], body, bytes);
+    const uint8_t* after = body + tail;
+    r->knows_unwatched = 1;
+    r->unwatched = iogrid_be64(after);
+    r->blocked = iogrid_be64(after + 8);
+    r->temperature_dc = (int16_t)iogrid_be16(after + 16);
   }
   return 1;
 }

@@ -210,13 +210,9 @@ layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },
   { "uint8" }, { "uint8" }, { "uint8" },
 }
-layout.PARTS.unwatched = {
+layout.PARTS.tail = {
   { "uint64", "unwatched", "Sectors of 64 around the vehicle that no sensor watches", base.HEX },
-}
-layout.PARTS.blocked = {
   { "uint64", "blocked", "Sectors of 64 in which a sensor is blocked", base.HEX },
-}
-layout.PARTS.chip = {
   { "int16", "temperature", "Temperature of the chip, 1/10 degree Celsius (-32768: not known)", base.DEC },
   { "uint16" }, { "uint32" },
 }

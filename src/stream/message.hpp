@@ -96,17 +96,15 @@ struct FrameEnd {
   std::array<intake::SensorReport, vehicle::kMaxSensors>
       sensors{};  // only the first Header::sensor_count are used
   // Bitmaps of the sectors around the vehicle. Bit i of `unwatched` is set if no sensor watches
-  // sector i. Bit i of `blocked` is set if some sensor is blocked in sector i. Empty if the message
-  // comes from an older target.
-  std::optional<std::uint64_t> unwatched{};
-  std::optional<std::uint64_t> blocked{};
-  // Chip temperature in tenths of a degree Celsius, or hal::kTemperatureNotKnown. Empty if the
-  // message comes from an older target. It is sent only together with `blocked`.
-  std::optional<std::int16_t> temperature_dc{};
+  // sector i. Bit i of `blocked` is set if some sensor is blocked in sector i.
+  std::uint64_t unwatched = 0;
+  std::uint64_t blocked = 0;
+  // Chip temperature in tenths of a degree Celsius; -0x8000 if unknown (hal/thermometer.hpp).
+  std::int16_t temperature_dc = -0x8000;
 };
 
 // The counters of one component, looked up by name (stream/target_state.hpp). Empty if the sender
-// does not send them, because it is a PC or an older target.
+// does not send them, because it is a PC.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);

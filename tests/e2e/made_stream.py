@@ -113,10 +113,10 @@ class Target:
         return struct.pack(">HHHBBHHHHii", first, end, count, *grid.geometry)
 
     def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
-        stages, fates, causes = (4, 13, 9)
+        stages, fates, causes = (4, 13, 12)
         head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - self.frame_us,
                            1_000_000, stages, fates, causes, 0)
-        counts = struct.pack(">4I13I9I", 3000, 40, 1500, 0, points_used, *([0] * 21))
+        counts = struct.pack(">4I13I12I", 3000, 40, 1500, 0, points_used, *([0] * 24))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4 + struct.pack(
             ">QQhxx4x", self.unwatched, self.blocked, self.temperature_dc)

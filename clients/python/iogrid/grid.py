@@ -101,22 +101,12 @@ class Grid:
         self.end, self.window = struct.unpack_from(">III", body, at), window
 
     @staticmethod
-    def sectors_of(body: bytes, sensors: int) -> list[int | None]:
-        """Unwatched and blocked sectors, behind counters and sensors (3.5); older targets do not send them."""
-        at = Grid._behind_sensors(body, sensors)
-        return [struct.unpack_from(">Q", body, at + i)[0] if at + i + 8 <= len(body) else None for i in (0, 8)]
-
-    @staticmethod
-    def temperature_of(body: bytes, sensors: int) -> float | None:
-        """Of the chip, behind the sectors."""
-        at = Grid._behind_sensors(body, sensors) + 16
-        tenths = struct.unpack_from(">h", body, at)[0] if at + 2 <= len(body) else -0x8000
-        return None if tenths == -0x8000 else tenths / 10
-
-    @staticmethod
-    def _behind_sensors(body: bytes, sensors: int) -> int:
+    def tail_of(body: bytes, sensors: int) -> tuple[int, int, float | None]:
+        """Unwatched and blocked sectors and the chip's temperature, behind counters and sensors (3.5)."""
         at = 32 + 4 * sum(body[28:32])
-        return at + (4 + sensors * body[at] if at < len(body) else 0)
+        require(at < len(body), "malformed")
+        unwatched, blocked, tenths = struct.unpack_from(">QQh6x", body, at + 4 + sensors * body[at])
+        return unwatched, blocked, None if tenths == -0x8000 else tenths / 10
 
     def decode(self, frame: int, own: References,
                dropped: collections.Counter[str]) -> tuple[numpy.ndarray, numpy.ndarray, bool]:

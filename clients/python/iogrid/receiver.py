@@ -44,10 +44,9 @@ class _Waiting:
         else:
             grid = self.indexes if kind == _FRAME_END else self.classes
             require(kind == _FRAME_END or grid in self.grids, "malformed")
-            grid.take_end(body)
             if kind == _FRAME_END:
-                self.unwatched, self.blocked = grid.sectors_of(body, header[7])
-                self.temperature_c = grid.temperature_of(body, header[7])
+                self.unwatched, self.blocked, self.temperature_c = grid.tail_of(body, header[7])
+            grid.take_end(body)
         self.sequences.add(sequence)
         self.header = header if kind == _FRAME_END or not self.header else self.header
 

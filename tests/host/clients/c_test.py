@@ -108,7 +108,7 @@ class Header(unittest.TestCase):
     def test_same_as_the_python_reader(self):
         for path in (streams.raw(), streams.simulated()):
             self.compare(streams.messages_of(path))
-        self.compare(streams.of_older_target())
+        self.compare(streams.with_a_short_end())
 
     def test_a_rectangle_ahead_of_smaller_cells(self):
         """And a change of geometry in a run, to which no tile of the other refers."""
@@ -176,7 +176,7 @@ class Header(unittest.TestCase):
     def test_hostile_bytes_under_sanitizers(self):
         """What claims to be whole is a frame that was sent. tests/fuzz/client_reader.cpp goes on from here."""
         rng, reader = random.Random(SEED), program("clang", *SANITIZERS)
-        self.compare(streams.of_older_target(), reader)
+        self.compare(streams.with_a_short_end(), reader)
         mutants = whole = 0
         for path in (streams.simulated(), streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]

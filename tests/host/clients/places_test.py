@@ -54,9 +54,9 @@ class Watched(unittest.TestCase):
         self.assertTrue(frame.is_blocked(-0.19, 0.19))
         self.assertFalse(frame.is_blocked(-0.19, -0.01))
 
-    def test_what_an_older_target_does_not_say_is_not_watched(self):
-        frame, = received(streams.of_older_target())[0]
-        self.assertTrue(frame.is_whole)
+    def test_without_its_end_nothing_is_watched(self):
+        (frame,), receiver = received(streams.with_a_short_end())
+        self.assertEqual((frame.is_whole, receiver.dropped), (False, {"malformed": 1}))
         self.assertEqual((frame.unwatched, frame.blocked, frame.temperature_c), (None, None, None))
         self.assertFalse(frame.is_watched(0, 0.1))
 
