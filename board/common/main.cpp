@@ -104,6 +104,7 @@ int main() {
   static iog::net::Reassembly fragments(iog::app::fragment_senders(car, network->peer));
   platform.host().join_fragments(fragments);
   static iog::serial::GridSender serial;
+  serial.describe(car.grid);
   // The peer is the only destination that the firmware ever sends messages to, and it may replay
   // recordings in the name of the sensors.
   static Pipeline pipeline(car, network->peer.value, platform, serial);

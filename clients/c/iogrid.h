@@ -1,4 +1,4 @@
-// Reads the stream of an iogrid target, interface version 4, and answers questions about a
+// Reads the stream of an iogrid target, interface version 5, and answers questions about a
 // frame: C99 or C++, no allocation. Numbers like 3.9 are sections of docs/spec.md. Places are
 // metres in the car's frame, x forward and y to the left. docs/clients.md has examples; link with
 // -lm.
@@ -9,9 +9,6 @@
 #include <stdint.h>
 
 #include "iogrid_receiver.h"
-
-#define IOGRID_SIDE 1024  // cells of a grid along x and y
-#define IOGRID_CELL_M 0.1
 
 enum iogrid_class {  // 3.9
   IOGRID_UNKNOWN,
@@ -50,17 +47,31 @@ static inline int iogrid_is_blocked(const iogrid_receiver* r, double from_rad, d
 
 // The occupancy index of a place: above 0 occupied, below free, 0 unknown or outside.
 static inline int iogrid_index_at(const iogrid_receiver* r, double x_m, double y_m) {
-  const double x = floor(x_m / IOGRID_CELL_M) + 512, y = floor(y_m / IOGRID_CELL_M) + 512;
-  if (!(x >= 0 && x < IOGRID_SIDE && y >= 0 && y < IOGRID_SIDE)) return 0;
+  const iogrid_grid* grid = &r->indexes;
+  if (grid->columns == 0) return 0;
+  const double x = floor(x_m / grid->cell_m) - floor(grid->x_m / grid->cell_m + 0.5);
+  const double y = floor(y_m / grid->cell_m) - floor(grid->y_m / grid->cell_m + 0.5);
+  if (!(x >= 0 && x < grid->columns && y >= 0 && y < grid->rows)) return 0;
   const uint32_t column = (uint32_t)x, row = (uint32_t)y;
-  return (int8_t)r->indexes.cells[row / 32 * 32 + column / 32][row % 32 * 32 + column % 32];
+  const uint32_t tile = row / 32 * (grid->columns / 32) + column / 32;
+  return (int8_t)grid->cells[tile][row % 32 * 32 + column % 32];
+}
+
+// How probably a cell of this index is occupied, by the epsilon of the stream (3.3).
+static inline double iogrid_probability(const iogrid_receiver* r, int index) {
+  return 1 / (1 + pow((0.5 - r->indexes.epsilon) / (0.5 + r->indexes.epsilon), index));
+}
+
+// The remainder that is not negative.
+static inline uint32_t iogrid_modulo(int64_t number, uint32_t by) {
+  return (uint32_t)((number % by + by) % by);
 }
 
 // The class byte of a cell of the window, row by row from its lowest x and y: class * 8 + sureness.
 static inline uint8_t iogrid_cell(const iogrid_receiver* r, uint32_t column, uint32_t row) {
-  const uint32_t across = (uint32_t)r->window_column + column / 32;
-  const uint32_t up = (uint32_t)r->window_row + row / 32;
-  const uint32_t tile = up % 32 * 32 + across % 32;
+  const uint32_t across = r->classes.columns / 32, up = r->classes.rows / 32;
+  const uint32_t tile = iogrid_modulo((int64_t)r->window_row + row / 32, up) * across +
+                        iogrid_modulo((int64_t)r->window_column + column / 32, across);
   return r->classes.cells[tile][row % 32 * 32 + column % 32];
 }
 
@@ -68,8 +79,8 @@ static inline uint8_t iogrid_cell(const iogrid_receiver* r, uint32_t column, uin
 static inline void iogrid_to_cell(const iogrid_receiver* r, double x_m, double y_m, double* column,
                                   double* row) {
   const double c = cos(r->heading_rad), s = sin(r->heading_rad);
-  *column = (r->x_m + c * x_m - s * y_m) / IOGRID_CELL_M - 32.0 * r->window_column;
-  *row = (r->y_m + s * x_m + c * y_m) / IOGRID_CELL_M - 32.0 * r->window_row;
+  *column = (r->x_m + c * x_m - s * y_m) / r->classes.cell_m - 32.0 * r->window_column;
+  *row = (r->y_m + s * x_m + c * y_m) / r->classes.cell_m - 32.0 * r->window_row;
 }
 
 // The place in the car's frame of one in the local frame, both m; only if has_pose.
@@ -83,8 +94,8 @@ static inline void iogrid_seen_from_car(const iogrid_receiver* r, double local_x
 
 static inline void iogrid_to_car(const iogrid_receiver* r, double column, double row, double* x_m,
                                  double* y_m) {
-  iogrid_seen_from_car(r, (column + 32.0 * r->window_column) * IOGRID_CELL_M,
-                       (row + 32.0 * r->window_row) * IOGRID_CELL_M, x_m, y_m);
+  iogrid_seen_from_car(r, (column + 32.0 * r->window_column) * r->classes.cell_m,
+                       (row + 32.0 * r->window_row) * r->classes.cell_m, x_m, y_m);
 }
 
 static inline void iogrid_from_local(const iogrid_receiver* r, int32_t x_mm, int32_t y_mm,
@@ -126,7 +137,7 @@ static inline enum iogrid_class iogrid_class_at(const iogrid_receiver* r, double
   double column, row;
   if (!r->has_pose) return IOGRID_UNKNOWN;
   iogrid_to_cell(r, x_m, y_m, &column, &row);
-  if (!(column >= 0 && column < IOGRID_SIDE && row >= 0 && row < IOGRID_SIDE))
+  if (!(column >= 0 && column < r->classes.columns && row >= 0 && row < r->classes.rows))
     return IOGRID_UNKNOWN;
   return (enum iogrid_class)(iogrid_cell(r, (uint32_t)column, (uint32_t)row) >> 3);
 }
@@ -134,21 +145,22 @@ static inline enum iogrid_class iogrid_class_at(const iogrid_receiver* r, double
 // Whether each cell that touches the rectangle is free. What is unknown, lost or outside is not.
 static inline int iogrid_is_free(const iogrid_receiver* r, double x_from_m, double x_to_m,
                                  double y_from_m, double y_to_m) {
-  const double reach = IOGRID_CELL_M * 0.70710678118654757;  // of a cell from its middle
-  const double furthest = IOGRID_SIDE * IOGRID_CELL_M * 2;
+  const double reach = r->classes.cell_m * 0.70710678118654757;  // of a cell from its middle
+  const double furthest = fmax(r->classes.columns, r->classes.rows) * r->classes.cell_m * 2;
   double column, row, x, y;
   if (!r->has_pose || !(x_from_m <= x_to_m && y_from_m <= y_to_m)) return 0;
   if (x_from_m < -furthest || x_to_m > furthest || y_from_m < -furthest || y_to_m > furthest)
     return 0;
   iogrid_to_cell(r, (x_from_m + x_to_m) / 2, (y_from_m + y_to_m) / 2, &column, &row);
-  const int half = (int)(hypot(x_to_m - x_from_m, y_to_m - y_from_m) / 2 / IOGRID_CELL_M) + 2;
+  const int half = (int)(hypot(x_to_m - x_from_m, y_to_m - y_from_m) / 2 / r->classes.cell_m) + 2;
   for (int i = -half; i <= half; ++i) {
     for (int j = -half; j <= half; ++j) {
       const double cell_column = floor(column) + j, cell_row = floor(row) + i;
       iogrid_to_car(r, cell_column + 0.5, cell_row + 0.5, &x, &y);
       if (x < x_from_m - reach || x > x_to_m + reach || y < y_from_m - reach || y > y_to_m + reach)
         continue;
-      if (cell_column < 0 || cell_column >= IOGRID_SIDE || cell_row < 0 || cell_row >= IOGRID_SIDE)
+      if (cell_column < 0 || cell_column >= r->classes.columns || cell_row < 0 ||
+          cell_row >= r->classes.rows)
         return 0;
       const int is = iogrid_cell(r, (uint32_t)cell_column, (uint32_t)cell_row) >> 3;
       if (is < IOGRID_DRIVABLE_FREE || is > IOGRID_FREE) return 0;
@@ -160,8 +172,8 @@ static inline int iogrid_is_free(const iogrid_receiver* r, double x_from_m, doub
 // Goes through the cells of a class: from *at = 0 on, false behind the last. A place is its middle.
 static inline int iogrid_next(const iogrid_receiver* r, enum iogrid_class wanted, uint32_t* at,
                               double* x_m, double* y_m) {
-  for (; r->has_pose && *at < IOGRID_SIDE * IOGRID_SIDE; ++*at) {
-    const uint32_t column = *at % IOGRID_SIDE, row = *at / IOGRID_SIDE;
+  for (; r->has_pose && *at < r->classes.columns * r->classes.rows; ++*at) {
+    const uint32_t column = *at % r->classes.columns, row = *at / r->classes.columns;
     if (iogrid_cell(r, column, row) >> 3 == (int)wanted) {
       iogrid_to_car(r, column + 0.5, row + 0.5, x_m, y_m);
       ++*at;

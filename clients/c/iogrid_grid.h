@@ -8,7 +8,7 @@
 
 #include "iogrid_tiles.h"
 
-#define IOGRID_TILES 1024  // of a grid, 32 x 32
+#define IOGRID_TILES 1024  // of a grid, at most
 
 enum iogrid_drop {
   IOGRID_NOT_OURS,
@@ -26,6 +26,11 @@ enum iogrid_drop {
 typedef struct {  // by tile number, which for classes is not the place in the window
   uint8_t cells[IOGRID_TILES][IOGRID_CELLS];
   uint8_t is_lost[IOGRID_TILES];  // its cells are 0
+  uint32_t columns, rows;         // cells; 0 before the first message
+  double cell_m, x_m, y_m;        // and of indexes the lowest corner in the car's frame
+  double epsilon;                 // of indexes
+  uint32_t tiles;
+  uint8_t geometry[18], says_geometry;  // its bytes, 3.3, and whether the frame has said them
   uint8_t are_classes, is_whole, has_end, has_window;
   uint8_t window[48];  // its header, 3.9
   uint32_t spoken_of, known, sent, not_sent, name;
@@ -47,7 +52,7 @@ static inline void iogrid_begin_grid(iogrid_grid* grid, int are_classes) {
   memset(grid->is_lost, 1, sizeof grid->is_lost);
   memset(grid->window, 0, sizeof grid->window);
   grid->are_classes = (uint8_t)are_classes;
-  grid->is_whole = grid->has_end = grid->has_window = 0;
+  grid->is_whole = grid->has_end = grid->has_window = grid->says_geometry = 0;
   grid->spoken_of = grid->known = grid->sent = grid->not_sent = grid->name = 0;
 }
 
@@ -59,6 +64,29 @@ static inline size_t iogrid_window(iogrid_grid* grid, const uint8_t* body, size_
   if (size < 48 || size > bytes - at) return 0;
   if (grid->has_window && memcmp(grid->window, body + at, 48) != 0) return 0;
   return at + size;
+}
+
+// How many tiles a grid of this geometry has; 0 if that is none, or not the one of the frame.
+static inline uint32_t iogrid_tiles_of(const iogrid_grid* grid, const uint8_t* geometry) {
+  const uint32_t columns = iogrid_be16(geometry + 2), rows = iogrid_be16(geometry + 4);
+  const uint32_t tiles = columns / 32 * (rows / 32), epsilon_e5 = iogrid_be16(geometry + 8);
+  if (geometry[0] != 5 || columns % 32 != 0 || rows % 32 != 0 || tiles > IOGRID_TILES) return 0;
+  if (iogrid_be16(geometry + 6) == 0) return 0;
+  if (!grid->are_classes && (epsilon_e5 == 0 || epsilon_e5 >= 50000)) return 0;
+  return grid->says_geometry && memcmp(grid->geometry, geometry, 18) != 0 ? 0 : tiles;
+}
+
+static inline void iogrid_set_geometry(iogrid_grid* grid, const uint8_t* geometry) {
+  if (memcmp(grid->geometry, geometry, 18) != 0) memset(grid->has_own, 0, sizeof grid->has_own);
+  memcpy(grid->geometry, geometry, 18);
+  grid->says_geometry = 1;
+  grid->columns = iogrid_be16(geometry + 2);
+  grid->rows = iogrid_be16(geometry + 4);
+  grid->tiles = grid->columns / 32 * (grid->rows / 32);
+  grid->cell_m = iogrid_be16(geometry + 6) * 1e-3;
+  grid->epsilon = iogrid_be16(geometry + 8) * 1e-5;
+  grid->x_m = (int32_t)iogrid_be32(geometry + 10) * 1e-3;
+  grid->y_m = (int32_t)iogrid_be32(geometry + 14) * 1e-3;
 }
 
 // Takes what a message says of a grid's tiles; false, and nothing is changed, if it contradicts
@@ -75,10 +103,12 @@ static inline int iogrid_take_tiles(iogrid_grid* grid, uint32_t frame, uint32_t*
     if (tile < lowest || tile >= end || size > IOGRID_CELLS || size > bytes - at - record) return 0;
     lowest = tile + 1;
   }
-  if (first > end || end > IOGRID_TILES || count != iogrid_be16(body + 4)) return 0;
+  if (first > end || end > iogrid_tiles_of(grid, body + 6) || count != iogrid_be16(body + 4))
+    return 0;
   for (uint32_t tile = first; tile < end; ++tile) {
     if (!grid->is_lost[tile]) return 0;  // it has been spoken of
   }
+  iogrid_set_geometry(grid, body + 6);
   memset(grid->is_lost + first, 0, end - first);
   grid->spoken_of += end - first;
   for (at = begin; at < bytes; at += record + iogrid_be16(body + at + record - 2)) {
@@ -111,8 +141,10 @@ static inline int iogrid_take_tiles(iogrid_grid* grid, uint32_t frame, uint32_t*
 static inline uint32_t iogrid_name(const iogrid_grid* grid, const uint32_t* table) {
   uint32_t crc = 0xFFFFFFFF, is_anything = 0;
   if (grid->has_window) crc = iogrid_crc(table, crc, grid->window + 4, 8);
-  for (uint32_t tile = 0; tile < IOGRID_TILES; ++tile) {
-    const uint8_t place[4] = {0, (uint8_t)(tile % 32), 0, (uint8_t)(tile / 32)};
+  const uint32_t across = grid->columns / 32;
+  for (uint32_t tile = 0; tile < grid->tiles; ++tile) {
+    const uint32_t x = tile % across, y = tile / across;
+    const uint8_t place[4] = {(uint8_t)(x >> 8), (uint8_t)x, (uint8_t)(y >> 8), (uint8_t)y};
     const uint8_t number[2] = {(uint8_t)(tile >> 8), (uint8_t)tile};
     uint32_t i = 0;
     while (i < IOGRID_CELLS && grid->cells[tile][i] == 0) ++i;
@@ -126,8 +158,9 @@ static inline uint32_t iogrid_name(const iogrid_grid* grid, const uint32_t* tabl
 
 static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, uint32_t* dropped) {
   uint32_t lost = 0;
-  for (uint32_t tile = 0; tile < IOGRID_TILES; ++tile) lost += grid->is_lost[tile];
-  grid->is_whole = grid->has_end && lost == 0 && grid->not_sent == 0 && grid->known == grid->sent;
+  for (uint32_t tile = 0; tile < grid->tiles; ++tile) lost += grid->is_lost[tile];
+  grid->is_whole = grid->has_end && grid->tiles > 0 && lost == 0 && grid->not_sent == 0 &&
+                   grid->known == grid->sent;
   if (grid->is_whole &&
       grid->name != iogrid_name(grid, table)) {  // nobody knows which cell is wrong
     memset(grid->cells, 0, sizeof grid->cells);
@@ -138,33 +171,14 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
-// Where the fields behind counters and sensors begin in the end of a frame (3.5), or `bytes`.
+// Where the fields behind counters and sensors begin in the end of a frame (3.5); 0: it is too
+// short.
 static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size_t bytes) {
-  if (bytes < 32) return bytes;
+  if (bytes < 32) return 0;
   size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);
-  if (at >= bytes) return bytes;
+  if (at >= bytes) return 0;
   at += 4 + (size_t)sensors * body[at];
-  return at < bytes ? at : bytes;
-}
-
-// Unwatched sectors, and those in which a sensor is blocked; false from an older target.
-static inline int iogrid_sectors(uint32_t sensors, const uint8_t* body, size_t bytes,
-                                 uint64_t* unwatched, uint64_t* blocked) {
-  const size_t at = iogrid_end_tail(sensors, body, bytes);
-  if (at + 8 > bytes) return 0;
-  *unwatched = iogrid_be64(body + at);
-  *blocked = at + 16 <= bytes ? iogrid_be64(body + at + 8) : 0;
-  return 1;
-}
-
-enum { IOGRID_NO_TEMPERATURE = -32768 };
-
-// The chip's temperature in tenths of a degree Celsius, or IOGRID_NO_TEMPERATURE.
-static inline int16_t iogrid_temperature(uint32_t sensors, const uint8_t* body, size_t bytes) {
-  const size_t at = iogrid_end_tail(sensors, body, bytes) + 16;
-  if (at + 2 > bytes) return IOGRID_NO_TEMPERATURE;
-  const int32_t dc = body[at] << 8 | body[at + 1];
-  return (int16_t)(dc < 0x8000 ? dc : dc - 0x10000);
+  return at + 24 <= bytes ? at : 0;
 }
 
 #endif

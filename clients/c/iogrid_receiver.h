@@ -23,7 +23,7 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   uint32_t number, vehicle, run, points_used;
   uint64_t closed_us;         // by the target's clock
   uint8_t complete, partial;  // bit i: sensor i has delivered its scan, or a part of it
-  uint8_t knows_unwatched;    // of an older target: false
+  uint8_t knows_unwatched;    // false: the frame's end was lost
   int16_t temperature_dc;     // of the chip, 1/10 degree Celsius; or IOGRID_NO_TEMPERATURE
   uint64_t unwatched;         // bit i: no sensor watches sector i of 64 around the car now (3.5)
   uint64_t blocked;           // likewise: nearly nothing comes back to some sensor; 0: not known
@@ -45,9 +45,10 @@ typedef struct {  // some 4 MiB; iogrid_init() first
   int32_t x_mm_before, y_mm_before;
   uint64_t end_us_before;
   uint32_t next, over[16], overs, candidate, candidates, candidate_sequences[2];
-  uint32_t crc_p4[256], crc_32[256];
+  uint32_t crc[256];  // table of CRC-32/P4, 3.1
 } iogrid_receiver;
 
+enum { IOGRID_NO_TEMPERATURE = -32768 };
 enum iogrid_contents { IOGRID_HAS_CLASSES = 4, IOGRID_NO_INDEXES = 8, IOGRID_HAS_OBJECTS = 16 };
 
 enum iogrid_kind {  // of a message, 3.2
@@ -62,10 +63,9 @@ enum iogrid_kind {  // of a message, 3.2
 static inline void iogrid_init(iogrid_receiver* r) {
   memset(r, 0, sizeof *r);
   for (uint32_t i = 0; i < 256; ++i) {
-    r->crc_p4[i] = r->crc_32[i] = i;
+    r->crc[i] = i;
     for (int bit = 0; bit < 8; ++bit) {
-      r->crc_p4[i] = r->crc_p4[i] >> 1 ^ (r->crc_p4[i] & 1 ? 0xC8DF352FU : 0);
-      r->crc_32[i] = r->crc_32[i] >> 1 ^ (r->crc_32[i] & 1 ? 0xEDB88320U : 0);
+      r->crc[i] = r->crc[i] >> 1 ^ (r->crc[i] & 1 ? 0xC8DF352FU : 0);
     }
   }
 }
@@ -106,8 +106,8 @@ static inline int iogrid_close(iogrid_receiver* r) {
   if (!r->is_open) return 0;
   r->is_open = 0;
   r->next = r->number + 1;
-  if (r->has_indexes) iogrid_close_grid(&r->indexes, r->crc_32, r->dropped);
-  if (r->has_classes) iogrid_close_grid(&r->classes, r->crc_32, r->dropped);
+  if (r->has_indexes) iogrid_close_grid(&r->indexes, r->crc, r->dropped);
+  if (r->has_classes) iogrid_close_grid(&r->classes, r->crc, r->dropped);
   r->is_whole = r->indexes.has_end && (!r->has_indexes || r->indexes.is_whole) &&
                 (!r->has_classes || r->classes.is_whole) &&
                 (!r->has_objects || iogrid_are_objects_complete(&r->objects));
@@ -130,11 +130,15 @@ static inline void iogrid_open(iogrid_receiver* r, uint32_t number, uint8_t cont
   r->blocked = 0;
 }
 
+static inline int iogrid_is_spoken_of(const iogrid_grid* grid) {
+  return grid->says_geometry && grid->spoken_of == grid->tiles;
+}
+
 // Whether nothing is to come any more of the frame that is open.
 static inline int iogrid_has_come(const iogrid_receiver* r) {
   const iogrid_grid *indexes = &r->indexes, *classes = &r->classes;
-  return indexes->has_end && (!r->has_indexes || indexes->spoken_of == IOGRID_TILES) &&
-         (!r->has_classes || (classes->has_end && classes->spoken_of == IOGRID_TILES)) &&
+  return indexes->has_end && (!r->has_indexes || iogrid_is_spoken_of(indexes)) &&
+         (!r->has_classes || (classes->has_end && iogrid_is_spoken_of(classes))) &&
          (!r->has_objects || iogrid_are_objects_complete(&r->objects));
 }
 
@@ -142,21 +146,19 @@ static inline int iogrid_has_come(const iogrid_receiver* r) {
 // what came before.
 static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, const uint8_t* body,
                                    size_t bytes) {
-  static const uint8_t indexes[18] = {5, 0,    4,    0,    4, 0,    0,    100,  0,
-                                      0, 0xFF, 0xFF, 0x38, 0, 0xFF, 0xFF, 0x38, 0};
-  static const uint8_t classes[18] = {5, 2, 4, 0, 4, 0, 0, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   const int are_tiles = content[0] == IOGRID_KIND_TILES;
   if (are_tiles && bytes < 24) return 0;
-  const int are_classes = are_tiles ? memcmp(body + 6, classes, sizeof classes) == 0
-                                    : content[0] == IOGRID_KIND_END_OF_CLASSES;
-  if (are_tiles && !are_classes && memcmp(body + 6, indexes, sizeof indexes) != 0) return 0;
+  const int are_classes =
+      are_tiles ? body[7] == 2 : content[0] == IOGRID_KIND_END_OF_CLASSES;  // storage, 3.3
+  if (are_tiles && !are_classes && body[7] != 0) return 0;
   if (are_classes ? !r->has_classes : are_tiles && !r->has_indexes) return 0;
   iogrid_grid* grid = are_classes ? &r->classes : &r->indexes;
   size_t at = are_tiles ? 24 : 0;
   const uint8_t* window = body + at;
   if (are_classes && (at = iogrid_window(grid, body, bytes, at)) == 0) return 0;
+  const size_t tail = are_tiles || are_classes ? at : iogrid_end_tail(content[24], body, bytes);
   if (are_tiles ? !iogrid_take_tiles(grid, r->number, r->dropped, body, bytes, at)
-                : bytes - at < 12)
+                : bytes - at < 12 || (!are_classes && tail == 0))
     return 0;
   if (are_classes) memcpy(grid->window, window, sizeof grid->window);
   grid->has_window = (uint8_t)are_classes;
@@ -166,9 +168,11 @@ static inline int iogrid_take_grid(iogrid_receiver* r, const uint8_t* content, c
   grid->name = iogrid_be32(body + at + 8);
   grid->has_end = 1;
   if (!are_classes) {
-    r->knows_unwatched =
-        (uint8_t)iogrid_sectors(content[24], body, bytes, &r->unwatched, &r->blocked);
-    r->temperature_dc = iogrid_temperature(content[24], body, bytes);
+    const uint8_t* after = body + tail;
+    r->knows_unwatched = 1;
+    r->unwatched = iogrid_be64(after);
+    r->blocked = iogrid_be64(after + 8);
+    r->temperature_dc = (int16_t)iogrid_be16(after + 16);
   }
   return 1;
 }
@@ -178,13 +182,12 @@ static inline enum iogrid_drop iogrid_fault(const iogrid_receiver* r, const uint
                                             size_t bytes) {
   const uint8_t* content = m + 28;
   if (bytes < 28 || iogrid_be32(m) != 0x4F478001U || m[12] != 1) return IOGRID_NOT_OURS;
-  if (m[13] != 4) return IOGRID_OTHER_VERSION;
+  if (m[13] != 5) return IOGRID_OTHER_VERSION;
   if (bytes > 1392 || iogrid_be32(m + 4) != bytes - 8 || iogrid_be16(m + 16) != bytes - 8 ||
       m[14] != 2 || m[15] != 0 || iogrid_be32(m + 20) != 0x494F4701U)
     return IOGRID_DAMAGED;
-  const uint32_t crc = iogrid_crc(r->crc_p4, 0xFFFFFFFF, m + 8, 16);
-  if (iogrid_be32(m + 24) != ~iogrid_crc(r->crc_p4, crc, content, bytes - 28))
-    return IOGRID_DAMAGED;
+  const uint32_t crc = iogrid_crc(r->crc, 0xFFFFFFFF, m + 8, 16);
+  if (iogrid_be32(m + 24) != ~iogrid_crc(r->crc, crc, content, bytes - 28)) return IOGRID_DAMAGED;
   if (bytes < 76 || iogrid_be16(content + 2) < 48 || iogrid_be16(content + 2) > bytes - 28 ||
       iogrid_be16(m + 18) != iogrid_be16(content + 6))
     return IOGRID_MALFORMED;
@@ -221,8 +224,8 @@ static inline void iogrid_begin_run(iogrid_receiver* r, uint32_t run) {
   r->candidates = 0;
   r->has_next = r->had_pose = 0;
   r->refusal[0] = 0;
-  memset(r->indexes.has_own, 0, sizeof r->indexes.has_own);
-  memset(r->classes.has_own, 0, sizeof r->classes.has_own);
+  memset(&r->indexes, 0, sizeof r->indexes);
+  memset(&r->classes, 0, sizeof r->classes);
 }
 
 static inline enum iogrid_result iogrid_drop_it(iogrid_receiver* r, enum iogrid_drop cause) {

@@ -26,9 +26,10 @@ COLOUR = {iogrid.State.MOVES: (1.0, 0.16, 0.63), iogrid.State.STOPPED: (0.98, 0.
 def grid_of(frame: iogrid.Frame, stamp) -> OccupancyGrid:
     message = OccupancyGrid()
     message.header.stamp, message.header.frame_id = stamp, "odom"
-    message.info.map_load_time, message.info.resolution = stamp, iogrid.CELL_M
-    message.info.width = message.info.height = iogrid.SIDE
-    message.info.origin.position.x, message.info.origin.position.y = (3.2 * corner for corner in frame.window.corner)
+    message.info.map_load_time, message.info.resolution = stamp, frame.window.geometry.cell_m
+    message.info.height, message.info.width = frame.classes.shape
+    message.info.origin.position.x, message.info.origin.position.y = (
+        32 * frame.window.geometry.cell_m * corner for corner in frame.window.corner)
     message.data = array.array("b", PERCENT[frame.classes].tobytes())
     return message
 

@@ -17,7 +17,7 @@ local receptions = require("iogrid_receptions")
 local protection = require("iogrid_protection")
 
 local PORT = 15000
-local INTERFACE_VERSION = 4
+local INTERFACE_VERSION = 5
 local TILES, FRAME_END, CLASS_END, OBJECTS, RECEPTIONS = 1, 2, 3, 5, 6
 
 local iogrid = Proto("iogrid", "iogrid grid stream")

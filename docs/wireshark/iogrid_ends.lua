@@ -44,16 +44,8 @@ function ends.show_frame_end(tree, cursor, info, sensor_count)
     parts.show_counters(item, cursor, frame_end[name], layout.COUNTERS[name])
   end
   show_sensors(item, cursor, sensor_count)
-  for _, name in ipairs({ "unwatched", "blocked" }) do
-    local part = layout.PARTS[name]
-    if cursor.left() >= layout.bytes_of(part) then
-      parts.add_part(item, cursor.take(layout.bytes_of(part), "the sectors"), part)
-    end
-  end
-  local chip = layout.PARTS.chip
-  if cursor.left() >= layout.bytes_of(chip) then
-    parts.add_part(item, cursor.take(layout.bytes_of(chip), "the chip"), chip)
-  end
+  local tail = layout.PARTS.tail
+  parts.add_part(item, cursor.take(layout.bytes_of(tail), "sectors and temperature"), tail)
 end
 
 -- What the target says of its map, and skips what it does not know of it.
@@ -99,7 +91,7 @@ function ends.show_class_end(tree, cursor, info)
                      function(i) return "Cause: " .. (layout.SLICE_CAUSES[i] or "without a name") end)
   parts.show_records(item, cursor, class_end.slices, class_end.slice_bytes, layout.PARTS.slice,
                      function(i) return string.format("Slice %d", i - 1) end)
-  if cursor.left() > 0 then show_map(item, cursor) end
+  show_map(item, cursor)
 end
 
 return ends

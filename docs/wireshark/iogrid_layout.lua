@@ -58,7 +58,7 @@ layout.PARTS.tiles = {
   { "uint16", "width", "Width of the grid, cells", base.DEC },
   { "uint16", "height", "Height of the grid, cells", base.DEC },
   { "uint16", "cell_mm", "Side of a cell, mm", base.DEC },
-  { "uint16" },
+  { "uint16", "epsilon_e5", "Epsilon of the indexes, 1e-5", base.DEC },
   { "int32", "x_mm", "Lowest x, mm", base.DEC },
   { "int32", "y_mm", "Lowest y, mm", base.DEC },
 }
@@ -210,13 +210,9 @@ layout.PARTS.sensor_size = {
   { "uint8", "sensor_bytes", "Bytes of a sensor record", base.DEC },
   { "uint8" }, { "uint8" }, { "uint8" },
 }
-layout.PARTS.unwatched = {
+layout.PARTS.tail = {
   { "uint64", "unwatched", "Sectors of 64 around the vehicle that no sensor watches", base.HEX },
-}
-layout.PARTS.blocked = {
   { "uint64", "blocked", "Sectors of 64 in which a sensor is blocked", base.HEX },
-}
-layout.PARTS.chip = {
   { "int16", "temperature", "Temperature of the chip, 1/10 degree Celsius (-32768: not known)", base.DEC },
   { "uint16" }, { "uint32" },
 }

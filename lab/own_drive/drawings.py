@@ -13,7 +13,7 @@ from matplotlib import pyplot as plt
 from matplotlib.patches import Polygon
 
 from drive import Drive, Followed, World
-from iogrid import CELL_M, SIDE, Class, Frame, State
+from iogrid import Class, Frame, State
 
 # Of `iog`: tools/formats/picture/class_picture.cpp and grid_picture.cpp; tests/e2e/own_drive compares them.
 NOTHING = (30, 33, 38)
@@ -108,13 +108,14 @@ def _widened(cells: np.ndarray, order: np.ndarray) -> np.ndarray:
     return found
 
 
-def _ahead(grid: np.ndarray, to_cells) -> np.ndarray:
+def _ahead(grid: np.ndarray, cell_m: float, to_cells) -> np.ndarray:
     """Cells around the car, [forward, right]; what is outside of the grid is 0."""
-    at = (np.arange(-REACH_M / CELL_M, REACH_M / CELL_M) + 0.5) * CELL_M
+    at = (np.arange(-REACH_M / cell_m, REACH_M / cell_m) + 0.5) * cell_m
     x, y = (np.floor(each).astype(int) for each in to_cells(at[:, None], -at[None, :]))
     x, y = np.broadcast_arrays(x, y)
-    inside = (np.minimum(x, y) >= 0) & (np.maximum(x, y) < SIDE)
-    return np.where(inside, grid[np.clip(y, 0, SIDE - 1), np.clip(x, 0, SIDE - 1)], 0)
+    rows, columns = grid.shape
+    inside = (np.minimum(x, y) >= 0) & (x < columns) & (y < rows)
+    return np.where(inside, grid[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)], 0)
 
 
 def _car_picture(colours: np.ndarray, title: str, footprint: dict):
@@ -129,14 +130,15 @@ def _car_picture(colours: np.ndarray, title: str, footprint: dict):
 
 
 def index_picture(frame: Frame, time_s: float, footprint: dict) -> str:
-    kinds = _ahead(np.sign(frame.indexes) % 3, lambda x, y: (x / CELL_M + SIDE // 2, y / CELL_M + SIDE // 2))
+    of = frame.geometry
+    kinds = _ahead(np.sign(frame.indexes) % 3, of.cell_m, lambda x, y: ((x - of.x_m) / of.cell_m, (y - of.y_m) / of.cell_m))
     colours = np.array([NOTHING, HIT, PASSED], np.uint8)[_widened(kinds, np.array([0, 2, 1]))]
     drawing, _ = _car_picture(colours, f"Index grid at {time_s:.1f} s", footprint)
     return png(drawing)
 
 
 def class_picture(frame: Frame, time_s: float, footprint: dict) -> str:
-    colours = OF_CLASSES[_widened(_ahead(frame.classes, frame.window.to_cells), ORDER)]
+    colours = OF_CLASSES[_widened(_ahead(frame.classes, frame.window.geometry.cell_m, frame.window.to_cells), ORDER)]
     drawing, axes = _car_picture(colours, f"Classes at {time_s:.1f} s", footprint)
     for thing in (each for each in frame.objects or [] if each.state == State.MOVES):
         heading = thing.heading_rad or 0.0
@@ -165,7 +167,7 @@ def map_of(world: World, moved: list[Followed]) -> str:
         top = np.take_along_axis(blocks, ORDER[blocks].argmax(axis=2)[..., None], axis=2)[..., 0]
         y, x = (b - low[1]) * side, (a - low[0]) * side
         cells[y:y + side, x:x + side] = top
-    extent = [edge * 32 * CELL_M for edge in (low[0], high[0], low[1], high[1])]
+    extent = [edge * 32 * world.cell_m for edge in (low[0], high[0], low[1], high[1])]
     wide, tall = (high - low) / (high - low).max()
     drawing, axes = _canvas(OF_CLASSES[cells if step > 1 else _widened(cells, ORDER)], extent,
                             (max(4, 9 * wide) + 0.8, max(2.5, 9 * tall) + 0.8))

@@ -6,9 +6,8 @@ import math
 import numpy as np
 import pandas
 
-from iogrid import CELL_M, FREE_CLASSES, Cause, Class, Frame, Object, State
+from iogrid import FREE_CLASSES, Cause, Class, Frame, Object, State
 
-CELL_M2 = CELL_M ** 2
 # As the page names them, and the classes of docs/spec.md 3.9.
 NAMED = {"free": FREE_CLASSES, "moving": (Class.MOVING,), "stopped": (Class.STOPPED,), "standing": (Class.STANDING,),
          "mapped": (Class.INFRASTRUCTURE,), "occupied": (Class.OCCUPIED,), "unknown": (Class.UNKNOWN,)}
@@ -53,18 +52,20 @@ class World:
 
     def __init__(self):
         self.tiles: dict[tuple[int, int], np.ndarray] = {}
+        self.cell_m = 0.0
         self.way: list[tuple[float, float]] = []
 
     def add(self, frame: Frame) -> None:
-        grid = frame.classes.reshape(32, 32, 32, 32).swapaxes(1, 2)  # [tile y, tile x, y, x]
-        a, b = frame.window.corner
+        rows, columns = (side // 32 for side in frame.classes.shape)
+        grid = frame.classes.reshape(rows, 32, columns, 32).swapaxes(1, 2)  # [tile y, tile x, y, x]
+        (a, b), self.cell_m = frame.window.corner, frame.window.geometry.cell_m
         for y, x in np.argwhere(grid.any(axis=(2, 3))).tolist():
             tile = self.tiles.setdefault((a + x, b + y), np.zeros((32, 32), np.uint8))
             np.copyto(tile, grid[y, x], where=grid[y, x] != Class.UNKNOWN)
         self.way.append((frame.window.pose.x_m, frame.window.pose.y_m))
 
     def area_m2(self, name: str) -> float:
-        return CELL_M2 * sum(int(np.isin(tile, NAMED[name]).sum()) for tile in self.tiles.values())
+        return self.cell_m ** 2 * sum(int(np.isin(tile, NAMED[name]).sum()) for tile in self.tiles.values())
 
 
 class Drive:
@@ -82,8 +83,9 @@ class Drive:
     def add(self, frame: Frame, time_s: float) -> None:
         row = {"time_s": time_s, "is_whole": frame.is_whole, "has_indexes": frame.indexes is not None,
                "has_classes": frame.classes is not None, "has_pose": is_placed(frame), "way_m": 0.0}
-        if frame.indexes is not None:
-            row |= {"hit": CELL_M2 * (frame.indexes > 0).sum(), "passed": CELL_M2 * (frame.indexes < 0).sum()}
+        if frame.geometry:
+            cell_m2 = frame.geometry.cell_m ** 2
+            row |= {"hit": cell_m2 * (frame.indexes > 0).sum(), "passed": cell_m2 * (frame.indexes < 0).sum()}
         if frame.unwatched is not None:
             self.told += 1
             self.not_watched += [frame.unwatched >> i & 1 for i in range(64)]
@@ -108,7 +110,7 @@ class Drive:
             self._followed.setdefault(thing.id, Followed(thing.id, time_s, world)).add(thing, time_s, frame)
         return {"way_m": math.dist(way[-1], way[-2]) if frame.velocity is not None and len(way) > 1 else 0.0,
                 "moving_objects": sum(thing.state == State.MOVES for thing in things),
-                **{name: CELL_M2 * sum(counts[each] for each in classes) for name, classes in NAMED.items()}}
+                **{name: world.cell_m ** 2 * sum(counts[each] for each in classes) for name, classes in NAMED.items()}}
 
     @property
     def frames(self) -> pandas.DataFrame:

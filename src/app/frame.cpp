@@ -124,7 +124,8 @@ void Frame::describe(std::uint64_t now_us, stream::Header& header, stream::Frame
             .points_used = used,
             .points_other = std::accumulate(end.fates.begin(), end.fates.end(), 0U) - used,
             .packets_fused = intake_.packets_accepted(),
-            .packets_dropped = intake_.packets_dropped()};
+            .packets_dropped = intake_.packets_dropped(),
+            .epsilon_e5 = vehicle_->epsilon_e5};
 }
 
 void Frame::start_next(std::uint64_t now_us) {

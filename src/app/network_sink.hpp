@@ -18,8 +18,8 @@ template <Platform P>
 class NetworkSink {
  public:
   // platform must outlive this object.
-  NetworkSink(P& platform, Coding coding)
-      : messages_(platform), tiles_(platform, messages_, coding) {}
+  NetworkSink(P& platform, Coding coding, const geometry::Grid& grid = {})
+      : messages_(platform), tiles_(platform, messages_, coding, grid) {}
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 

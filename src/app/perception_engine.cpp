@@ -208,11 +208,9 @@ void PerceptionEngine::describe(stream::ClassEnd& end) const {
   for (std::size_t cause = 0; cause < pose::kCauseCount; ++cause) {
     end.causes[cause] = {.slices = causes_.slices[cause], .began = causes_.began[cause]};
   }
-  stream::MapState& map = end.map.emplace();
-  map.layer = layer_.report();
-  map.delivery = maps_.report();
+  end.map = {.layer = layer_.report(), .delivery = maps_.report()};
   if (maps_.in_use() != nullptr) {
-    map.in_use = stream::in_use(*maps_.in_use());
+    end.map.in_use = stream::in_use(*maps_.in_use());
   }
   const bool is_over_budget = end.slices_over_budget > 0 || counts_.groups_left > 0;
   const window::TileNumber corner = window_.view().area().corner();

@@ -24,8 +24,8 @@ class PerceptionSink : private NetworkSink<P> {
 
  public:
   // platform must outlive this object.
-  PerceptionSink(P& platform, Coding coding)
-      : Indexes(platform, coding), classes_(platform, this->messages(), coding) {}
+  PerceptionSink(P& platform, Coding coding, const geometry::Grid& grid = {})
+      : Indexes(platform, coding, grid), classes_(platform, this->messages(), coding) {}
 
   using Indexes::begin_frame;
   using Indexes::end;

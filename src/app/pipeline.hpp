@@ -61,7 +61,7 @@ class FramePipeline {
         frame_(vehicle, replayer_ipv4, helpers_.space(),
                kPerceives ? Fusing::kAtItsEnd : Fusing::kAsTheyCome),
         perception_(frame_, vehicle, replayer_ipv4),
-        network_(platform, coding),
+        network_(platform, coding, vehicle.grid),
         sinks_(sinks...),
         platform_(&platform),
         keeps_cache_(!kPerceives && coding == Coding::kShortest) {}

@@ -55,14 +55,15 @@ class TileSender {
   };
 
   // platform and messages must outlive this object.
-  TileSender(P& platform, MessageSender<P>& messages, Coding coding)
-      : platform_(&platform), messages_(&messages), coding_{coding} {}
+  TileSender(P& platform, MessageSender<P>& messages, Coding coding,
+             const geometry::Grid& grid = {})
+      : platform_(&platform), messages_(&messages), coding_{coding}, grid_{grid} {}
 
   // Begins a frame's grid of occupancy indexes or of classes.
   void begin(const stream::Header& header) {
     begin_frame(header);
     hash_ = Hash();
-    tiles_.begin_grid(header, stream::geometry_of_level(0));
+    tiles_.begin_grid(header, stream::geometry_of(grid_));
   }
   void begin(const stream::Header& header, const stream::ClassWindow& window) {
     begin_frame(header);
@@ -202,7 +203,7 @@ class TileSender {
     work::keep_order();
     found.is_left_out = added.is_left_out();
     if (!found.is_left_out) {
-      found.remainder = stream::Crc32::remainder_of(added.cells);
+      found.remainder = stream::GridCrc32::remainder_of(added.cells);
       found.encoded = encoder.encode(added.cells, frame_number_, reference, found.payload);
       found.reference_frame = reference ? reference->frame_number : frame_number_;
     }
@@ -272,7 +273,7 @@ class TileSender {
     if constexpr (kIsKept) {
       return tiles_.append(added.tile, encoding, added.age_frames, payload);
     } else {
-      return tiles_.append(added.tile, encoding, payload);
+      return tiles_.append(grid_.tiles_before(added.tile), encoding, payload);
     }
   }
 
@@ -287,13 +288,15 @@ class TileSender {
 
   void send_tiles(std::size_t end_tile) {
     const std::uint32_t count = tiles_.tile_count();
-    const bool is_sent = messages_->send(tiles_.finish(end_tile, messages_->sequence()));
+    const std::size_t end = kIsKept ? end_tile : grid_.tiles_before(end_tile);
+    const bool is_sent = messages_->send(tiles_.finish(end, messages_->sequence()));
     (is_sent ? sent_.tiles : sent_.tiles_lost) += count;
   }
 
   P* platform_;
   MessageSender<P>* messages_;
   Coding coding_;
+  geometry::Grid grid_;  // only for indexes
   std::uint32_t frame_number_ = 0;
   Sent sent_;
   Hash hash_;

@@ -93,12 +93,12 @@ void visit_window(auto& content, auto& rules) {
 
 // The grid sizes come first because the tables are in units of the grid's subcells.
 void visit_car(auto& content, auto& car) {
-  content.grid(geometry::kCellMm, geometry::kCellsPerSide, geometry::kResolution);
+  content.grid(car.grid);
   content.text(car.name);
   content.numbers(car.footprint.x_min, car.footprint.x_max);
   content.numbers(car.footprint.y_min, car.footprint.y_max, car.z_min, car.z_max);
   content.below(2, car.rule);
-  content.below(2, car.quantisation);
+  content.quantisation_and_epsilon(car.quantisation, car.epsilon_e5);
   content.numbers(car.frame_period_us);
   content.grids_and_objects(car.grids, car.has_objects);
   content.numbers(car.poses.source_ipv4, car.poses.udp_port, car.poses.log2_slice_ms);
@@ -146,6 +146,14 @@ class Writer {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
   }
+  // An extra bit is set if an unusual epsilon follows.
+  void quantisation_and_epsilon(index::Quantisation quantisation, std::uint16_t epsilon_e5) {
+    const bool is_usual = epsilon_e5 == vehicle::kUsualEpsilonE5;
+    number(static_cast<std::uint8_t>(static_cast<unsigned>(quantisation) | (is_usual ? 0U : 2U)));
+    if (!is_usual) {
+      number(epsilon_e5);
+    }
+  }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }
   void text(std::string_view text) {
     for (const char letter : text) {
@@ -166,7 +174,14 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  void grid(std::integral auto... sizes) { (number(static_cast<std::uint16_t>(sizes)), ...); }
+  // 0 instead of the cells of a side: another rectangle follows.
+  void grid(const geometry::Grid& grid) {
+    const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
+    numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});
+    if (!grid.is_whole()) {
+      numbers(grid.columns, grid.rows, grid.origin_column, grid.origin_row);
+    }
+  }
   void assignment(const evidence::Assignment* assignment) {
     truth(assignment != nullptr);
     if (assignment != nullptr) {

@@ -1,6 +1,7 @@
 #include "car_block/limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,7 @@ using vehicle::Vehicle;
 
 constexpr std::size_t kLongestSensorName = 15;
 constexpr std::size_t kLongestCarName = 31;
+constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
 
 // True if the name has only letters, digits and '_' and does not begin with a digit.
 bool is_name(std::string_view name, std::size_t longest) {
@@ -34,6 +36,9 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   if (!is_within<std::uint32_t>(car.frame_period_us, 10'000, 1'000'000)) {
     tell({.field = "frame_period_us", .allowed = "10000 ... 1000000"});
   }
+  if (!is_within<std::uint16_t>(car.epsilon_e5, 1'000, 40'000)) {
+    tell({.field = "epsilon", .allowed = "0.01 ... 0.4"});
+  }
   if (!is_within<std::uint32_t>(car.window.group_budget, 1, perception::kGroupBudget)) {
     tell({.field = "window.group_budget", .allowed = "1 ... 65536"});
   }
@@ -42,14 +47,41 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   }
 }
 
+// The memory has 1024 x 1024 cells, and each side consists of whole tiles.
+// Returns false if lengths cannot be converted to cells.
+bool check_grid(const Vehicle& car, const Tell& tell) {
+  const geometry::Grid& grid = car.grid;
+  if (std::ranges::find(kCellSizesMm, grid.cell_mm) == kCellSizesMm.end()) {
+    tell({.field = "grid.cell_m", .allowed = "0.05, 0.1, 0.2 or 0.5"});
+    return false;
+  }
+  const auto check_side = [&](std::uint16_t cells, std::uint16_t origin, std::string_view field,
+                              std::string_view allowed) {
+    if (cells == 0 || cells % geometry::kTileSide != 0 || cells > geometry::kCellsPerSide ||
+        origin > cells) {
+      tell({.field = field, .allowed = allowed, .sum = cells});
+    }
+  };
+  check_side(grid.columns, grid.origin_column, "grid.ahead_m",
+             "with behind_m 32 ... 1024 cells, in steps of 32");
+  check_side(grid.rows, grid.origin_row, "grid.left_m",
+             "with right_m 32 ... 1024 cells, in steps of 32");
+  if (grid != geometry::Grid{} && vehicle::have_classes(car.grids)) {
+    tell({.field = "grids",
+          .allowed = "indexes, because classes have 1024 x 1024 cells of 0.1 m around the car"});
+  }
+  return true;
+}
+
 // True if the error term of the line walk stays below 2^31 for beams of this length. A line spans
 // at most sqrt(2) L in |dx| + |dy|; rounding adds less than 10 subcells.
-bool walk_fits(std::uint32_t range_mm) {
-  const std::uint64_t span = subcells_up(range_mm) * 1'414'214 / 1'000'000 + 10;
+bool walk_fits(std::uint32_t range_mm, const geometry::Grid& grid) {
+  const std::uint64_t span = subcells_up(range_mm, grid) * 1'414'214 / 1'000'000 + 10;
   return span * geometry::kResolution < std::uint64_t{1} << 31;
 }
 
-void check_range(const Sensor& sensor, std::size_t number, const Tell& tell) {
+void check_range(const Vehicle& car, std::size_t number, const Tell& tell) {
+  const Sensor& sensor = car.sensors[number];
   const std::uint32_t range_mm = sensor.range.mm();
   if (range_mm <= sensor.range_min_mm || range_mm > kLongestRangeMm) {
     tell({number, "range_max_mm", kRangeWords});
@@ -61,7 +93,7 @@ void check_range(const Sensor& sensor, std::size_t number, const Tell& tell) {
   const std::uint32_t longest_mm = longest_line_mm(sensor.format, range_mm);
   if (longest_mm > kLongestRangeMm) {
     tell({number, "range_max_mm", "at most 127999, because its mirror is tilted"});
-  } else if (!walk_fits(longest_mm)) {
+  } else if (!walk_fits(longest_mm, car.grid)) {
     tell({number, "range_max_mm",
           "less: the error term of the walk along the longest beam overflows"});
   }
@@ -248,9 +280,12 @@ void check_classes(const Vehicle& car, const Tell& tell) {
 
 void check_numbers(const Vehicle& car, const net::Config& network, const Tell& tell) {
   check_frames(car, tell);
+  if (!check_grid(car, tell)) {
+    return;
+  }
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     check_own(car.sensors, i, network, tell);
-    check_range(car.sensors[i], i, tell);
+    check_range(car, i, tell);
     check_unit(car.sensors[i], i, tell);
     check_arcs(car, i, tell);
   }

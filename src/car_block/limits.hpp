@@ -37,9 +37,8 @@ inline constexpr std::int32_t kFarthestM = 1000;
 inline constexpr std::int32_t kOffCarMm = 150;
 
 // A length in subcells, rounded up. Requires length_mm <= kLongestRangeMm.
-constexpr std::uint64_t subcells_up(std::uint32_t length_mm) {
-  return (std::uint64_t{length_mm} * geometry::kResolution + geometry::kCellMm - 1) /
-         geometry::kCellMm;
+constexpr std::uint64_t subcells_up(std::uint32_t length_mm, const geometry::Grid& grid) {
+  return (std::uint64_t{length_mm} * geometry::kResolution + grid.cell_mm - 1) / grid.cell_mm;
 }
 
 // The maximum length of a beam. The beams of a tilted mirror are fitted

@@ -50,6 +50,16 @@ class Reader {
     demand(grids <= vehicle::Grids::kBoth && (!is_off || vehicle::have_classes(grids)));
     has_objects = vehicle::have_classes(grids) && !is_off;
   }
+  void quantisation_and_epsilon(index::Quantisation& quantisation, std::uint16_t& epsilon_e5) {
+    unsigned bits = 0;
+    below(4, bits);
+    quantisation = static_cast<index::Quantisation>(bits & 1U);
+    epsilon_e5 = vehicle::kUsualEpsilonE5;
+    if ((bits & 2U) != 0) {
+      numbers(epsilon_e5);
+      demand(epsilon_e5 != vehicle::kUsualEpsilonE5);
+    }
+  }
   void shares_and_heights(bool& layers_share_lines, vehicle::GroundLimits& ground,
                           vehicle::MovedLimits& moved) {
     unsigned bits = 0;
@@ -124,10 +134,18 @@ class Reader {
         });
   }
 
-  void grid(std::integral auto... sizes) {
-    bool differs = false;
-    ((differs = number<std::uint16_t>() != sizes || differs), ...);
-    is_of_other_grid_ = differs && ok();
+  void grid(geometry::Grid& grid) {
+    std::uint16_t side = 0;
+    std::uint16_t resolution = 0;
+    grid = {};
+    numbers(grid.cell_mm, side, resolution);
+    const bool is_other =
+        (side != 0 && side != geometry::kCellsPerSide) || resolution != geometry::kResolution;
+    if (side == 0) {
+      numbers(grid.columns, grid.rows, grid.origin_column, grid.origin_row);
+      demand(!grid.is_whole());
+    }
+    is_of_other_grid_ = is_other && ok();
   }
 
   // Reads one of the firmware's own assignments, or none.
@@ -180,6 +198,9 @@ Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
   content_detail::visit_car(in, vehicle);
   if (in.is_of_other_grid()) {
     return Refusal::kOtherGrid;
+  }
+  for (vehicle::Sensor& sensor : memory.sensors) {
+    sensor.grid = vehicle.grid;
   }
   return in.ok() && in.is_at_end() ? Refusal::kNone : Refusal::kNotACar;
 }

@@ -15,36 +15,40 @@ using vehicle::Sensor;
 using vehicle::Tell;
 using vehicle::Vehicle;
 
-constexpr std::int32_t subcells(std::int32_t metres) {
-  return static_cast<std::int32_t>(std::int64_t{metres} * 1000 * geometry::kResolution /
-                                   geometry::kCellMm);
-}
-constexpr std::int32_t kFarthest = subcells(kFarthestM);
-constexpr std::int32_t kGridSide = geometry::kCellsPerSide * geometry::kResolution;
-constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
-// One more subcell for rounding.
-constexpr std::int32_t kOffCar = kOffCarMm * geometry::kResolution / geometry::kCellMm + 1;
+constexpr std::string_view kBoxWords = "a car within the grid around its origin";
 
+constexpr std::int64_t kUnit = std::int64_t{1} << vehicle::kAxisFractionBits;
+
+// The highest coordinate of the plane.
+constexpr std::int32_t farthest(const geometry::Grid& grid) {
+  return grid.subcells(kFarthestM * 1000);
+}
+
+// The car is within 512 cells of its origin, whatever part of that the grid is.
 void check_box(const Vehicle& car, const Tell& tell) {
   const vehicle::Footprint& footprint = car.footprint;
-  if (!is_within<std::int32_t>(footprint.x_min, 0, footprint.x_max) ||
-      footprint.x_max > kGridSide) {
-    tell({.field = "footprint.x_max_m", .allowed = "a car within the grid around its origin"});
+  const auto is_around = [](std::int32_t low, std::int32_t high, std::int32_t origin_cell) {
+    constexpr std::int32_t kHalf = geometry::kOriginCell;
+    return low >= (origin_cell - kHalf) * geometry::kResolution && low <= high &&
+           high <= (origin_cell + kHalf) * geometry::kResolution;
+  };
+  if (!is_around(footprint.x_min, footprint.x_max, car.grid.origin_column)) {
+    tell({.field = "footprint.x_max_m", .allowed = kBoxWords});
   }
-  if (!is_within<std::int32_t>(footprint.y_min, 0, footprint.y_max) ||
-      footprint.y_max > kGridSide) {
-    tell({.field = "footprint.y_max_m", .allowed = "a car within the grid around its origin"});
+  if (!is_around(footprint.y_min, footprint.y_max, car.grid.origin_row)) {
+    tell({.field = "footprint.y_max_m", .allowed = kBoxWords});
   }
-  if (!is_within(car.z_min, -kFarthest, kFarthest) || car.z_min >= car.z_max ||
-      car.z_max > kFarthest) {
+  const std::int32_t most = farthest(car.grid);
+  if (!is_within(car.z_min, -most, most) || car.z_min >= car.z_max || car.z_max > most) {
     tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m, at most 1000"});
   }
 }
 
 void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std::size_t number,
                  const Tell& tell) {
-  const auto is_on = [](std::int64_t at, std::int64_t low, std::int64_t high) {
-    return is_within(at, low - kOffCar, high + kOffCar);
+  const std::int32_t off_car = sensor.grid.subcells(kOffCarMm) + 1;  // for rounding
+  const auto is_on = [&](std::int64_t at, std::int64_t low, std::int64_t high) {
+    return is_within(at, low - off_car, high + off_car);
   };
   if (!is_on(sensor.origin.x, footprint.x_min, footprint.x_max)) {
     tell({number, "mount.x_m", "a place on the car: footprint.x_min_m ... x_max_m, 0.15 off"});
@@ -52,7 +56,7 @@ void check_place(const vehicle::Footprint& footprint, const Sensor& sensor, std:
   if (!is_on(sensor.origin.y, footprint.y_min, footprint.y_max)) {
     tell({number, "mount.y_m", "a place on the car: footprint.y_min_m ... y_max_m, 0.15 off"});
   }
-  if (!is_within(sensor.origin_z, -kFarthest, kFarthest)) {
+  if (!is_within(sensor.origin_z, -farthest(sensor.grid), farthest(sensor.grid))) {
     tell({number, "mount.z_m", "-1000 ... 1000"});
   }
 }
@@ -117,7 +121,7 @@ bool are_beams(const Vector& forward, const Vector& left, const Vector& up, cons
   const bool is_fitted = lidar::facts_of(sensor.format).has_beam_tilt;
   const std::uint32_t range_mm = sensor.range.mm();
   const std::uint32_t length_mm = is_fitted ? range_mm + range_mm / 128 : range_mm;
-  const auto length = static_cast<std::int64_t>(subcells_up(length_mm) + 2) * kUnit;
+  const auto length = static_cast<std::int64_t>(subcells_up(length_mm, sensor.grid) + 2) * kUnit;
   if (!forward.is_within(length) || !left.is_within(length) || !up.is_within(length)) {
     return false;
   }
@@ -154,7 +158,8 @@ bool is_sound(const Sensor& sensor, const vehicle::Layer& layer) {
     return layer.range_share == kWhole;
   }
   // The tangent of an elevation of 89 degrees is below 58.
-  const auto most = static_cast<std::int64_t>(subcells_up(sensor.range.mm())) * 58 * kUnit;
+  const auto most =
+      static_cast<std::int64_t>(subcells_up(sensor.range.mm(), sensor.grid)) * 58 * kUnit;
   return is_within(up_z, -most, most) && layer.z.forward == 0 && layer.z.left == 0 &&
          is_within<std::uint32_t>(layer.range_share, 1, kWhole);
 }
@@ -202,9 +207,9 @@ void check_ground(const Sensor& sensor, std::size_t number, const Tell& tell) {
     tell({number, "ground.low_m", kGroundLowWords});
   } else if (!is_within<std::int32_t>(top_mm, low_mm + 500, 10'000)) {
     tell({number, "ground.top_m", kGroundTopWords});
-  } else if (sensor.origin_z <= vehicle::subcells_of(sensor.ground.low_mm)) {
+  } else if (sensor.origin_z <= sensor.grid.subcells(sensor.ground.low_mm)) {
     tell({number, "ground.low_m", "less than mount.z_m, the sensor's own height"});
-  } else if (sensor.origin_z >= vehicle::subcells_of(sensor.ground.top_mm)) {
+  } else if (sensor.origin_z >= sensor.grid.subcells(sensor.ground.top_mm)) {
     tell({number, "ground.top_m",
           "more than mount.z_m, the sensor's own height: write ground = { top_m = ... }"});
   }
@@ -217,13 +222,13 @@ void check_moved(const Vehicle& car, std::size_t number, const Tell& tell) {
   const bool follows = sensor.ground.is_followed();
   const std::int32_t begin =
       follows
-          ? vehicle::subcells_of(std::max(sensor.ground.low_mm, vehicle::MovedLimits::kUnderCarsMm))
+          ? sensor.grid.subcells(std::max(sensor.ground.low_mm, vehicle::MovedLimits::kUnderCarsMm))
           : car.z_min;
-  const std::int32_t end = follows ? vehicle::subcells_of(sensor.ground.top_mm) : car.z_max;
+  const std::int32_t end = follows ? sensor.grid.subcells(sensor.ground.top_mm) : car.z_max;
   if (moved.low_mm > 10'000 ||
-      vehicle::subcells_of(moved.low_mm) < begin + vehicle::subcells_of(100)) {
+      sensor.grid.subcells(moved.low_mm) < begin + sensor.grid.subcells(100)) {
     tell({number, "moved.low_m", kMovedLowWords});
-  } else if (vehicle::subcells_of(moved.tall_mm) > end) {
+  } else if (sensor.grid.subcells(moved.tall_mm) > end) {
     tell({number, "moved.tall_m", kMovedTallWords});
   }
 }

@@ -37,10 +37,49 @@ static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
   return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
-// The vehicle frame's origin is the corner at the centre of the grid. In metres, cell (x, y) of the
-// default grid covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the same.
+// In the default grid the vehicle frame's origin is the corner at the centre. In metres, cell (x,
+// y) covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the same.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;
+
+// The grid that a car file asks for. Memory has kCellsPerSide cells per row in any case, so cells
+// and tiles keep the numbers above. A smaller grid is the part of the memory at cell (0, 0).
+struct Grid {
+  std::uint16_t cell_mm = kCellMm;
+  std::uint16_t columns = kCellsPerSide;
+  std::uint16_t rows = kCellsPerSide;
+  // The cell at whose lowest corner the vehicle frame's origin lies. It may be one past the last.
+  std::uint16_t origin_column = kOriginCell;
+  std::uint16_t origin_row = kOriginCell;
+
+  [[nodiscard]] constexpr CellArea area() const { return {columns, rows}; }
+  // Whether it is as large as the memory, with the car in the middle.
+  [[nodiscard]] constexpr bool is_whole() const { return Grid{.cell_mm = cell_mm} == *this; }
+  // Converts a length to subcells, rounded down. The length must be below 2^21 mm.
+  [[nodiscard]] constexpr std::int32_t subcells(std::int32_t mm) const {
+    return mm * kResolution / cell_mm;
+  }
+
+  [[nodiscard]] constexpr std::size_t tile_count() const {
+    return columns / kTileSide * (rows / kTileSide);
+  }
+  // The number of tiles of the grid that come before this tile of the memory. It numbers the tiles
+  // on the wire, row by row.
+  [[nodiscard]] constexpr std::size_t tiles_before(std::size_t tile) const {
+    const std::size_t across = columns / kTileSide;
+    const std::size_t up = rows / kTileSide;
+    const std::size_t row = tile / kTilesPerSide;
+    const std::size_t column = tile % kTilesPerSide;
+    return row < up ? row * across + (column < across ? column : across) : up * across;
+  }
+  // The tile of the memory with this number on the wire.
+  [[nodiscard]] constexpr std::size_t tile_in_memory(std::size_t number) const {
+    const std::size_t across = columns / kTileSide;
+    return number / across * kTilesPerSide + number % across;
+  }
+
+  friend constexpr bool operator==(const Grid&, const Grid&) = default;
+};
 
 }  // namespace iog::geometry

@@ -22,7 +22,7 @@ vehicle::Fate ArcMarker::add(const vehicle::Sensor& sensor, const lidar::ScanPoi
 // Marks the points of the arc, one on the line of each step. Points on the car itself are skipped.
 void ArcMarker::mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
   const auto turn = static_cast<std::int32_t>(sensor.azimuths.ticks_per_turn());
-  const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), point.range_mm);
+  const std::int32_t step = arc_step_ticks(sensor, point.range_mm);
   const std::int32_t last = sensor.arc.reach_ticks() / step * step;
   const vehicle::Layer& layer = sensor.layers[point.layer];
   for (std::int32_t off = -last; off <= last; off += step) {
@@ -30,17 +30,18 @@ void ArcMarker::mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& 
     const vehicle::BeamLine line = vehicle::line_of(
         sensor, layer, vehicle::direction_of(sensor, static_cast<std::uint32_t>(azimuth)));
     if (!vehicle::ranges_on_car(sensor, line).contain(point.range_mm)) {
-      step_into(line.cell(line.through(point.range_mm, sensor.range)), sensor.arc.at(off));
+      step_into(sensor, line.cell(line.through(point.range_mm, sensor.range)), sensor.arc.at(off));
     }
   }
   const std::size_t kept = std::min(entered_, kLately);
   for (std::size_t i = entered_ - kept; i < entered_; ++i) {
-    marks_->mark(lately_[i % kLately].cell, lately_[i % kLately].index);
+    marks_->mark(sensor, lately_[i % kLately].cell, lately_[i % kLately].index);
   }
   entered_ = 0;
 }
 
-void ArcMarker::step_into(geometry::Cell cell, OccupancyIndex index) {
+void ArcMarker::step_into(const vehicle::Sensor& sensor, geometry::Cell cell,
+                          OccupancyIndex index) {
   const auto known = std::span(lately_).first(std::min(entered_, kLately));
   const auto again = std::ranges::find(known, cell, &Step::cell);
   if (again != known.end()) {
@@ -49,7 +50,7 @@ void ArcMarker::step_into(geometry::Cell cell, OccupancyIndex index) {
   }
   Step& place = lately_[entered_ % kLately];
   if (entered_ >= kLately) {
-    marks_->mark(place.cell, place.index);
+    marks_->mark(sensor, place.cell, place.index);
   }
   place = {cell, index};
   ++entered_;

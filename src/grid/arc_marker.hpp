@@ -40,7 +40,7 @@ class ArcMarker {
 
  private:
   void mark_arc(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
-  void step_into(geometry::Cell cell, OccupancyIndex index);
+  void step_into(const vehicle::Sensor& sensor, geometry::Cell cell, OccupancyIndex index);
 
   // An arc may leave a cell and enter it again. The part of the arc outside the cell is shorter
   // than the cell's diagonal. This part has at most three steps for a level sensor, whose steps are

@@ -17,7 +17,7 @@ using vehicle::Sensor;
 // before the point than there are zones.
 std::uint32_t BandLimits::behind_mm(const Sensor& sensor) {
   const std::uint32_t zones_mm = (sensor.profile.near_before_count + 1U) * sensor.precision_mm;
-  return zones_mm + 3 * std::uint32_t{geometry::kCellMm} / 2 + 1;
+  return zones_mm + 3 * std::uint32_t{sensor.grid.cell_mm} / 2 + 1;
 }
 
 // For beams that end where the line ends. Beams are straight, so a shorter one leaves the band at
@@ -42,10 +42,11 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint
   line_ = vehicle::line_of(sensor, layer, vehicle::direction_of(sensor, azimuth_step));
   ruler_ = {line_, sensor.range};
   const Position last = line_.before_end();
-  const bool starts_in_grid = geometry::kGridArea.contains(line_.cell({}));
+  const geometry::CellArea area = sensor.grid.area();
+  const bool starts_in_grid = area.contains(line_.cell({}));
   in_grid_ = {{}, Between::after(last)};
-  if (!starts_in_grid || !geometry::kGridArea.contains(line_.cell(last))) {
-    const std::optional<Stretch> stretch = line_.clip(geometry::kGridArea);
+  if (!starts_in_grid || !area.contains(line_.cell(last))) {
+    const std::optional<Stretch> stretch = line_.clip(area);
     if (stretch && stretch->first.crossed() <= last.crossed()) {
       in_grid_.first = Between::before(stretch->first);
       in_grid_.end =

@@ -10,11 +10,10 @@ namespace {
 
 // Length of the longest line in subcells, and the largest number of columns in which its height is
 // evaluated. car_block/limits.cpp ensures that the error term fits, sqrt(2) L r < 2^31, and that a
-// range is at most 130 m. A path stays in the grid, except for one column of blocks before its
-// start and one behind its end.
-constexpr std::uint32_t kLongest =
-    std::min((std::int64_t{1} << 31) / geometry::kResolution * 5 / 7,
-             std::int64_t{130'000} / geometry::kCellMm * geometry::kResolution + 1);
+// range is at most 130 m in cells of at least 50 mm. A path stays in the grid, except for one
+// column of blocks before its start and one behind its end.
+constexpr std::uint32_t kLongest = std::min((std::int64_t{1} << 31) / geometry::kResolution * 5 / 7,
+                                            std::int64_t{130'000} / 50 * geometry::kResolution + 1);
 constexpr std::int32_t kMostColumns =
     std::min<std::int32_t>(geometry::kCellsPerSide, kLongest / geometry::kResolution + 1);
 static_assert(kMostColumns + 2 * kBlockSide <= std::int64_t{traversal::most_columns(kLongest)});

@@ -68,13 +68,13 @@ struct Span {
   std::int32_t last = 0;
 };
 
-Span span_of(std::int32_t origin, std::int64_t right, std::int64_t left, std::int64_t length) {
+Span span_of(std::int32_t origin, std::int64_t right, std::int64_t left, std::int64_t length,
+             std::int32_t cells) {
   const std::int64_t back = right >= 0 && left >= 0 ? 0 : length;
   const std::int64_t ahead = right <= 0 && left <= 0 ? 0 : length;
   const auto cell = [&](std::int64_t at) {
-    return static_cast<std::int32_t>(
-        std::clamp<std::int64_t>(numeric::div_floor(at, std::int64_t{geometry::kResolution}), 0,
-                                 geometry::kCellsPerSide - 1));
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(
+        numeric::div_floor(at, std::int64_t{geometry::kResolution}), 0, cells - 1));
   };
   return {cell(origin - back), cell(origin + ahead)};
 }
@@ -100,8 +100,9 @@ Cone cone_of(const vehicle::Sensor& sensor, const lidar::ScanPoint& echo) {
 
 void carve_cone(BlockGrid& grid, const vehicle::Sensor& sensor, const lidar::ScanPoint& echo) {
   const Cone cone = cone_of(sensor, echo);
-  const Span columns = span_of(sensor.origin.x, cone.right.x, cone.left.x, cone.length);
-  const Span rows = span_of(sensor.origin.y, cone.right.y, cone.left.y, cone.length);
+  const geometry::CellArea area = sensor.grid.area();
+  const Span columns = span_of(sensor.origin.x, cone.right.x, cone.left.x, cone.length, area.width);
+  const Span rows = span_of(sensor.origin.y, cone.right.y, cone.left.y, cone.length, area.height);
   for (std::int32_t row = rows.first; row <= rows.last; ++row) {
     const Side y{std::int64_t{row} * geometry::kResolution - sensor.origin.y};
     for (std::int32_t column = columns.first; column <= columns.last; ++column) {

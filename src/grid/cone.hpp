@@ -22,8 +22,9 @@ void carve_cone(BlockGrid& grid, const vehicle::Sensor& sensor, const lidar::Sca
 
 // Upper bound on the number of cells tested for an echo at this range. The tested area is at most
 // twice as long as it is wide.
-[[nodiscard]] constexpr std::uint32_t most_cells_of_cone(std::uint32_t range_mm) {
-  const std::uint32_t side = range_mm / geometry::kCellMm + 2;
+[[nodiscard]] constexpr std::uint32_t most_cells_of_cone(const geometry::Grid& grid,
+                                                         std::uint32_t range_mm) {
+  const std::uint32_t side = range_mm / grid.cell_mm + 2;
   return side * 2 * side;
 }
 

@@ -35,11 +35,11 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 // The step along an arc, in ticks. It is the largest step whose length at this range is at most one
 // cell, or one tick if one tick is already longer than a cell. The constant for 2 pi is slightly
 // too large.
-[[nodiscard]] constexpr std::int32_t arc_step_ticks(std::uint32_t ticks_per_turn,
+[[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;
   const std::uint64_t at_one_mm =
-      std::uint64_t{ticks_per_turn} * geometry::kCellMm * 1'000'000 / kTwoPi;
+      std::uint64_t{sensor.azimuths.ticks_per_turn()} * sensor.grid.cell_mm * 1'000'000 / kTwoPi;
   const std::uint32_t ticks =
       static_cast<std::uint32_t>(at_one_mm) / std::max<std::uint32_t>(range_mm, 1);
   return static_cast<std::int32_t>(std::max<std::uint32_t>(ticks, 1));
@@ -51,13 +51,13 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 // further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
-    const std::int32_t step = arc_step_ticks(sensor.azimuths.ticks_per_turn(), sensor.range.mm());
+    const std::int32_t step = arc_step_ticks(sensor, sensor.range.mm());
     return 1 + 2 * static_cast<std::uint32_t>(sensor.arc.reach_ticks() / step);
   }
   const std::uint32_t near_mm = sensor.profile.near_after_count == 0
                                     ? 0
                                     : (sensor.profile.near_after_count + 1U) * sensor.precision_mm;
-  return near_mm == 0 ? 1 : 1 + 2 + near_mm * 3 / (2 * geometry::kCellMm);
+  return near_mm == 0 ? 1 : 1 + 2 + near_mm * 3 / (2 * sensor.grid.cell_mm);
 }
 
 class PendingMarks {
@@ -67,7 +67,7 @@ class PendingMarks {
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
             std::uint32_t range_mm, bool is_tall) {
     const geometry::Cell cell = line.line().cell(hit);
-    if (geometry::kGridArea.contains(cell)) {
+    if (sensor.grid.area().contains(cell)) {
       remember(cell, sensor.profile.hit, is_tall);
     }
     if (sensor.profile.near_after_count > 0 && !line.in_grid().is_empty()) {
@@ -76,8 +76,8 @@ class PendingMarks {
   }
 
   // Stores the mark of a cell that is already known.
-  void mark(geometry::Cell cell, OccupancyIndex index) {
-    if (geometry::kGridArea.contains(cell)) {
+  void mark(const vehicle::Sensor& sensor, geometry::Cell cell, OccupancyIndex index) {
+    if (sensor.grid.area().contains(cell)) {
       remember(cell, index, true);
     }
   }

@@ -1,7 +1,7 @@
 // Ranges. At 89 degrees up, the end of a beam is 57.3 times the sensor's range above its origin. So
 // a slope in units of 2^-40 stays below 2^46. Each axis of a beam's end is below 2^30 in units of
-// 2^-10 subcells (vehicle.hpp), and so is the length of the vector. A cell is at most 200 mm, so
-// that length in mm, times 2^20, is below 2^58.
+// 2^-10 subcells (vehicle.hpp), and so is the length of the vector. A cell is at most 500 mm, so
+// that length in mm, times 2^20, is below 2^60.
 #include "ground/beams.hpp"
 
 #include <algorithm>
@@ -19,7 +19,6 @@ namespace iog::ground {
 namespace {
 
 constexpr std::int64_t kSubcells = geometry::kResolution;  // per cell
-constexpr std::int64_t kCellMm = geometry::kCellMm;
 constexpr int kFineBits = 40;
 constexpr std::uint32_t kWhole = std::uint32_t{1} << numeric::kSineFractionBits;
 
@@ -34,7 +33,7 @@ std::uint32_t share_of(const vehicle::Sensor& sensor, const vehicle::Layer& laye
       square(layer.x.forward) + square(layer.y.forward) + square(layer.z.forward));
   constexpr int kBits = numeric::kSineFractionBits - vehicle::kAxisFractionBits;
   const std::uint64_t length = std::uint64_t{sensor.range.mm()} * kSubcells;
-  const std::uint64_t share = ((away * kCellMm) << kBits) / length;
+  const std::uint64_t share = ((away * sensor.grid.cell_mm) << kBits) / length;
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(share, kWhole));
 }
 
@@ -45,10 +44,10 @@ Beams::Beams(const vehicle::Sensor& sensor)
       range_mm_(sensor.range.mm()),
       sector_shift_(std::countr_zero(sensor.azimuths.steps_per_turn()) -
                     std::countr_zero(kSectors)),
-      origin_mm_(
-          static_cast<std::int32_t>(numeric::div_nearest(sensor.origin_z * kCellMm, kSubcells))),
+      origin_mm_(static_cast<std::int32_t>(
+          numeric::div_nearest(std::int64_t{sensor.origin_z} * sensor.grid.cell_mm, kSubcells))),
       origin_z_(sensor.origin_z),
-      slope_of_subcell_((static_cast<std::uint64_t>(kCellMm) << kFineBits) /
+      slope_of_subcell_((std::uint64_t{sensor.grid.cell_mm} << kFineBits) /
                         (std::uint64_t{sensor.range.mm()} * kSubcells)),
       layer_count_(sensor.layer_count),
       fewest_samples_(sensor.layer_count <= 16 ? 12 : 24) {

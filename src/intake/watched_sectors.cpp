@@ -14,8 +14,6 @@ namespace iog::intake {
 namespace {
 
 constexpr std::int32_t kDistanceM = 20;
-constexpr std::int64_t kDistance =
-    std::int64_t{kDistanceM} * 1000 * geometry::kResolution / geometry::kCellMm;
 
 struct Vector {
   std::int64_t x = 0;
@@ -27,12 +25,13 @@ std::int64_t cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * 
 // Vector from the sensor to the circle in one of 64 directions, in subcells, below 2^20.
 Vector from_sensor(const vehicle::Sensor& sensor, std::uint32_t direction) {
   constexpr auto kTable = numeric::kSineTable<kSectors>;
-  constexpr std::int64_t kOrigin = std::int64_t{geometry::kOriginCell} * geometry::kResolution;
-  const auto along = [](std::int32_t share) {
-    return kDistance * share / (std::int64_t{1} << numeric::kSineFractionBits);
+  const std::int64_t distance = sensor.grid.subcells(kDistanceM * 1000);
+  const auto along = [&](std::int32_t share, std::int64_t origin_cell) {
+    return origin_cell * geometry::kResolution +
+           distance * share / (std::int64_t{1} << numeric::kSineFractionBits);
   };
-  return {.x = kOrigin + along(kTable.cosine(direction)) - sensor.origin.x,
-          .y = kOrigin + along(kTable.sine(direction)) - sensor.origin.y};
+  return {.x = along(kTable.cosine(direction), sensor.grid.origin_column) - sensor.origin.x,
+          .y = along(kTable.sine(direction), sensor.grid.origin_row) - sensor.origin.y};
 }
 
 // The axes of the sensor on the plane. Their lengths are arbitrary, below 2^31.
@@ -62,8 +61,7 @@ std::uint32_t azimuth_ticks(const Axes& axes, const Vector& d, std::uint32_t tic
 }
 
 bool reaches(const vehicle::Sensor& sensor, const Vector& d) {
-  const std::int64_t range =
-      std::int64_t{sensor.range.mm()} * geometry::kResolution / geometry::kCellMm;
+  const std::int64_t range = sensor.grid.subcells(static_cast<std::int32_t>(sensor.range.mm()));
   return d.x * d.x + d.y * d.y <= range * range;
 }
 

@@ -61,7 +61,7 @@ bool GridSender::begin_message() {
   const Round& round = rounds_[flow_];
   tile_ = round.next;
   end_tile_ = std::min(round.next + round.left, kTileCounts[flow_]);
-  writer_.begin_grid(header_, stream::geometry_of_level(kLevels[flow_]));
+  writer_.begin_grid(header_, stream::geometry_of_level(kLevels[flow_], grid_));
   writer_.begin_message(tile_);
   return true;
 }

@@ -40,6 +40,10 @@ class GridSender {
   // Not constexpr, so the object is initialised at start-up and takes up no space in the image.
   GridSender();
 
+  // Sets the cell size and origin of the messages. Call it before the first frame. On this link
+  // each grid is as large as the memory, and cells outside the car's grid are unknown.
+  void describe(const geometry::Grid& grid) { grid_ = grid; }
+
   // Adds a complete frame: its header, then its known tiles in ascending order, then its end. This
   // reads each cell once and copies at most DetailWindow::kTiles tiles. Do not call pump() between
   // these calls.
@@ -96,6 +100,7 @@ class GridSender {
   }
 
   // The newest frame.
+  geometry::Grid grid_;
   stream::Header header_;
   CoarseLevels coarse_;
   DetailWindow window_;

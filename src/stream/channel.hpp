@@ -10,7 +10,7 @@
 namespace iog::stream {
 
 // The major version of the format. Receivers refuse all other versions.
-inline constexpr std::uint8_t kInterfaceVersion = 4;
+inline constexpr std::uint8_t kInterfaceVersion = 5;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // The event group that service discovery offers. It contains all events of the network channel. The

@@ -81,10 +81,7 @@ std::size_t write_class_end(const ClassEnd& end, std::span<std::byte> buffer) {
     return 0;
   }
   const std::size_t bytes = kClassWindowBytes + out.written().size();
-  if (!end.map) {
-    return bytes;
-  }
-  const std::size_t map_bytes = write_map_state(*end.map, buffer.subspan(bytes));
+  const std::size_t map_bytes = write_map_state(end.map, buffer.subspan(bytes));
   return map_bytes == 0 ? 0 : bytes + map_bytes;
 }
 
@@ -118,13 +115,12 @@ ReadStatus read_class_end(std::span<const std::byte> body, ClassEnd& end) {
   read_records<CauseRecord>(causes, cause_bytes, kCauseRecordBytes, end.causes, read_cause, in);
   read_records<SliceRecord>(slices, slice_bytes, kSliceRecordBytes, end.slices, read_slice, in);
   end.slice_count = static_cast<std::uint8_t>(std::min(slices, kMaxSlices));
-  if (!in.ok()) {
+  const std::optional<MapState> map = read_map_state(in.bytes(in.remaining()));
+  if (!in.ok() || !map) {
     return ReadStatus::kTooShort;
   }
-  // Older targets send no map state.
-  const std::span<const std::byte> rest = in.bytes(in.remaining());
-  end.map = read_map_state(rest);
-  return end.map || rest.empty() ? ReadStatus::kOk : ReadStatus::kTooShort;
+  end.map = *map;
+  return ReadStatus::kOk;
 }
 
 }  // namespace iog::stream

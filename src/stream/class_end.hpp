@@ -55,7 +55,7 @@ struct ClassEnd {
   std::array<std::uint32_t, pose::kFateCount>
       pose_fates{};  // numbers of pose messages by outcome, since start
   std::array<CauseRecord, pose::kCauseCount> causes{};
-  std::optional<MapState> map{};  // empty if the target sends no map state
+  MapState map{};
 };
 
 // Returns the number of bytes written, or 0 if the buffer is too small.

@@ -19,7 +19,7 @@ class ClassHash {
 
   // Adds a tile with a classified cell. number: window::slot_of().
   void add(std::size_t number, tile_coding::TileCells cells);
-  // Adds a tile whose cells have this CRC remainder (checksum::FastCrc32::remainder_of()).
+  // Adds a tile whose cells have this CRC remainder (GridCrc32::remainder_of()).
   void add_remainder(std::size_t number, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }
@@ -27,7 +27,7 @@ class ClassHash {
  private:
   void add_place(std::size_t number);
 
-  Crc32 crc_;
+  GridCrc32 crc_;
   bool is_empty_ = true;
 };
 

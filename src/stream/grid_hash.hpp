@@ -16,7 +16,7 @@ class GridHash {
  public:
   // tile: the tile's number in row-major order.
   void add(std::size_t tile, tile_coding::TileCells cells);
-  // Adds a tile whose cells have this CRC remainder (checksum::FastCrc32::remainder_of()).
+  // Adds a tile whose cells have this CRC remainder (GridCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
@@ -24,7 +24,7 @@ class GridHash {
  private:
   void add_place(std::size_t tile);
 
-  Crc32 crc_;
+  GridCrc32 crc_;
 };
 
 }  // namespace iog::stream

@@ -9,8 +9,8 @@ namespace {
 
 // The list may grow in later versions: the message gives the number of records and their length.
 constexpr std::uint8_t kSensorRecordBytes = 16;
-// After the bitmap of blocked sectors.
-constexpr std::size_t kTemperatureBytes = 8;
+// After the temperature.
+constexpr std::size_t kReservedBytes = 6;
 
 constexpr std::size_t kSequenceOffset = 4;
 
@@ -132,16 +132,10 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
   for (std::size_t i = 0; i < sensor_count; ++i) {
     write_sensor(end.sensors[i], out);
   }
-  if (end.unwatched) {
-    out.u64_be(*end.unwatched);
-  }
-  if (end.unwatched && end.blocked) {
-    out.u64_be(*end.blocked);
-  }
-  if (end.unwatched && end.blocked && end.temperature_dc) {
-    out.u16_be(static_cast<std::uint16_t>(*end.temperature_dc));
-    out.zeros(kTemperatureBytes - 2);
-  }
+  out.u64_be(end.unwatched);
+  out.u64_be(end.blocked);
+  out.u16_be(static_cast<std::uint16_t>(end.temperature_dc));
+  out.zeros(kReservedBytes);
   return written_bytes(out);
 }
 
@@ -178,18 +172,10 @@ ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_c
     end.sensors[i] = read_sensor(in);
     in.skip(record_bytes - std::size_t{kSensorRecordBytes});
   }
-  end.unwatched.reset();
-  if (in.remaining() > 0) {
-    end.unwatched = in.u64_be();
-  }
-  end.blocked.reset();
-  if (in.remaining() > 0) {
-    end.blocked = in.u64_be();
-  }
-  end.temperature_dc.reset();
-  if (in.remaining() >= kTemperatureBytes) {
-    end.temperature_dc = static_cast<std::int16_t>(in.u16_be());
-  }
+  end.unwatched = in.u64_be();
+  end.blocked = in.u64_be();
+  end.temperature_dc = static_cast<std::int16_t>(in.u16_be());
+  in.skip(kReservedBytes);
   return in.ok() ? ReadStatus::kOk : ReadStatus::kTooShort;
 }
 

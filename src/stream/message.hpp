@@ -55,6 +55,8 @@ struct Header {
   std::uint32_t packets_fused = 0;    // packets fused in this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped for any cause since start
   std::uint32_t run_number = 0;       // identifies the target's run; different after each start
+  // Sent in the header of index tiles instead (TilesHeader).
+  std::uint16_t epsilon_e5 = vehicle::kUsualEpsilonE5;
 
   // True if any sensor contributed to the frame.
   [[nodiscard]] constexpr bool has_evidence() const {
@@ -94,17 +96,15 @@ struct FrameEnd {
   std::array<intake::SensorReport, vehicle::kMaxSensors>
       sensors{};  // only the first Header::sensor_count are used
   // Bitmaps of the sectors around the vehicle. Bit i of `unwatched` is set if no sensor watches
-  // sector i. Bit i of `blocked` is set if some sensor is blocked in sector i. Empty if the message
-  // comes from an older target.
-  std::optional<std::uint64_t> unwatched{};
-  std::optional<std::uint64_t> blocked{};
-  // Chip temperature in tenths of a degree Celsius, or hal::kTemperatureNotKnown. Empty if the
-  // message comes from an older target. It is sent only together with `blocked`.
-  std::optional<std::int16_t> temperature_dc{};
+  // sector i. Bit i of `blocked` is set if some sensor is blocked in sector i.
+  std::uint64_t unwatched = 0;
+  std::uint64_t blocked = 0;
+  // Chip temperature in tenths of a degree Celsius; -0x8000 if unknown (hal/thermometer.hpp).
+  std::int16_t temperature_dc = -0x8000;
 };
 
 // The counters of one component, looked up by name (stream/target_state.hpp). Empty if the sender
-// does not send them, because it is a PC or an older target.
+// does not send them, because it is a PC.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);

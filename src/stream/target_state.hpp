@@ -51,7 +51,10 @@ static_assert(std::ranges::is_sorted(kCounters, {}, &Counter::group));
 
 inline constexpr std::size_t kDurationWords = 13;
 [[nodiscard]] constexpr std::size_t words_of(Kind kind) {
-  return kind == Kind::kDuration ? kDurationWords : kind == Kind::kMac ? 2 : 1;
+  return kind == Kind::kDuration ? kDurationWords
+         : kind == Kind::kRoom   ? kSpareWords
+         : kind == Kind::kMac    ? 2
+                                 : 1;
 }
 
 // The index of the first word of each counter among the link counters. The last entry is the total
@@ -122,7 +125,7 @@ template <typename Counts>
   return places;
 }
 
-// True if each link counter belongs to exactly one of these structs.
+// True if each link counter belongs to exactly one of these structs, and no spare word to any.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -132,7 +135,7 @@ template <typename... Counts>
     }
   };
   (count(places_of<Counts>()), ...);
-  return std::ranges::count(times, 1) == kMaxLinkCounters;
+  return std::ranges::count(times, 1) == kMaxLinkCounters - kSpareWords;
 }
 
 template <typename Counts>

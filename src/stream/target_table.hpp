@@ -3,10 +3,12 @@
 // The frame end has one list for each of the first three groups, and one list of link counters: the
 // groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
 // class message of the frame (3.10). To add a counter, add its name here and to the struct that
-// counts it. The loop finds its place by name (stream/target_state.hpp); tests/lint/target_state
-// generates the tables of other readers.
+// counts it. A link counter goes before the spare words and takes some of them. The loop finds its
+// place by name (stream/target_state.hpp); tests/lint/target_state generates the tables of other
+// readers.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -39,6 +41,8 @@ enum class Group : std::uint8_t {
   kRun,
   // The loop's times, 13 words each (below).
   kLoopTime,
+  // Room for later counters: 0, which receivers ignore.
+  kLater,
   // Only if the target offers its service ([service_discovery.md](service_discovery.md)), or if
   // commands must be signed: datagrams of service discovery, those left unanswered in a flood,
   // offers, questions answered, subscriptions; messages copied to the subscriber, and not copied
@@ -65,7 +69,9 @@ enum class Kind : std::uint8_t {
   kState,     // a present or past state
   kDuration,  // 13 words of health::Durations
   kMac,       // two words
+  kRoom,      // kSpareWords words that count nothing
 };
+inline constexpr std::size_t kSpareWords = 16;
 
 // names: separated by ", ". words: a description for readers that do not show the group; empty if
 // the names suffice.
@@ -124,6 +130,7 @@ inline constexpr Row kRows[] = {
     {kRun, "end of the run before, detail of that end", kState},
     {kLoopTime, "fuse, mark, publish, perceive, frame, late, core 0, core 1, core 2, core 3",
      kDuration},
+    {kLater, "spare", kRoom},
     {kDiscovery,
      "SD received, SD malformed, SD spoofed, SD unanswered, SD offers, SD found, "
      "SD subscriptions acknowledged, SD subscriptions refused, SD subscriptions unconfirmed, "

@@ -11,7 +11,8 @@ constexpr std::size_t kFirstTileOffset = 0;
 constexpr std::size_t kEndTileOffset = 2;
 constexpr std::size_t kTileCountOffset = 4;
 
-void write_geometry(const Geometry& geometry, std::span<std::byte, kTilesHeaderBytes> header) {
+void write_geometry(const Geometry& geometry, std::uint16_t epsilon_e5,
+                    std::span<std::byte, kTilesHeaderBytes> header) {
   wire::ByteWriter out(header);
   out.zeros(kTileCountOffset + 2);
   out.u8(geometry.tile_side_log2);
@@ -19,7 +20,7 @@ void write_geometry(const Geometry& geometry, std::span<std::byte, kTilesHeaderB
   out.u16_be(geometry.width);
   out.u16_be(geometry.height);
   out.u16_be(geometry.cell_mm);
-  out.u16_be(0);
+  out.u16_be(geometry.storage == Storage::kClass ? std::uint16_t{0} : epsilon_e5);
   out.i32_be(geometry.origin_x_mm);
   out.i32_be(geometry.origin_y_mm);
 }
@@ -70,7 +71,7 @@ void TilesWriter::write_head(const Header& header, const Geometry& geometry) {
   of_tiles.type = MessageType::kTiles;
   const std::span content = std::span(message_).subspan<kContent>();
   write_header(of_tiles, content);
-  write_geometry(geometry, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
+  write_geometry(geometry, header.epsilon_e5, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
 }
 
 void TilesWriter::begin_message(std::size_t first_tile) {
@@ -142,7 +143,7 @@ ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header, Tile
   header.geometry.width = in.u16_be();
   header.geometry.height = in.u16_be();
   header.geometry.cell_mm = in.u16_be();
-  in.skip(2);
+  header.epsilon_e5 = in.u16_be();
   header.geometry.origin_x_mm = in.i32_be();
   header.geometry.origin_y_mm = in.i32_be();
   header.window.reset();

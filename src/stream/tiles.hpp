@@ -46,19 +46,42 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The geometry of the firmware's grid at a level of its quadtree. Level 0 contains the cells, and
-// level 5 contains one coarse cell per tile.
-[[nodiscard]] constexpr Geometry geometry_of_level(unsigned level) {
-  constexpr std::int32_t kOriginMm = -geometry::kOriginCell * geometry::kCellMm;
+// The geometry of a grid that is as large as the firmware's memory, at a level of its quadtree.
+// Level 0 contains the cells, and level 5 contains one coarse cell per tile.
+[[nodiscard]] constexpr Geometry geometry_of_level(unsigned level,
+                                                   const geometry::Grid& grid = {}) {
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
-  constexpr auto kCell = static_cast<std::uint32_t>(geometry::kCellMm);
   return {.tile_side_log2 = tile_coding::kTileSideLog2,
           .storage = level == 0 ? Storage::kOccupancyIndex : Storage::kHighestIndex,
           .width = static_cast<std::uint16_t>(kSide >> level),
           .height = static_cast<std::uint16_t>(kSide >> level),
-          .cell_mm = static_cast<std::uint16_t>(kCell << level),
-          .origin_x_mm = kOriginMm,
-          .origin_y_mm = kOriginMm};
+          .cell_mm = static_cast<std::uint16_t>(std::uint32_t{grid.cell_mm} << level),
+          .origin_x_mm = -grid.origin_column * grid.cell_mm,
+          .origin_y_mm = -grid.origin_row * grid.cell_mm};
+}
+
+// The geometry of a car's grid.
+[[nodiscard]] constexpr Geometry geometry_of(const geometry::Grid& grid) {
+  Geometry geometry = geometry_of_level(0, grid);
+  geometry.width = grid.columns;
+  geometry.height = grid.rows;
+  return geometry;
+}
+
+// The grid that has this geometry; nothing if no car has it.
+[[nodiscard]] constexpr std::optional<geometry::Grid> grid_of(const Geometry& geometry) {
+  if (geometry.cell_mm == 0) {
+    return std::nullopt;
+  }
+  const geometry::Grid grid{
+      .cell_mm = geometry.cell_mm,
+      .columns = geometry.width,
+      .rows = geometry.height,
+      .origin_column = static_cast<std::uint16_t>(-geometry.origin_x_mm / geometry.cell_mm),
+      .origin_row = static_cast<std::uint16_t>(-geometry.origin_y_mm / geometry.cell_mm)};
+  const bool fits = grid.tile_count() > 0 && grid.columns <= geometry::kCellsPerSide &&
+                    grid.rows <= geometry::kCellsPerSide;
+  return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
 // The geometry of the firmware's window. The window has as many cells as the grid.
@@ -75,6 +98,7 @@ struct TilesHeader {
   std::uint16_t end_tile = 0;    // one past the last tile that the message covers
   std::uint16_t tile_count = 0;  // number of tiles with content in this message
   Geometry geometry;
+  std::uint16_t epsilon_e5 = 0;         // epsilon of the recursive set in 1e-5; 0 for classes
   std::optional<ClassWindow> window{};  // only for classes
 };
 inline constexpr std::size_t kTilesHeaderBytes = 24;

@@ -49,7 +49,7 @@ constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std:
 
 // True if the sensor is mounted above its own limit for low beams.
 constexpr bool looks_over_things(const Sensor& sensor) {
-  return sensor.moved.are_given() && sensor.origin_z > subcells_of(sensor.moved.low_mm);
+  return sensor.moved.are_given() && sensor.origin_z > sensor.grid.subcells(sensor.moved.low_mm);
 }
 
 // The value of Sensor::share_over_ground.
@@ -75,7 +75,8 @@ constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   }
 }
 
-// footprint and height band: the values of the car in subcells.
+// footprint and height band: the values of the car in subcells. Sensor::grid must be that of the
+// car.
 constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std::int32_t z_max,
                              Sensor& sensor) {
   using derived_detail::range_products;
@@ -87,8 +88,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
   sensor.share_over_ground = derived_detail::share_over_ground(
       derived_detail::looks_over_things(sensor) ? 0 : z_min, sensor.origin_z);
   const std::uint16_t tall_mm = sensor.moved.tall_mm;
-  sensor.tall = range_products(tall_mm == 0 ? z_min : subcells_of(tall_mm), z_max, sensor.origin_z,
-                               length_mm);
+  sensor.tall = range_products(tall_mm == 0 ? z_min : sensor.grid.subcells(tall_mm), z_max,
+                               sensor.origin_z, length_mm);
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if

@@ -30,6 +30,8 @@ inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
 inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the ground
 
+inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file says another
+
 // The maximum number of cached lines of all level rotating sensors of a vehicle. There is one line
 // for each azimuth step. A line takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
@@ -105,11 +107,6 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// Converts a height above the car's plane to subcells, rounded down.
-[[nodiscard]] constexpr std::int32_t subcells_of(std::uint16_t height_mm) {
-  return std::int32_t{height_mm} * geometry::kResolution / geometry::kCellMm;
-}
-
 // Limits of the height above the car's plane in subcells, both included.
 struct HeightBand {
   std::int32_t low = 0;
@@ -154,6 +151,7 @@ struct Sensor {
   RangeProducts on_car_y;
   RangeProducts in_band;  // inside the height band
   RangeProducts tall;     // inside the part of the band with tall returns
+  geometry::Grid grid;    // that of the car
   // Large members come last in order to keep the other members close together.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
@@ -190,6 +188,7 @@ struct Vehicle {
   std::string_view name;
   std::uint32_t id = 0;  // CRC of the name and of all members below (car_block/content.hpp)
   std::span<const Sensor> sensors;
+  geometry::Grid grid{};
   Footprint footprint{};
   std::int32_t z_min = 0;  // lower limit of the height band in subcells; both limits are included
   std::int32_t z_max = 0;
@@ -199,11 +198,12 @@ struct Vehicle {
   [[nodiscard]] constexpr HeightBand low_band(const Sensor& sensor) const {
     return {z_min, sensor.moved.low_mm == MovedLimits::kAnyHeight
                        ? z_max
-                       : std::min(z_max, subcells_of(sensor.moved.low_mm))};
+                       : std::min(z_max, grid.subcells(sensor.moved.low_mm))};
   }
 
   FusionRule rule = FusionRule::kHitsWin;
   index::Quantisation quantisation = index::Quantisation::kBlurring;
+  std::uint16_t epsilon_e5 = kUsualEpsilonE5;  // epsilon of the recursive set in 1e-5
   std::uint32_t frame_period_us = 0;
   Grids grids = Grids::kIndexes;
   bool has_objects = false;  // tracks objects on the class grid (docs/objects.md)

@@ -2,7 +2,6 @@
 
 import dataclasses
 import struct
-import zlib
 from collections.abc import Iterator
 
 import map_state
@@ -108,7 +107,7 @@ class ClassEnd:
     pose_fates: tuple[int, ...]
     causes: list[tuple[int, int, int]]  # slices, how often it began, when it did last
     slices: list[tuple[int, ...]]  # middle, x, y, heading, deviations
-    map: map_state.MapState | None  # None: of a target that knows nothing of maps
+    map: map_state.MapState
 
 
 @dataclasses.dataclass(frozen=True)
@@ -120,10 +119,10 @@ class FrameEnd:
     fates: tuple[int, ...]
     counters: dict[str, int]
     sensors: list[Sensor]
-    unwatched: int | None  # bit i: no sensor watches sector i of 64; until 26 November no target said so
-    blocked: int | None  # and some sensor is blocked there
+    unwatched: int  # bit i: no sensor watches sector i of 64
+    blocked: int  # and some sensor is blocked there
     stack_bytes: int  # the deepest since start
-    temperature_dc: int | None  # of the chip, 1/10 degree Celsius, -0x8000: not known; until 28 November no target said so
+    temperature_dc: int  # of the chip, 1/10 degree Celsius, -0x8000: not known
 
 
 @dataclasses.dataclass(frozen=True)
@@ -217,8 +216,7 @@ def read_class_end(body: bytes) -> ClassEnd:
     window = read_window(body)
     *counts, fates, causes, cause_bytes, slices, slice_bytes, zeros = \
         struct.unpack_from(">9I5B3s", body, WINDOW_BYTES)
-    assert (fates, cause_bytes, slice_bytes, zeros) == (16, 16, 24, b"\0\0\0")
-    assert causes in (7, 8), "7 of older targets"
+    assert (fates, causes, cause_bytes, slice_bytes, zeros) == (16, 8, 16, 24, b"\0\0\0")
     assert slices == window.slices
     at = WINDOW_BYTES + 44
     pose_fates = struct.unpack_from(f">{fates}I", body, at)
@@ -228,15 +226,14 @@ def read_class_end(body: bytes) -> ClassEnd:
     end = at + 24 * slices
     assert len(body) >= end
     slice_records = list(struct.iter_unpack(">QiiIHH", body[at:end]))
-    of_map = map_state.read(body[end:]) if len(body) > end else None
     return ClassEnd(window, *counts[:6], tuple(counts[6:]), pose_fates, cause_records, slice_records,
-                    of_map)
+                    map_state.read(body[end:]))
 
 
 def read_tiles(body: bytes, level: int = 0) -> Tiles:
     side = 1024 >> level
     first, end, count, *geometry = struct.unpack_from(">HHHBBHHHHii", body)
-    assert geometry == [5, int(level > 0), side, side, 100 << level, 0, -51200, -51200]
+    assert geometry == [5, int(level > 0), side, side, 100 << level, 5000, -51200, -51200]
     tiles = [Tile(number, encoding, payload) for (number, encoding), payload
              in records_of(body, TILES_BYTES, count, struct.Struct(">HBH"))]
     return tiles_between(first, end, TILE_COUNT >> 2 * level, tiles)
@@ -245,21 +242,20 @@ def read_tiles(body: bytes, level: int = 0) -> Tiles:
 def read_frame_end(body: bytes) -> FrameEnd:
     sent, lost, crc, stack_bytes, opened_us, _ = struct.unpack_from(">IIIIQI", body)
     stages, fates, causes, links = struct.unpack_from(">BBBB", body, 28)
-    assert stages == 4 and fates in (10, 13), "10 until version 4 had the ground"
+    assert (stages, fates, causes) == (4, 13, len(PACKET_DROPS))
     with_discovery = LINK_COUNTERS + DISCOVERY_COUNTERS
     all_links = with_discovery + COMMAND_COUNTERS
-    assert causes in (10, 11, len(PACKET_DROPS)), "10 and 11 of older targets"
     assert links in (0, len(LINK_COUNTERS), len(with_discovery), len(all_links)), \
         "another spec.md"
     counts = struct.unpack_from(f">{stages + fates + causes + links}I", body, 32)
     at = 32 + 4 * len(counts)
     assert body[at:at + 4] == b"\x10\0\0\0", "a sensor record is 16 bytes"
-    assert len(rest := body[at + 4 + 4 * 16:]) in (0, 8, 16, 24), "the sectors are 64 bits, twice"
+    unwatched, blocked, temperature_dc, zeros = struct.unpack(">QQh6s", body[at + 4 + 4 * 16:])
+    assert zeros == bytes(6)
     sensors = [Sensor(*struct.unpack_from(">BBHHxxII", body, at + 4 + 16 * i)) for i in range(4)]
     return FrameEnd(sent, lost, crc, opened_us, counts[stages:stages + fates],
-                    dict(zip(PACKET_DROPS[:causes] + all_links, counts[stages + fates:])), sensors,
-                    *(int.from_bytes(rest[i:i + 8], "big") if rest[i:] else None for i in (0, 8)), stack_bytes,
-                    struct.unpack_from(">h", rest, 16)[0] if len(rest) > 16 else None)
+                    dict(zip(PACKET_DROPS + all_links, counts[stages + fates:])), sensors, unwatched, blocked,
+                    stack_bytes, temperature_dc)
 
 
 class Assembler:
@@ -323,20 +319,20 @@ class Assembler:
             assert any(cells), "a tile in which nothing is known"
             self._encodings[tile.encoding] += 1
             place = struct.pack(">HH", tile.number % TILES_ACROSS, tile.number // TILES_ACROSS)
-            self._crc = zlib.crc32(place + cells, self._crc)
+            self._crc = protected_message.crc32_p4(place + cells, self._crc)
 
     def _take_classes(self, frame: int, window: Window, message: Tiles) -> None:
         assert self._window in (None, window), "two messages of a frame disagree on its window"
         if self._window is None:
             self._window = window
-            self._class_crc = zlib.crc32(struct.pack(">ii", window.a, window.b))
+            self._class_crc = protected_message.crc32_p4(struct.pack(">ii", window.a, window.b))
         assert message.first == self._classes_spoken_of, "tiles of classes are out of order"
         self._classes_spoken_of = message.end
         for tile in message.tiles:
             cells = self._cells_of(frame, tile, self._own[1])
             assert any(cells) and all(cell == 0 or 8 <= cell < 72 for cell in cells), "no classes"
             self._class_tiles += 1
-            self._class_crc = zlib.crc32(struct.pack(">H", tile.number) + cells, self._class_crc)
+            self._class_crc = protected_message.crc32_p4(struct.pack(">H", tile.number) + cells, self._class_crc)
 
     def _take_class_end(self, end: ClassEnd) -> None:
         assert end.window == self._window and self._class_end is None

@@ -1,10 +1,10 @@
 """Classes of a window that are made by hand, as docs/spec.md sections 3.9 and 3.10 say."""
 
 import struct
-import zlib
 
 import grid_stream
 import object_parts
+import protected_message
 
 TILE = 32
 TILES_ACROSS = 32
@@ -25,13 +25,13 @@ def map_part(cause: int = 0, attribution: str | None = "me", waiting: int = 0, m
     """What a target says of its map (docs/spec.md 3.10). attribution None: no block is in use; missing:
     chunks of another one; place: of the local frame in the map's plane, mm and turns."""
     words = (attribution or "").encode()
-    counts = bytes(4 * (8 + 12))
+    counts = bytes(4 * (9 + 12))
     x_mm, y_mm, turns = place or (0, 0, 0)
     flags = int(attribution is not None) | (2 if place else 0)
     head = struct.pack(">HBBHHHBBIQQiiIHH", 72 + len(counts) + len(words), cause, 9, 500, 0, waiting, flags,
                        int(attribution is not None), crc, 1, 1, x_mm, y_mm, round(turns * 2**32) % 2**32,
                        50, 50)
-    delivery = struct.pack(">4B4IB3x", int(missing > 0), 0, 8, 12, 0, 0x5e6f7081, 1280 * 10, 10 - missing,
+    delivery = struct.pack(">4B4IB3x", int(missing > 0), 0, 9, 12, 0, 0x5e6f7081, 1280 * 10, 10 - missing,
                            len(words))
     return head + delivery + counts + words
 
@@ -50,7 +50,7 @@ class Window:
         self.stamp_us = 100_000_000
         # By bit: slices since start, how often it began, and when it did last.
         self.history: dict[int, tuple[int, int, int]] = {}
-        self.map = b""  # what it says of its map
+        self.map = map_part(cause=1, attribution=None, crc=0)  # what it says of its map
         self.tiles: dict[tuple[int, int], bytearray] = {}
         self.objects: list[object_parts.Object] | None = None  # by id; None: the target looks for none
         self.objects_left = (0, 0)  # tracks and hits without room
@@ -97,9 +97,9 @@ class Window:
 
     @property
     def crc(self) -> int:
-        crc = zlib.crc32(struct.pack(">ii", *self.corner))
+        crc = protected_message.crc32_p4(struct.pack(">ii", *self.corner))
         for number, cells in self.by_slot:
-            crc = zlib.crc32(struct.pack(">H", number) + cells, crc)
+            crc = protected_message.crc32_p4(struct.pack(">H", number) + cells, crc)
         return crc if self.by_slot else 0
 
     def bodies(self, age: int = 0) -> list[tuple[int, bytes]]:

@@ -3,7 +3,6 @@
 import itertools
 import socket
 import struct
-import zlib
 
 import grid_stream
 import made_classes
@@ -19,11 +18,14 @@ FRAME_US = 40_000
 class Grid:
     """Occupancy indexes by cell; what is not set is unknown."""
 
-    def __init__(self):
+    def __init__(self, columns: int = SIDE, rows: int = SIDE, cell_mm: int = 100,
+                 corner_mm: tuple[int, int] = (-51200, -51200), epsilon_e5: int = 5000):
         self.tiles: dict[int, bytearray] = {}
+        self.geometry = (5, 0, columns, rows, cell_mm, epsilon_e5, *corner_mm)
+        self.across, self.tile_count = columns // TILE, columns // TILE * (rows // TILE)
 
     def set(self, x: int, y: int, index: int) -> None:
-        tile = self.tiles.setdefault(y // TILE * (SIDE // TILE) + x // TILE, bytearray(TILE * TILE))
+        tile = self.tiles.setdefault(y // TILE * self.across + x // TILE, bytearray(TILE * TILE))
         tile[y % TILE * TILE + x % TILE] = index & 0xFF
 
     def fill(self, xs: range, ys: range, index: int) -> None:
@@ -36,8 +38,8 @@ class Grid:
         crc = 0
         for number, cells in sorted(self.tiles.items()):
             if any(cells):
-                place = struct.pack(">HH", number % (SIDE // TILE), number // (SIDE // TILE))
-                crc = zlib.crc32(place + cells, crc)
+                place = struct.pack(">HH", number % self.across, number // self.across)
+                crc = protected_message.crc32_p4(place + cells, crc)
         return crc
 
 
@@ -67,12 +69,12 @@ class Target:
         bodies = []
         first = 0
         for i, number in enumerate(known):
-            end = known[i + 1] if i + 1 < len(known) else grid_stream.TILE_COUNT
+            end = known[i + 1] if i + 1 < len(known) else grid.tile_count
             record = struct.pack(">HBH", number, 0, TILE * TILE) + grid.tiles[number]
-            bodies.append((grid_stream.TILES, self._tiles_header(first, end, 1) + record))
+            bodies.append((grid_stream.TILES, self._tiles_header(grid, first, end, 1) + record))
             first = end
         if not known:
-            bodies.append((grid_stream.TILES, self._tiles_header(0, grid_stream.TILE_COUNT, 0)))
+            bodies.append((grid_stream.TILES, self._tiles_header(grid, 0, grid.tile_count, 0)))
         bodies += window.bodies() if window else []
         if window and window.objects is not None:
             bodies += [(grid_stream.OBJECTS, body) for body in object_parts.bodies(
@@ -107,15 +109,14 @@ class Target:
                            points_used, self.points_other, 4, 0, self.run)
 
     @staticmethod
-    def _tiles_header(first: int, end: int, count: int) -> bytes:
-        return struct.pack(">HHHBBHHHHii", first, end, count, 5, 0, SIDE, SIDE, 100, 0, -51200,
-                           -51200)
+    def _tiles_header(grid: Grid, first: int, end: int, count: int) -> bytes:
+        return struct.pack(">HHHBBHHHHii", first, end, count, *grid.geometry)
 
     def _end(self, tiles: int, crc: int, points_used: int) -> bytes:
-        stages, fates, causes = (4, 13, 9)
+        stages, fates, causes = (4, 13, 12)
         head = struct.pack(">IIIIQIBBBB", tiles, 0, crc, 2048, self._closed_us - self.frame_us,
                            1_000_000, stages, fates, causes, 0)
-        counts = struct.pack(">4I13I9I", 3000, 40, 1500, 0, points_used, *([0] * 21))
+        counts = struct.pack(">4I13I12I", 3000, 40, 1500, 0, points_used, *([0] * 24))
         sensor = struct.pack(">BxHHxxII", grid_stream.COMPLETE, 0, 1, points_used // 4, self.frames)
         return head + counts + b"\x10\0\0\0" + sensor * 4 + struct.pack(
             ">QQhxx4x", self.unwatched, self.blocked, self.temperature_dc)

@@ -4,7 +4,7 @@ import dataclasses
 import struct
 
 SERVICE = 0x4F47
-INTERFACE_VERSION = 4
+INTERFACE_VERSION = 5
 NOTIFICATION = 2
 PROTECTION_BYTES = 28
 MAX_MESSAGE_BYTES = 1392
@@ -32,9 +32,9 @@ def _table(reflected_polynomial: int) -> list[int]:
 _P4 = _table(int(f"{0xF4ACFB13:032b}"[::-1], 2))
 
 
-def crc32_p4(data: bytes) -> int:
-    """Crc_CalculateCRC32P4 of AUTOSAR's CRC library: reflected, begun and ended by inversion."""
-    crc = 0xFFFFFFFF
+def crc32_p4(data: bytes, crc: int = 0) -> int:
+    """Crc_CalculateCRC32P4 of AUTOSAR's CRC library: reflected, begun and ended by inversion. crc: of what came before."""
+    crc ^= 0xFFFFFFFF
     for byte in data:
         crc = crc >> 8 ^ _P4[(crc ^ byte) & 0xFF]
     return crc ^ 0xFFFFFFFF

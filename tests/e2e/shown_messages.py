@@ -102,7 +102,7 @@ def shown_of_class_end(frame: int, end: grid_stream.ClassEnd) -> dict[str, list]
     for at, name in enumerate(("middle_us", "x_mm", "y_mm", "heading", "sigma_mm",
                                "sigma_10_urad")):
         shown[f"iogrid.slice.{name}"] = [each[at] for each in end.slices]
-    return shown | shown_of_window(end.window) | (shown_of_map(end.map) if end.map else {})
+    return shown | shown_of_window(end.window) | shown_of_map(end.map)
 
 
 def shown_of_objects(frame: int, part: object_parts.Part) -> dict[str, list]:
@@ -156,6 +156,5 @@ def shown_of_frame_end(frame: int, end: grid_stream.FrameEnd) -> dict[str, list]
     for name, field in (("state", "state"), ("blocked", "blocked"), ("age", "age"), ("packets", "packets"),
                         ("points", "points"), ("scan_number", "scan")):
         shown[f"iogrid.sensor.{field}"] = [getattr(sensor, name) for sensor in end.sensors]
-    shown |= {f"iogrid.{name}": [f"0x{bits:016x}"]
-              for name, bits in (("unwatched", end.unwatched), ("blocked", end.blocked)) if bits is not None}
-    return shown | ({} if end.temperature_dc is None else {"iogrid.temperature": [end.temperature_dc]})
+    return shown | {"iogrid.unwatched": [f"0x{end.unwatched:016x}"], "iogrid.blocked": [f"0x{end.blocked:016x}"],
+                    "iogrid.temperature": [end.temperature_dc]}

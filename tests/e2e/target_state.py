@@ -7,7 +7,9 @@ from typing import NamedTuple
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "src/stream/target_table.hpp"
 BUCKETS = (*(f"below {256 << octave} us" for octave in range(9)), "longer")
 # Of a kind of more words than one: what each of them is called behind the row's name.
-PARTS = {"Duration": ("worst us", "sum us high", "sum us low", *BUCKETS), "Mac": ("high", "low")}
+SPARE = int(re.search(r"kSpareWords = (\d+)", TABLE.read_text()).group(1))
+PARTS = {"Duration": ("worst us", "sum us high", "sum us low", *BUCKETS), "Mac": ("high", "low"),
+         "Room": [f"{number + 1}" for number in range(SPARE)]}
 
 
 class Row(NamedTuple):

@@ -70,7 +70,7 @@ void look_at(const discovery::Server& server) {
 void check(std::span<const std::byte> input) {
   wire::ByteReader in(input);
   discovery::Server server(offering(),
-                           {.service = 0x4F47, .major = 4, .minor = 0, .event_group = 1}, 0);
+                           {.service = 0x4F47, .major = 5, .minor = 0, .event_group = 1}, 0);
   std::uint64_t now_us = 0;
   look_at(server.tick(now_us, std::nullopt));
   now_us += discovery::kInitialDelayMaxUs;

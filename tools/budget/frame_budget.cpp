@@ -59,9 +59,10 @@ double echoes_of(const description::SensorConfig& sensor) {
 // which for a level sensor is everywhere.
 double reach_m(const CatalogueEntry& car, std::size_t number, const vehicle::Layer& layer) {
   const double range_m = car.sensors[number].range_max_mm / 1000.0;
-  const double begin_m = car.vehicle->sensors[number].origin_z / geometry::kSubcellsPerMetre;
+  const double subcells = car.vehicle->grid.subcells(1000);  // per metre
+  const double begin_m = car.vehicle->sensors[number].origin_z / subcells;
   const double end_m = static_cast<double>(layer.z.base + layer.z.forward) /
-                       (1 << vehicle::kAxisFractionBits) / geometry::kSubcellsPerMetre;
+                       (1 << vehicle::kAxisFractionBits) / subcells;
   const double rise = (end_m - begin_m) / range_m;
   const double room_m =
       rise < 0 ? begin_m - car.description->z_min_m : car.description->z_max_m - begin_m;
@@ -99,7 +100,8 @@ bool sees(const CatalogueEntry& car, std::size_t sensor, double x_m, double y_m)
   const double turn = static_cast<double>(car.vehicle->sensors[sensor].sines.ticks_per_turn());
   const double half_width = 180.0 * car.sensors[sensor].scan_width_ticks / turn;
   // From a tile's middle to its corner.
-  const double corner_m = geometry::kTileSide * geometry::kCellMm / 2000.0 * std::numbers::sqrt2;
+  const double corner_m =
+      geometry::kTileSide * car.vehicle->grid.cell_mm / 2000.0 * std::numbers::sqrt2;
   const double distance_m = std::hypot(x_m - mount.x_m, y_m - mount.y_m);
   if (distance_m <= 2 * corner_m) {
     return true;
@@ -112,14 +114,15 @@ bool sees(const CatalogueEntry& car, std::size_t sensor, double x_m, double y_m)
 
 // Tiles of the grid that some beam can reach.
 double tiles_in_reach(const CatalogueEntry& car) {
-  const double tile_m = geometry::kTileSide * geometry::kCellMm / 1000.0;
-  const double corner_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0;
+  const geometry::Grid& grid = car.vehicle->grid;
+  const double tile_m = geometry::kTileSide * grid.cell_mm / 1000.0;
   std::size_t count = 0;
-  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+  for (std::size_t number = 0; number < grid.tile_count(); ++number) {
+    const std::size_t tile = grid.tile_in_memory(number);
     const auto column = static_cast<double>(tile % geometry::kTilesPerSide);
-    const std::size_t row_number = tile / geometry::kTilesPerSide;
-    const double x_m = corner_m + (column + 0.5) * tile_m;
-    const double y_m = corner_m + (static_cast<double>(row_number) + 0.5) * tile_m;
+    const auto row_number = static_cast<double>(tile / geometry::kTilesPerSide);
+    const double x_m = (column + 0.5) * tile_m - grid.origin_column * grid.cell_mm / 1000.0;
+    const double y_m = (row_number + 0.5) * tile_m - grid.origin_row * grid.cell_mm / 1000.0;
     bool is_seen = false;
     for (std::size_t sensor = 0; sensor < car.sensors.size(); ++sensor) {
       is_seen = is_seen || sees(car, sensor, x_m, y_m);
@@ -164,7 +167,7 @@ bool has_arcs(const vehicle::Sensor& sensor) { return sensor.arc.is_given(); }
 
 // Of all detections of a list, so far away.
 double arc_steps_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
-  const std::int32_t step = grid::arc_step_ticks(sensor.azimuths.ticks_per_turn(), range_mm);
+  const std::int32_t step = grid::arc_step_ticks(sensor, range_mm);
   const std::int32_t to_one_side = sensor.arc.reach_ticks() / step;
   return sensor.max_points_per_scan * (1.0 + 2.0 * to_one_side);
 }
@@ -172,7 +175,7 @@ double arc_steps_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
 double cone_cells_at(const vehicle::Sensor& sensor, std::uint32_t range_mm) {
   return sensor.arc.free == 0
              ? 0.0
-             : sensor.max_points_per_scan * 1.0 * grid::most_cells_of_cone(range_mm);
+             : sensor.max_points_per_scan * 1.0 * grid::most_cells_of_cone(sensor.grid, range_mm);
 }
 
 void add_arcs(const vehicle::Sensor& sensor, std::uint32_t range_mm, FrameWork& work) {

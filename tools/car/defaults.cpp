@@ -75,7 +75,8 @@ MovedConfig usual_moved(const std::optional<GroundConfig>& ground) {
 vehicle::Grids usual_grids(const Description& car, std::span<const SensorConfig> sensors) {
   const bool has_arcs = std::ranges::any_of(
       sensors, [](const SensorConfig& sensor) { return facts_of(sensor.format).marks_arcs(); });
-  return has_arcs || car.rule != vehicle::FusionRule::kHitsWin ||
+  return has_arcs || grid_of(car.grid) != geometry::Grid{} ||
+                 car.rule != vehicle::FusionRule::kHitsWin ||
                  car.quantisation != index::Quantisation::kBlurring
              ? vehicle::Grids::kIndexes
              : vehicle::Grids::kBoth;
@@ -97,14 +98,14 @@ std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors, vehic
   return longest_us == 0 ? Description{}.frame_period_us : longest_us + longest_us / 2;
 }
 
-void share_turn_lines(std::span<SensorConfig> sensors) {
+void share_turn_lines(std::span<SensorConfig> sensors, std::uint16_t cell_mm) {
   const auto lines_with = [&](std::uint32_t most) {
     return std::accumulate(sensors.begin(), sensors.end(), std::uint32_t{0},
                            [&](std::uint32_t sum, const SensorConfig& sensor) {
                              const bool is_said = sensor.azimuth_steps_per_turn != 0;
                              return sum + (!shares_lines(sensor) ? 0
-                                           : is_said             ? steps_of(sensor)
-                                                     : std::min(steps_of(sensor), most));
+                                           : is_said             ? steps_of(sensor, cell_mm)
+                                                     : std::min(steps_of(sensor, cell_mm), most));
                            });
   };
   std::uint32_t most = vehicle::kMostAzimuthSteps;
@@ -113,7 +114,7 @@ void share_turn_lines(std::span<SensorConfig> sensors) {
   }
   for (SensorConfig& sensor : sensors) {
     if (shares_lines(sensor) && sensor.azimuth_steps_per_turn == 0) {
-      sensor.azimuth_steps_per_turn = std::min(steps_of(sensor), most);
+      sensor.azimuth_steps_per_turn = std::min(steps_of(sensor, cell_mm), most);
     }
   }
 }

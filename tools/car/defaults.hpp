@@ -36,6 +36,6 @@ namespace iog::description {
 
 // Level units that turn share the lines of a car: those whose steps the file does not say get as
 // many as fit.
-void share_turn_lines(std::span<SensorConfig> sensors);
+void share_turn_lines(std::span<SensorConfig> sensors, std::uint16_t cell_mm);
 
 }  // namespace iog::description

@@ -3,9 +3,9 @@
 // Only the PC sees these numbers; tools/car/tables.hpp makes of them the integers that run on the
 // target. One file per vehicle in vehicles/ (docs/vehicles.md).
 //
-// Vehicle frame (ISO 8855): x forward, y left, z up from the ground, metres. The origin lies in the
-// middle of the grid. A mount turns the sensor frame by yaw about z, then pitch about y, then roll
-// about x: R = Rz(yaw) Ry(pitch) Rx(roll), so a positive pitch looks down.
+// Vehicle frame (ISO 8855): x forward, y left, z up from the ground, metres. By default the origin
+// lies in the middle of the grid. A mount turns the sensor frame by yaw about z, then pitch about
+// y, then roll about x: R = Rz(yaw) Ry(pitch) Rx(roll), so a positive pitch looks down.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@
 #include <span>
 #include <string_view>
 
+#include "geometry/grid.hpp"
 #include "lidar/formats.hpp"
 #include "lidar/laser.hpp"
 #include "lidar/unit.hpp"
@@ -88,8 +89,18 @@ struct FootprintConfig {
   double y_max_m = 0;
 };
 
+// Cells, and how far they reach from the vehicle's origin.
+struct GridConfig {
+  double cell_m = geometry::kCellMm / 1000.0;
+  double ahead_m = geometry::kOriginCell * cell_m;
+  double behind_m = geometry::kOriginCell * cell_m;
+  double left_m = geometry::kOriginCell * cell_m;
+  double right_m = geometry::kOriginCell * cell_m;
+};
+
 struct Description {
   std::string_view name;
+  GridConfig grid{};
   FootprintConfig footprint{};  // points inside are the car's own
   double z_min_m = 0.0;         // the height band: only this part of a beam is evidence
   double z_max_m = 2.0;

@@ -33,7 +33,24 @@ void check_span(double least, double most, std::string_view field, std::string_v
   }
 }
 
+// Which rectangles there are is asked of the cells (car_block/limits.hpp).
+void check_grid(const GridConfig& grid, const Tell& tell) {
+  if (grid_of(grid).cell_mm == 0) {
+    return;
+  }
+  const auto check = [&](double metres, std::string_view field) {
+    if (!is_within<double>(metres, 0, kFarthestM) || !is_whole(metres / grid.cell_m)) {
+      tell({.field = field, .allowed = "0 ... 1000, a whole number of cells"});
+    }
+  };
+  check(grid.ahead_m, "grid.ahead_m");
+  check(grid.behind_m, "grid.behind_m");
+  check(grid.left_m, "grid.left_m");
+  check(grid.right_m, "grid.right_m");
+}
+
 void check_car(const Description& car, const Tell& tell) {
+  check_grid(car.grid, tell);
   const FootprintConfig& footprint = car.footprint;
   if (!is_within<double>(car.z_min_m, -kFarthestM, kFarthestM) || !(car.z_min_m < car.z_max_m)) {
     tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m"});
@@ -104,7 +121,8 @@ void check_mount(const MountConfig& mount, std::size_t number, const Tell& tell)
   check(mount.roll_deg, -360, 360, "mount.roll_deg", "-360 ... 360");
 }
 
-void check_azimuths(const SensorConfig& config, std::size_t number, const Tell& tell) {
+void check_azimuths(const SensorConfig& config, std::uint16_t cell_mm, std::size_t number,
+                    const Tell& tell) {
   const std::uint32_t steps = config.azimuth_steps_per_turn;
   const lidar::ScannerFacts facts = lidar::facts_of(config.format);
   if (!facts.turns) {
@@ -116,7 +134,7 @@ void check_azimuths(const SensorConfig& config, std::size_t number, const Tell& 
   const bool is_known = is_within(steps, vehicle::kFewestAzimuthSteps, vehicle::kMostAzimuthSteps);
   if (steps != 0 && !(is_known && std::has_single_bit(steps))) {
     tell({number, "azimuth_steps_per_turn", "256 ... 16384 in powers of two, or 0"});
-  } else if (!vehicle::AzimuthSteps(facts.ticks_per_turn, steps_of(config)).is_valid()) {
+  } else if (!vehicle::AzimuthSteps(facts.ticks_per_turn, steps_of(config, cell_mm)).is_valid()) {
     tell({number, "azimuth_steps_per_turn", "fewer: a turn has too many ticks to be rounded"});
   }
 }
@@ -219,7 +237,7 @@ void check(const Description& car, std::span<const SensorConfig> sensors, const 
     }
     check_model(car, sensors[i], i, tell);
     check_mount(sensors[i].mount, i, tell);
-    check_azimuths(sensors[i], i, tell);
+    check_azimuths(sensors[i], grid_of(car.grid).cell_mm, i, tell);
     check_mode(sensors[i], i, tell);
     check_tilt(sensors[i], i, tell);
     check_lasers(sensors[i], i, tell);

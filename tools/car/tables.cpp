@@ -13,6 +13,7 @@
 #include "tools/car/mount.hpp"
 #include "tools/car/tilted_mirror.hpp"
 #include "vehicle/derived.hpp"
+#include "vehicle/fault.hpp"
 
 namespace iog::description {
 namespace {
@@ -22,13 +23,16 @@ using vehicle::Layer;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-constexpr double kUnitsPerMetre =
-    geometry::kSubcellsPerMetre * (1 << vehicle::kAxisFractionBits);  // of an EndCoordinate
+// The whole numbers of a length: the scale is exact, as cells are whole millimetres of a divisor of
+// a metre.
+double subcells_per_metre(const geometry::Grid& grid) {
+  return 1000.0 / grid.cell_mm * geometry::kResolution;
+}
 
 double tangent(double elevation) { return numeric::sin(elevation) / numeric::cos(elevation); }
 
-std::int32_t subcells(double metres) {
-  return static_cast<std::int32_t>(numeric::round(metres * geometry::kSubcellsPerMetre));
+std::int32_t subcells(double metres, const geometry::Grid& grid) {
+  return static_cast<std::int32_t>(numeric::round(metres * subcells_per_metre(grid)));
 }
 
 // 0 of what cannot be the height of a limit.
@@ -37,9 +41,18 @@ std::uint16_t millimetres(double metres) {
                                    : std::uint16_t{0};
 }
 
-// x and y are measured from the grid's corner, the vehicle's origin is in the middle.
-double grid_metres(double vehicle_metres) {
-  return vehicle_metres + geometry::kOriginCell * geometry::kCellMm / 1000.0;
+// 0, which is refused, of what is no epsilon.
+std::uint16_t hundred_thousandths(double epsilon) {
+  return epsilon > 0 && epsilon < 0.5 ? static_cast<std::uint16_t>(numeric::round(epsilon * 1e5))
+                                      : std::uint16_t{0};
+}
+
+// x and y are measured from the grid's corner.
+double grid_x(double vehicle_x_m, const geometry::Grid& grid) {
+  return vehicle_x_m + grid.origin_column * grid.cell_mm / 1000.0;
+}
+double grid_y(double vehicle_y_m, const geometry::Grid& grid) {
+  return vehicle_y_m + grid.origin_row * grid.cell_mm / 1000.0;
 }
 
 // How high over the unit's origin its beams start, on the average. They differ by some centimetres,
@@ -66,26 +79,36 @@ struct Place {
   MountConfig mount{};  // its z is that of the lasers, on the average
   Rotation turn{};
   double length_m = 0;
+  geometry::Grid grid{};
+
+  // Of an EndCoordinate.
+  [[nodiscard]] double units_per_metre() const {
+    return subcells_per_metre(grid) * (1 << vehicle::kAxisFractionBits);
+  }
+  // Each axis with its origin, measured as in the grid.
+  [[nodiscard]] Layer with_ends(auto&& along) const {
+    return {.x = along(grid_x(mount.x_m, grid), 0),
+            .y = along(grid_y(mount.y_m, grid), 1),
+            .z = along(mount.z_m, 2)};
+  }
 };
 
-EndCoordinate end_coordinate(double origin_m, double length_m, double elevation, double forward,
-                             double left, double up) {
-  const double reach = length_m * numeric::cos(elevation) * kUnitsPerMetre;
+EndCoordinate end_coordinate(double origin_m, const Place& place, double elevation,
+                             std::size_t axis) {
+  const double scale = place.units_per_metre();
+  const double up = place.turn.up[axis];
+  const double reach = place.length_m * numeric::cos(elevation) * scale;
   return {
-      .base = numeric::round((origin_m + length_m * numeric::sin(elevation) * up) * kUnitsPerMetre),
-      .forward = static_cast<std::int32_t>(numeric::round(reach * forward)),
-      .left = static_cast<std::int32_t>(numeric::round(reach * left))};
+      .base = numeric::round((origin_m + place.length_m * numeric::sin(elevation) * up) * scale),
+      .forward = static_cast<std::int32_t>(numeric::round(reach * place.turn.forward[axis])),
+      .left = static_cast<std::int32_t>(numeric::round(reach * place.turn.left[axis]))};
 }
 
 // The beams of a layer, each with its own line.
 Layer layer_of(const Place& place, double elevation) {
-  const auto along = [&](double origin_m, std::size_t axis) {
-    return end_coordinate(origin_m, place.length_m, elevation, place.turn.forward[axis],
-                          place.turn.left[axis], place.turn.up[axis]);
-  };
-  return {.x = along(grid_metres(place.mount.x_m), 0),
-          .y = along(grid_metres(place.mount.y_m), 1),
-          .z = along(place.mount.z_m, 2)};
+  return place.with_ends([&](double origin_m, std::size_t axis) {
+    return end_coordinate(origin_m, place, elevation, axis);
+  });
 }
 
 // The same on the lines of elevation 0, above the end of which a beam passes at z + L
@@ -93,7 +116,7 @@ Layer layer_of(const Place& place, double elevation) {
 Layer shared_layer_of(const Place& place, double elevation) {
   Layer layer = layer_of(place, 0);
   layer.z = {.base = numeric::round((place.mount.z_m + place.length_m * tangent(elevation)) *
-                                    kUnitsPerMetre)};
+                                    place.units_per_metre())};
   layer.range_share = static_cast<std::uint32_t>(
       numeric::round(numeric::cos(elevation) * (1 << numeric::kSineFractionBits)));
   return layer;
@@ -102,19 +125,16 @@ Layer shared_layer_of(const Place& place, double elevation) {
 // The beams of a layer of a tilted mirror.
 Layer fitted_layer_of(const Place& place, const FittedDirections& fit) {
   const Rotation& turn = place.turn;
-  const auto along = [&](double origin_m, std::size_t axis) -> EndCoordinate {
+  const double scale = place.units_per_metre();
+  return place.with_ends([&](double origin_m, std::size_t axis) -> EndCoordinate {
     const auto reach = [&](const std::array<double, 3>& part) {
       return place.length_m *
              (part[0] * turn.forward[axis] + part[1] * turn.left[axis] + part[2] * turn.up[axis]);
     };
-    return {
-        .base = numeric::round((origin_m + reach(fit.base)) * kUnitsPerMetre),
-        .forward = static_cast<std::int32_t>(numeric::round(reach(fit.forward) * kUnitsPerMetre)),
-        .left = static_cast<std::int32_t>(numeric::round(reach(fit.left) * kUnitsPerMetre))};
-  };
-  return {.x = along(grid_metres(place.mount.x_m), 0),
-          .y = along(grid_metres(place.mount.y_m), 1),
-          .z = along(place.mount.z_m, 2)};
+    return {.base = numeric::round((origin_m + reach(fit.base)) * scale),
+            .forward = static_cast<std::int32_t>(numeric::round(reach(fit.forward) * scale)),
+            .left = static_cast<std::int32_t>(numeric::round(reach(fit.left) * scale))};
+  });
 }
 
 template <typename Decoder>
@@ -154,7 +174,8 @@ template <typename Decoder>
 void add_layers(const SensorConfig& config, Sensor& sensor) {
   Place place{.mount = config.mount,
               .turn = rotation_of(config.mount),
-              .length_m = config.range_max_mm / 1000.0};
+              .length_m = config.range_max_mm / 1000.0,
+              .grid = sensor.grid};
   place.mount.z_m += mean_height_m(config.lasers);
   for (std::size_t i = 0; i < sensor.layer_count; ++i) {
     if constexpr (lidar::HasBeamTilt<Decoder>) {
@@ -172,18 +193,18 @@ void add_layers(const SensorConfig& config, Sensor& sensor) {
 template <typename Decoder>
 void add_azimuths(const SensorConfig& config, Sensor& sensor) {
   if constexpr (Decoder::kTurns) {
-    vehicle::derive_azimuths<Decoder>(steps_of(config), sensor);
+    vehicle::derive_azimuths<Decoder>(steps_of(config, sensor.grid.cell_mm), sensor);
     sensor.layers_share_lines = config.mount.pitch_deg == 0 && config.mount.roll_deg == 0;
   } else {
     vehicle::derive_azimuths<Decoder>(Decoder::kTicksPerTurn, sensor);
   }
 }
 
-vehicle::Footprint footprint_of(const FootprintConfig& config) {
-  return {.x_min = subcells(grid_metres(config.x_min_m)),
-          .x_max = subcells(grid_metres(config.x_max_m)),
-          .y_min = subcells(grid_metres(config.y_min_m)),
-          .y_max = subcells(grid_metres(config.y_max_m))};
+vehicle::Footprint footprint_of(const FootprintConfig& config, const geometry::Grid& grid) {
+  return {.x_min = subcells(grid_x(config.x_min_m, grid), grid),
+          .x_max = subcells(grid_x(config.x_max_m, grid), grid),
+          .y_min = subcells(grid_y(config.y_min_m, grid), grid),
+          .y_max = subcells(grid_y(config.y_max_m, grid), grid)};
 }
 
 }  // namespace
@@ -197,17 +218,36 @@ lidar::LaserCorrection correction_of(const lidar::Laser& laser, std::int32_t tic
           .range_mm = static_cast<std::int16_t>(numeric::round(horizontal_range_m(laser) * 1000))};
 }
 
-std::uint32_t steps_of(const SensorConfig& config) {
+std::uint32_t steps_of(const SensorConfig& config, std::uint16_t cell_mm) {
   std::uint32_t steps = config.azimuth_steps_per_turn;
   if (steps == 0) {
     steps = vehicle::kFewestAzimuthSteps;
     // Step times range over 2 is half a cell or less.
     while (steps < vehicle::kMostAzimuthSteps &&
-           2 * numeric::kPi * config.range_max_mm > steps * double{geometry::kCellMm}) {
+           2 * numeric::kPi * config.range_max_mm > steps * static_cast<double>(cell_mm)) {
       steps *= 2;
     }
   }
   return steps;
+}
+
+bool is_whole(double number) {
+  return vehicle::is_within(number, 0.0, 1e6) &&
+         vehicle::is_within(number - static_cast<double>(numeric::round(number)), -1e-6, 1e-6);
+}
+
+geometry::Grid grid_of(const GridConfig& config) {
+  const auto rounded = [](double value) {
+    return static_cast<std::uint16_t>(
+        vehicle::is_within(value, 0.0, 20'000.0) ? numeric::round(value) : 0);
+  };
+  const auto cells = [&](double metres) { return rounded(metres / config.cell_m); };
+  const double cell_mm = config.cell_m * 1000;
+  return {.cell_mm = is_whole(cell_mm) ? rounded(cell_mm) : std::uint16_t{0},
+          .columns = static_cast<std::uint16_t>(cells(config.behind_m) + cells(config.ahead_m)),
+          .rows = static_cast<std::uint16_t>(cells(config.right_m) + cells(config.left_m)),
+          .origin_column = cells(config.behind_m),
+          .origin_row = cells(config.right_m)};
 }
 
 sensor_model::ProfileConfig profile_config(const Description& car, const SensorConfig& config) {
@@ -264,8 +304,10 @@ Sensor numbers_of(const SensorConfig& config) {
 Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
   return {.name = car.name,
           .sensors = sensors,
+          .grid = grid_of(car.grid),
           .rule = car.rule,
           .quantisation = car.quantisation,
+          .epsilon_e5 = hundred_thousandths(car.epsilon),
           .frame_period_us = car.frame_period_us,
           .grids = car.grids,
           .has_objects = vehicle::have_classes(car.grids) && car.objects,
@@ -276,15 +318,17 @@ Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
 
 Sensor sensor_of(const SensorConfig& config, const Description& car) {
   Sensor sensor = numbers_of(config);
-  sensor.origin = {subcells(grid_metres(config.mount.x_m)),
-                   subcells(grid_metres(config.mount.y_m))};
-  sensor.origin_z = subcells(config.mount.z_m + mean_height_m(config.lasers));
+  const geometry::Grid grid = grid_of(car.grid);
+  sensor.grid = grid;
+  sensor.origin = {subcells(grid_x(config.mount.x_m, grid), grid),
+                   subcells(grid_y(config.mount.y_m, grid), grid)};
+  sensor.origin_z = subcells(config.mount.z_m + mean_height_m(config.lasers), grid);
   sensor.profile = *sensor_model::profile_of(profile_config(car, config));
   if (lidar::facts_of(config.format).marks_arcs()) {
     sensor.arc = arc_of(car, config);
   }
-  vehicle::derive_limits(footprint_of(car.footprint), subcells(car.z_min_m), subcells(car.z_max_m),
-                         sensor);
+  vehicle::derive_limits(footprint_of(car.footprint, grid), subcells(car.z_min_m, grid),
+                         subcells(car.z_max_m, grid), sensor);
   lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     add_azimuths<Decoder>(config, sensor);
     add_layers<Decoder>(config, sensor);
@@ -303,9 +347,9 @@ Sensor sensor_of(const SensorConfig& config, const Description& car) {
 
 Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
   Vehicle vehicle = numbers_of(car, sensors);
-  vehicle.footprint = footprint_of(car.footprint);
-  vehicle.z_min = subcells(car.z_min_m);
-  vehicle.z_max = subcells(car.z_max_m);
+  vehicle.footprint = footprint_of(car.footprint, vehicle.grid);
+  vehicle.z_min = subcells(car.z_min_m, vehicle.grid);
+  vehicle.z_max = subcells(car.z_max_m, vehicle.grid);
   vehicle::derive_rules(sensors, vehicle.window);
   vehicle.id = car_block::identity_of(vehicle);
   return vehicle;

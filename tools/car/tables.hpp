@@ -12,6 +12,12 @@
 
 namespace iog::description {
 
+// Whether a quotient of lengths is meant as a whole number.
+[[nodiscard]] bool is_whole(double number);
+
+// 0 instead of a size or a length that no grid has.
+[[nodiscard]] geometry::Grid grid_of(const GridConfig& config);
+
 // What of a sensor needs no table. Of any description: what is wrong in it is told by check()
 // (tools/car/limits.hpp) and car_block::check_numbers(), and only what passes both may get
 // tables.
@@ -28,7 +34,7 @@ namespace iog::description {
 
 // Of a sensor that turns: its steps, or the fewest, in powers of two, that are at most a cell wide
 // at its range.
-[[nodiscard]] std::uint32_t steps_of(const SensorConfig& config);
+[[nodiscard]] std::uint32_t steps_of(const SensorConfig& config, std::uint16_t cell_mm);
 
 // What a laser's calibration adds to each range: a beam that starts so high across itself is, seen
 // from the side, one from the unit's axis. It starts height / cos over the origin, and each of its

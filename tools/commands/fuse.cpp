@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tools/commands/next_steps.hpp"
 #include "tools/commands/subcommands.hpp"
@@ -259,7 +260,8 @@ void fuse(const FuseOptions& options) {
     pictures.write_last(frame);
     if (!options.out_raw.empty()) {
       OutputFile file(options.out_raw);
-      file.write(std::as_bytes(frame.grid()));
+      const std::vector<index::OccupancyIndex> cells = cells_in_grid(frame);
+      file.write(std::as_bytes(std::span(cells)));
       file.finish();
     }
   }
@@ -321,7 +323,8 @@ void add_fuse(CLI::App& program) {
       "fuse processes the capture as if `iog replay` sent it. It assigns packets to sensors by "
       "destination port and does not check source addresses. Time is that of the capture. A pause "
       "counts as at most 1 s.\n"
-      "--out-raw: 1024 x 1024 int8, row by row from the lowest y. --hashes: number, complete and "
+      "--out-raw: columns x rows int8, row by row from the lowest y. --hashes: number, complete "
+      "and "
       "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
       "CRCs.\n"
       "--classes-hashes: number, time on the poses' clock, slices and packets with a pose, packets "

@@ -62,11 +62,11 @@ class Answer {
  private:
   void take(const GridFrame& frame) {
     has_frames_ = true;
-    if (!frame.classes || !frame.classes->has_end || !frame.classes->end.map) {
+    if (!frame.classes || !frame.classes->has_end) {
       return;
     }
     if (!latest_) {
-      refused_before_ = frame.classes->end.map->delivery.blocks_refused;
+      refused_before_ = frame.classes->end.map.delivery.blocks_refused;
     }
     latest_ = frame.classes->end.map;
   }

@@ -242,18 +242,24 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
   if (tiles.geometry == stream::geometry_of_classes()) {
     return take_class_tiles(waiting, tiles, body);
   }
-  // The only other grid that this receiver can show.
-  if (tiles.geometry != stream::geometry_of_level(0)) {
+  const std::optional<geometry::Grid> grid = stream::grid_of(tiles.geometry);
+  if (!grid) {
     return &MessageCounts::not_understood;
   }
-  const bool is_taken = waiting.frame.header.has_indexes() && waiting.indexes.take(tiles, body);
-  return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
+  std::uint16_t& epsilon_e5 = waiting.frame.epsilon_e5;
+  const bool agrees = 0 < tiles.epsilon_e5 && tiles.epsilon_e5 < 50'000 &&
+                      (epsilon_e5 == 0 || epsilon_e5 == tiles.epsilon_e5);
+  if (!agrees || !waiting.frame.header.has_indexes() || !waiting.indexes.take(tiles, *grid, body)) {
+    return &MessageCounts::malformed;
+  }
+  epsilon_e5 = tiles.epsilon_e5;
+  return &MessageCounts::messages;
 }
 
 FrameAssembler::Fate FrameAssembler::take_class_tiles(WaitingFrame& waiting,
                                                       const stream::TilesHeader& tiles,
                                                       std::span<const std::byte> body) {
-  const bool is_taken = waiting.agree_on(*tiles.window) && waiting.classes.take(tiles, body);
+  const bool is_taken = waiting.agree_on(*tiles.window) && waiting.classes.take(tiles, {}, body);
   return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
 }
 
@@ -317,6 +323,7 @@ void FrameAssembler::decode_indexes(WaitingFrame& waiting) {
                              [&](const stream::TileRecord& record, const TileBytes& cells) {
                                put_tile(cells, record.tile, frame.cells);
                              });
+  frame.shape = waiting.indexes.grid();
   frame.valid_tiles = tiles.valid;
   frame.known_tiles = tiles.known;
   frame.tiles = static_cast<std::uint32_t>(tiles.known.count());

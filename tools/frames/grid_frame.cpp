@@ -6,6 +6,18 @@
 
 namespace iog::tools {
 
+std::vector<index::OccupancyIndex> cells_in_grid(const GridFrame& frame) {
+  std::vector<index::OccupancyIndex> cells;
+  cells.reserve(std::size_t{frame.shape.columns} * frame.shape.rows);
+  for (std::int32_t y = 0; y < frame.shape.rows; ++y) {
+    const auto row = std::span(frame.cells)
+                         .subspan(static_cast<std::size_t>(geometry::number_of({0, y})))
+                         .first(frame.shape.columns);
+    cells.insert(cells.end(), row.begin(), row.end());
+  }
+  return cells;
+}
+
 std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(std::span<const std::int8_t> grid,
                                                              std::size_t tile) {
   std::array<std::byte, tile_coding::kTileBytes> cells{};

@@ -25,13 +25,15 @@ struct GridFrame {
   stream::Header header;  // of its last message, or of its tiles if that is lost
   stream::FrameEnd end;   // only if has_end
   bool has_end = false;
+  std::uint16_t epsilon_e5 = 0;  // of its indexes; 0 before their first message
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
-  // Sets of tiles are by y * kTilesPerSide + x.
+  geometry::Grid shape;  // of its grid of occupancy indexes
+  // Sets of tiles are by y * kTilesPerSide + x. Tiles outside the grid are valid and unknown.
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are
-  // Row by row from the lowest y; a cell of a missing tile is 0.
+  // Row by row of the memory (geometry/grid.hpp) from the lowest y; a cell of a missing tile is 0.
   std::vector<index::OccupancyIndex> cells =
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   // If the target sends classes (stream::kFlagClasses).
@@ -49,10 +51,17 @@ struct GridFrame {
   }
   // The list has come, and the frame has a place.
   [[nodiscard]] bool knows_objects() const { return objects && objects->has_place(); }
+  // Epsilon of the recursive set, for the probabilities of indexes.
+  [[nodiscard]] std::optional<double> epsilon() const {
+    return epsilon_e5 > 0 ? std::optional(epsilon_e5 / 1e5) : std::nullopt;
+  }
   [[nodiscard]] std::span<const index::OccupancyIndex, geometry::kCellCount> grid() const {
     return std::span(cells).first<geometry::kCellCount>();
   }
 };
+
+// The cells of the grid alone, row by row from the lowest y.
+[[nodiscard]] std::vector<index::OccupancyIndex> cells_in_grid(const GridFrame& frame);
 
 // The number in the grid of a tile's cell i. Both count row by row.
 [[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {

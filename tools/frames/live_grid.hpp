@@ -29,13 +29,15 @@ class LiveGrid {
   [[nodiscard]] std::uint32_t newest_frame() const { return newest_frame_; }
   [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
 
-  // Row by row from the lowest y; a cell of a tile that has never arrived is 0.
+  [[nodiscard]] const geometry::Grid& shape() const { return shape_; }  // of the newest frame
+  // Row by row of the memory from the lowest y; a cell of a tile that has never arrived is 0.
   [[nodiscard]] std::span<const index::OccupancyIndex> cells() const { return cells_; }
 
  private:
   std::vector<index::OccupancyIndex> cells_ =
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   std::array<std::optional<std::uint32_t>, geometry::kTileCount> frame_of_{};
+  geometry::Grid shape_;
   std::uint32_t newest_frame_ = 0;
   std::uint32_t run_number_ = 0;
 };

@@ -41,8 +41,11 @@ class TileDecoder {
 class TileMessages {
  public:
   // The body of a message that stream::read_tiles() has found sound. False if there are more of
-  // them than the grid has tiles.
-  [[nodiscard]] bool take(const stream::TilesHeader& header, std::span<const std::byte> body);
+  // them than the grid has tiles, or another message of the frame is of another grid.
+  [[nodiscard]] bool take(const stream::TilesHeader& header, const geometry::Grid& grid,
+                          std::span<const std::byte> body);
+  // What the messages say of it.
+  [[nodiscard]] const geometry::Grid& grid() const { return grid_; }
 
   // Whether every tile of the grid has been spoken of.
   [[nodiscard]] bool are_complete() const { return spoken_of_.all(); }
@@ -57,7 +60,8 @@ class TileMessages {
                              MessageCounts& counts, const TileHandler& on_tile) const;
 
  private:
-  TileSet spoken_of_;
+  geometry::Grid grid_;
+  TileSet spoken_of_;  // and all that are outside the grid
   std::vector<std::vector<std::byte>> bodies_;
 };
 

@@ -47,6 +47,7 @@ void ClassStatistics::add(const GridFrame& frame) {
     packets_not_placed_ += classes.end.packets_not_placed;
     slices_over_budget_ += classes.end.slices_over_budget;
     groups_left_ += classes.end.groups_left;
+    had_end_ = true;
     last_ = classes.end;
   }
   if (frame.header.has_evidence()) {
@@ -73,8 +74,8 @@ Facts ClassStatistics::facts() const {
   add_facts(facts, "slices_", slices_of(last_), kPoseCauseNames);
   add_facts(facts, "times_", std::span(spells).subspan(1), std::span(kPoseCauseNames).subspan(1));
   add_facts(facts, "poses_", last_.pose_fates, kPoseFateNames);
-  if (last_.map) {
-    std::ranges::move(map_facts(*last_.map), std::back_inserter(facts));
+  if (had_end_) {
+    std::ranges::move(map_facts(last_.map), std::back_inserter(facts));
   }
   facts.emplace_back("class_run_hash", hex(run_hash()));
   return facts;
@@ -124,8 +125,7 @@ std::string ClassStatistics::table() const {
          row_if(had_spells, "times without a place", list_of(spells, kPoseCauseNames)) +
          row("poses", had_poses ? list_of(last_.pose_fates, kPoseFateNames)
                                 : "none: classes need them, the index grid does not") +
-         (last_.map ? map_table(*last_.map) : std::string()) +
-         row("class run hash", hex(run_hash()));
+         (had_end_ ? map_table(last_.map) : std::string()) + row("class run hash", hex(run_hash()));
 }
 
 }  // namespace iog::tools

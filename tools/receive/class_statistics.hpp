@@ -42,7 +42,8 @@ class ClassStatistics {
   std::uint64_t groups_left_ = 0;     // over budget
   std::uint64_t stamp_us_ = 0;        // of the last frame
   std::uint32_t frames_of_time_ = 0;  // ClassRecord::frames_of_time
-  stream::ClassEnd last_;             // what counts since the target's start
+  bool had_end_ = false;
+  stream::ClassEnd last_;  // what counts since the target's start
   std::vector<ClassRecord> records_;
   RunHash hash_;
 };

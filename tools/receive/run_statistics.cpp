@@ -52,13 +52,11 @@ void RunStatistics::add(const GridFrame& frame) {
     run_before_ = stream::counts_of<hal::RunBefore>(frame.end);
     commands_ = stream::counts_of<CommandCounts>(frame.end);
     loop_times_ = stream::counts_of<LoopTimes>(frame.end);
-    hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc.value_or(hottest_dc_));
-    if (frame.end.unwatched) {
-      // A capture may end within a scan, and a target closes a frame without one behind the last.
-      unwatched_ = *frame.end.unwatched & newest_unwatched_;
-      newest_unwatched_ = *frame.end.unwatched;
-      blocked_ = frame.end.blocked;
-    }
+    hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc);
+    // A capture may end within a scan, and a target closes a frame without one behind the last.
+    unwatched_ = frame.end.unwatched & newest_unwatched_;
+    newest_unwatched_ = frame.end.unwatched;
+    blocked_ = frame.end.blocked;
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);
     add_states(frame);

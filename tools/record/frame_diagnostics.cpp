@@ -201,11 +201,9 @@ std::vector<Diagnostic> diagnostics_of(const GridFrame& frame) {
          i < std::min<std::size_t>(frame.header.sensor_count, end.sensors.size()); ++i) {
       all.push_back(of_sensor(end.sensors[i], car, i));
     }
-    if (end.unwatched) {
-      all.push_back(of_surroundings(*end.unwatched, end.blocked.value_or(0)));
-    }
-    if (end.temperature_dc.value_or(hal::kTemperatureNotKnown) != hal::kTemperatureNotKnown) {
-      all.push_back(of_chip(*end.temperature_dc));
+    all.push_back(of_surroundings(end.unwatched, end.blocked));
+    if (end.temperature_dc != hal::kTemperatureNotKnown) {
+      all.push_back(of_chip(end.temperature_dc));
     }
     all.push_back(of_points(end));
     all.push_back(of_datagrams(end));
@@ -221,9 +219,7 @@ std::vector<Diagnostic> diagnostics_of(const GridFrame& frame) {
   }
   if (frame.classes && frame.classes->has_end) {
     all.push_back(of_poses(*frame.classes));
-    if (frame.classes->end.map) {
-      all.push_back(of_map(*frame.classes->end.map));
-    }
+    all.push_back(of_map(frame.classes->end.map));
   }
   return all;
 }

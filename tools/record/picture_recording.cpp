@@ -23,11 +23,7 @@ void PictureRecording::take_frame(const RecordedFrame& recorded) {
   if (with_maps_ && frame.header.has_indexes() && frame.evidence_number % options_.every == 0) {
     const std::string base =
         std::filesystem::path(numbered("", "map", frame.evidence_number, "")).filename();
-    write_ros_map(options_.folder, base,
-                  {.cells = frame.cells,
-                   .side = geometry::kCellsPerSide,
-                   .cell_m = geometry::kCellMm / 1000.0,
-                   .origin_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0});
+    write_ros_map(options_.folder, base, {.cells = cells_in_grid(frame), .grid = frame.shape});
   }
   last_ = frame;
 }

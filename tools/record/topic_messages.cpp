@@ -109,7 +109,7 @@ void TopicMessages::take_mounts(const RecordedFrame& recorded, const MessageTime
 
 void TopicMessages::take_indexes(const RecordedFrame& recorded, const MessageTimes& times) {
   const GridFrame& frame = *recorded.frame;
-  const ros::Percents& percents = percents_of(frame.header.vehicle_id);
+  const ros::Percents& percents = percents_of(frame.epsilon());
   write(kOccupancyTopic, ros::kOccupancyGrid, times,
         [&] { return ros::occupancy_grid(frame, times.stamp_us, percents); });
   write(kImageTopic, ros::kImage, times,
@@ -156,9 +156,7 @@ void TopicMessages::take_objects(const RecordedFrame& recorded, const MessageTim
   });
 }
 
-const ros::Percents& TopicMessages::percents_of(std::uint32_t vehicle_id) {
-  const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
-  const auto epsilon = car != nullptr ? std::optional(car->description->epsilon) : std::nullopt;
+const ros::Percents& TopicMessages::percents_of(std::optional<double> epsilon) {
   return percents_.try_emplace(epsilon, epsilon).first->second;
 }
 

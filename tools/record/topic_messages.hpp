@@ -82,7 +82,7 @@ class TopicMessages {
   void take_classes(const RecordedFrame& recorded, const MessageTimes& times);
   void take_objects(const RecordedFrame& recorded, const MessageTimes& times);
   [[nodiscard]] std::optional<std::uint64_t> stamp_of(const RecordedFrame& recorded) const;
-  [[nodiscard]] const ros::Percents& percents_of(std::uint32_t vehicle_id);
+  [[nodiscard]] const ros::Percents& percents_of(std::optional<double> epsilon);
 
   TopicSink* sink_;
   Stamp stamp_;

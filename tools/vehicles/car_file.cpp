@@ -35,6 +35,19 @@ description::FootprintConfig read_footprint(TomlTable table) {
   return footprint;
 }
 
+// By default 512 cells to each side.
+description::GridConfig read_grid(TomlTable table) {
+  double cell_m = description::GridConfig{}.cell_m;
+  table.read("cell_m", cell_m);
+  description::GridConfig grid{.cell_m = cell_m};
+  table.read("ahead_m", grid.ahead_m);
+  table.read("behind_m", grid.behind_m);
+  table.read("left_m", grid.left_m);
+  table.read("right_m", grid.right_m);
+  table.refuse_others();
+  return grid;
+}
+
 pose::SourceDescription read_poses(TomlTable table) {
   pose::SourceDescription poses;
   read_source(table, poses.source_ipv4);
@@ -106,7 +119,7 @@ void read_sensors(std::vector<TomlTable>& tables, Car& car) {
     car.description.z_max_m =
         std::max(car.description.z_max_m, description::top_m_over(car.sensors.back().mount.z_m));
   }
-  description::share_turn_lines(car.sensors);
+  description::share_turn_lines(car.sensors, description::grid_of(car.description.grid).cell_mm);
 }
 
 Car read_fields(const toml::table& file, const std::string& path, Mistakes& mistakes) {
@@ -116,6 +129,7 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   table.read("name", car.names.emplace_back());
   description.name = car.names.back();
   description.footprint = read_footprint(table.table("footprint"));
+  description.grid = read_grid(table.table("grid"));
   std::vector<TomlTable> sensors = table.tables("sensors");
   read_sensors(sensors, car);
   table.read("z_min_m", description.z_min_m);

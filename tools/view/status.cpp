@@ -41,7 +41,7 @@ Json sensors_json(const FrameFacts& frame) {
 
 // Of the chip; null: not known.
 Json temperature_json(const stream::FrameEnd& end) {
-  const std::int16_t dc = end.temperature_dc.value_or(hal::kTemperatureNotKnown);
+  const std::int16_t dc = end.temperature_dc;
   if (dc == hal::kTemperatureNotKnown) {
     return nullptr;
   }
@@ -72,8 +72,8 @@ Json end_json(const FrameFacts& frame) {
           {"starts", before && before->starts > 1 ? words_of(*before) : ""},
           {"fates", end.fates},
           {"drops", end.packet_drops},
-          {"unwatched", end.unwatched ? hex(*end.unwatched, 16) : ""},
-          {"blocked", end.blocked ? hex(*end.blocked, 16) : ""},
+          {"unwatched", hex(end.unwatched, 16)},
+          {"blocked", hex(end.blocked, 16)},
           {"temperature", temperature_json(end)},
           {"sensors", sensors_json(frame)}};
 }
@@ -101,21 +101,18 @@ Json transform_json(const std::optional<pose::MapTransform>& transform) {
           {"heading_rad", frame.heading * (2 * std::numbers::pi / 0x1p32)}};
 }
 
-// What the target says of its map; null if it knows nothing of maps.
-Json map_json(const std::optional<stream::MapState>& map) {
-  if (!map) {
-    return nullptr;
-  }
-  return {{"in_use", map->in_use.has_value()},
-          {"crc", hex(map->layer.crc)},
-          {"attribution", map->in_use ? std::string(map->in_use->words()) : std::string()},
-          {"cause", std::string(words_of(map->layer.cause))},
-          {"tiles_drawn", map->layer.tiles_drawn},
-          {"tiles_waiting", map->layer.tiles_waiting},
-          {"blur_cells", map->layer.radius},
-          {"delivery", words_of_delivery(map->delivery)},
-          {"refused", map->delivery.blocks_refused},
-          {"transform", transform_json(map->layer.transform)}};
+// What the target says of its map.
+Json map_json(const stream::MapState& map) {
+  return {{"in_use", map.in_use.has_value()},
+          {"crc", hex(map.layer.crc)},
+          {"attribution", map.in_use ? std::string(map.in_use->words()) : std::string()},
+          {"cause", std::string(words_of(map.layer.cause))},
+          {"tiles_drawn", map.layer.tiles_drawn},
+          {"tiles_waiting", map.layer.tiles_waiting},
+          {"blur_cells", map.layer.radius},
+          {"delivery", words_of_delivery(map.delivery)},
+          {"refused", map.delivery.blocks_refused},
+          {"transform", transform_json(map.layer.transform)}};
 }
 
 Json class_end_json(const ClassFacts& classes) {
@@ -322,15 +319,17 @@ std::string status_json(const StatusParts& parts) {
                   {"frame", *parts.frame ? frame_json(**parts.frame) : nullptr}});
 }
 
-std::string vehicle_json(std::uint32_t vehicle_id) {
+std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon) {
   const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
   Json sensors = Json::array();
   Json json{{"name", words_of_vehicle(vehicle_id)},
             {"cell_m", geometry::kCellMm / 1000.0},
-            {"cells", geometry::kCellsPerSide},
             {"footprint", nullptr},
-            {"epsilon", nullptr}};
+            {"epsilon", epsilon ? Json(*epsilon) : nullptr}};
   if (car != nullptr) {
+    const geometry::Grid& grid = car->vehicle->grid;
+    json["cell_m"] = grid.cell_mm / 1000.0;
+    json["origin_cell"] = {grid.origin_column, grid.origin_row};
     for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));
     }
@@ -341,7 +340,6 @@ std::string vehicle_json(std::uint32_t vehicle_id) {
                          {"y_max", body.y_max_m}};
     json["z_min"] = car->description->z_min_m;
     json["z_max"] = car->description->z_max_m;
-    json["epsilon"] = car->description->epsilon;
     json["period_us"] = car->description->frame_period_us;
   }
   json["sensors"] = std::move(sensors);

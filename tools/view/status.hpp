@@ -82,6 +82,6 @@ struct StatusParts {
 
 // Mounts, fields of view, footprint. Of a car that is not known: its name says so, and nothing is
 // in it.
-[[nodiscard]] std::string vehicle_json(std::uint32_t vehicle_id);
+[[nodiscard]] std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon);
 
 }  // namespace iog::tools::view

@@ -75,9 +75,10 @@ void Viewer::show(const GridFrame& frame, const Surroundings& surroundings) {
   facts.classes = take_classes(frame);
   frame_ = facts;
   bytes_before_ = counts.bytes;
-  if (vehicle_id_ != frame.header.vehicle_id) {
+  if (vehicle_id_ != frame.header.vehicle_id || epsilon_ != frame.epsilon()) {
     vehicle_id_ = frame.header.vehicle_id;
-    scene_->set_vehicle(vehicle_json(*vehicle_id_));
+    epsilon_ = frame.epsilon();
+    scene_->set_vehicle(vehicle_json(*vehicle_id_, epsilon_));
   }
   const std::int64_t now = now_ms();
   // A frame of which no tile can be shown makes no picture of now.

@@ -100,6 +100,7 @@ class Viewer {
   std::optional<Playback> playback_;
   std::optional<std::uint64_t> jump_ms_;
   std::optional<std::uint32_t> vehicle_id_;
+  std::optional<double> epsilon_;  // of the indexes of the newest frame
   std::string problem_;
   std::uint64_t bytes_before_ = 0;
   std::uint64_t overflow_ = 0;

@@ -7,9 +7,9 @@ import struct
 
 import numpy
 
+from iogrid.grid import Geometry
 from iogrid.objects import Object
 
-SIDE, CELL_M = 1024, 0.1  # cells of a grid along x and y, and of how many metres
 Class = enum.IntEnum("Class", "UNKNOWN DRIVABLE_FREE NON_DRIVABLE_FREE FREE MOVING STOPPED STANDING INFRASTRUCTURE "
                      "OCCUPIED", start=0)  # 3.9; STANDING: stopped or unmapped
 FREE_CLASSES = (Class.DRIVABLE_FREE, Class.NON_DRIVABLE_FREE, Class.FREE)
@@ -18,10 +18,10 @@ Cause = enum.IntFlag("Cause", "LATE LOST IMPRECISE JUMP RESTART OVER_BUDGET CONT
 
 def probability(indexes: numpy.ndarray, epsilon: float) -> numpy.ndarray:
     """Of int8 indexes: how probably each cell is occupied, float64 of the same shape, 0.5: unknown. It is the
-    recursive set of docs/model.md, section 2. The stream does not say epsilon: it is the car file's, 0.05 in a
-    file without the key. ValueError: it is not between 0 and 0.5."""
+    recursive set of docs/model.md, section 2. epsilon: `frame.geometry.epsilon`. ValueError: it is not between 0 and
+    0.5."""
     if not 0 < epsilon < 0.5:
-        raise ValueError(f"epsilon is the car file's, between 0 and 0.5, not {epsilon}")
+        raise ValueError(f"epsilon is between 0 and 0.5, not {epsilon}")
     return 1 / (1 + ((0.5 - epsilon) / (0.5 + epsilon)) ** numpy.asarray(indexes, numpy.float64))
 
 
@@ -38,17 +38,18 @@ class Pose:
 
 @dataclasses.dataclass(frozen=True)
 class Window:
-    """The square of SIDE x SIDE cells of the local frame that the classes are of (3.9)."""
+    """The rectangle of cells of the local frame that the classes are of (3.9)."""
 
     causes: Cause  # why slices of the frame have no place, or what was known before has lost it
-    corner: tuple[int, int]  # its tile of lowest x and y; a tile is 3.2 m
+    geometry: Geometry  # its cells
+    corner: tuple[int, int]  # its tile of lowest x and y; a tile is 32 cells
     pose: Pose | None  # None: it is not known where the car is
     slices: int  # of the frame, that were placed
     begin_us: int  # when the first of them began, by the poses' clock
     end_us: int  # when the last one ended
 
     @classmethod
-    def read(cls, header: bytes) -> "Window":
+    def read(cls, header: bytes, geometry: Geometry) -> "Window":
         """Of the 48 bytes of its header in a message."""
         _, causes, a, b, x_mm, y_mm, heading, *sigmas, slices, _, _, begin_us, end_us = \
             struct.unpack(">HHiiiiIHHBBHQQ", header)
@@ -56,7 +57,7 @@ class Window:
                               for sigma, unit in zip(sigmas, (1e-3, 1e-5), strict=True))
         is_known = (x_mm, y_mm, heading, *sigmas) != (0, 0, 0, 0xFFFF, 0xFFFF)
         pose = Pose(x_mm / 1000, y_mm / 1000, heading * math.tau / 2 ** 32, sigma_m, sigma_rad) if is_known else None
-        return cls(Cause(causes & 0xFF), (a, b), pose, slices, begin_us, end_us)
+        return cls(Cause(causes & 0xFF), geometry, (a, b), pose, slices, begin_us, end_us)
 
     def velocity_since(self, before: "Window | None") -> tuple[float, float] | None:
         """Of the car, m/s in the local frame, since another frame; None where its place is not known, or the local frame
@@ -71,20 +72,20 @@ class Window:
     def to_cells(self, x_m, y_m):
         """Column and row in the classes, with fractions, of a place in the car's frame; it may be arrays."""
         c, s = math.cos(self.pose.heading_rad), math.sin(self.pose.heading_rad)
-        return ((self.pose.x_m + c * x_m - s * y_m) / CELL_M - 32 * self.corner[0],
-                (self.pose.y_m + s * x_m + c * y_m) / CELL_M - 32 * self.corner[1])
+        return ((self.pose.x_m + c * x_m - s * y_m) / self.geometry.cell_m - 32 * self.corner[0],
+                (self.pose.y_m + s * x_m + c * y_m) / self.geometry.cell_m - 32 * self.corner[1])
 
     def to_car(self, x, y):
         """The way back: of column and row, with fractions, the place in the car's frame, m."""
         c, s = math.cos(self.pose.heading_rad), math.sin(self.pose.heading_rad)
-        x_m = (x + 32 * self.corner[0]) * CELL_M - self.pose.x_m
-        y_m = (y + 32 * self.corner[1]) * CELL_M - self.pose.y_m
+        x_m = (x + 32 * self.corner[0]) * self.geometry.cell_m - self.pose.x_m
+        y_m = (y + 32 * self.corner[1]) * self.geometry.cell_m - self.pose.y_m
         return c * x_m + s * y_m, c * y_m - s * x_m
-
 
     def from_local(self, x_m, y_m):
         """The place in the car's frame, m, of one in the local frame, which objects are in; it may be arrays."""
-        return self.to_car(x_m / CELL_M - 32 * self.corner[0], y_m / CELL_M - 32 * self.corner[1])
+        cell_m = self.geometry.cell_m
+        return self.to_car(x_m / cell_m - 32 * self.corner[0], y_m / cell_m - 32 * self.corner[1])
 
 
 def _is_set(bits: int, from_rad: float, to_rad: float) -> bool:
@@ -109,11 +110,12 @@ class Frame:
     unwatched: int | None  # bit i: no sensor watches sector i of 64 around the car now (3.5); None: not known
     blocked: int | None  # bit i: nearly nothing comes back to some sensor from there: a cap, ice or mud, no open sky
     is_whole: bool  # nothing of it was lost, and its grids have the names that the target gave them
-    indexes: numpy.ndarray | None  # int8 [SIDE, SIDE], above 0 occupied, below free; [0, 0] is at (-51.2, -51.2) m
-    indexes_lost: numpy.ndarray | None  # bool [32, 32]: tiles whose cells did not come, and are 0
-    classes: numpy.ndarray | None  # uint8 of Class [SIDE, SIDE], in the window
-    sureness: numpy.ndarray | None  # uint8 [SIDE, SIDE], 0 ... 7
-    classes_lost: numpy.ndarray | None  # bool [32, 32]
+    geometry: Geometry | None  # of the indexes: cells, epsilon, and where [0, 0] is
+    indexes: numpy.ndarray | None  # int8 [rows, columns], above 0 occupied, below free
+    indexes_lost: numpy.ndarray | None  # bool of tiles of 32 x 32 cells that did not come, and are 0
+    classes: numpy.ndarray | None  # uint8 of Class [rows, columns], in the window
+    sureness: numpy.ndarray | None  # uint8, likewise, 0 ... 7
+    classes_lost: numpy.ndarray | None  # bool of tiles
     window: Window | None  # None, too: nothing of the classes has come
     velocity: tuple[float, float] | None  # of the car since the frame before, m/s in the local frame; None: not known
     objects: list[Object] | None  # by id; None: not known, since a part was lost or nothing has a place
@@ -141,8 +143,8 @@ class Frame:
 
     def index_at(self, x_m: float, y_m: float) -> int:
         """The occupancy index of a place; 0, unknown, outside of the grid."""
-        x, y = math.floor(x_m / CELL_M) + SIDE // 2, math.floor(y_m / CELL_M) + SIDE // 2
-        return int(self.indexes[y, x]) if self.indexes is not None and 0 <= min(x, y) <= max(x, y) < SIDE else 0
+        cell = self.geometry.index(x_m, y_m) if self.geometry else (-1, -1)
+        return int(self.indexes[cell]) if self.geometry and self.geometry.has(*cell) else 0
 
     def cell_at(self, x_m: float, y_m: float) -> tuple[int, int] | None:
         """Row and column of a place in the classes; None outside of the window, and where the car's place in it is
@@ -150,7 +152,7 @@ class Frame:
         if self.window is None or self.window.pose is None:
             return None
         x, y = map(math.floor, self.window.to_cells(x_m, y_m))
-        return (y, x) if 0 <= min(x, y) <= max(x, y) < SIDE else None
+        return (y, x) if self.window.geometry.has(y, x) else None
 
     def class_at(self, x_m: float, y_m: float) -> Class:
         cell = self.cell_at(x_m, y_m)
@@ -161,17 +163,20 @@ class Frame:
         lost, or outside of the window is not. ValueError if that is no rectangle."""
         if not (x_m[0] <= x_m[1] and y_m[0] <= y_m[1]):
             raise ValueError(f"not from the lower to the higher: {x_m}, {y_m}")
-        if self.window is None or self.window.pose is None or max(map(abs, (*x_m, *y_m))) > 200:
+        if self.window is None or self.window.pose is None:
+            return False
+        cells = self.window.geometry
+        if max(map(abs, (*x_m, *y_m))) > 2 * cells.cell_m * max(cells.rows, cells.columns):
             return False
         corners = self.window.to_cells(numpy.repeat(x_m, 2), numpy.tile(y_m, 2))
         x, y = numpy.meshgrid(*(numpy.arange(math.floor(each.min()) - 1, math.floor(each.max()) + 2)
                                 for each in corners))
         forward, left = self.window.to_car(x + 0.5, y + 0.5)
-        reach = CELL_M * math.sqrt(0.5)  # of a cell from its middle
+        reach = cells.cell_m * math.sqrt(0.5)  # of a cell from its middle
         touches = (abs(forward - sum(x_m) / 2) <= (x_m[1] - x_m[0]) / 2 + reach) & (
             abs(left - sum(y_m) / 2) <= (y_m[1] - y_m[0]) / 2 + reach)
         x, y = x[touches], y[touches]
-        return bool(min(x.min(), y.min()) >= 0 and max(x.max(), y.max()) < SIDE and
+        return bool(cells.has(y.min(), x.min()) and cells.has(y.max(), x.max()) and
                     numpy.isin(self.classes[y, x], FREE_CLASSES).all())
 
     def places(self, *classes: Class) -> numpy.ndarray:

@@ -5,7 +5,7 @@ import struct
 import numpy
 
 MOST_BYTES = 1392  # of a message
-VERSION = 4  # of the interface
+VERSION = 5  # of the interface
 
 
 class Unsound(ValueError):
@@ -31,6 +31,13 @@ def _crc_table() -> numpy.ndarray:
 _P4 = _crc_table()
 
 
+def crc_p4(data: bytes, crc: int = 0) -> int:
+    """CRC-32/P4 of 4 to MOST_BYTES bytes, and of those before them, whose CRC it is."""
+    state = numpy.frombuffer(data, numpy.uint8).copy()
+    state[:4] ^= numpy.frombuffer((crc ^ 0xFFFFFFFF).to_bytes(4, "little"), numpy.uint8)
+    return int(numpy.bitwise_xor.reduce(_P4[numpy.arange(len(state))[::-1], state])) ^ 0xFFFFFFFF
+
+
 def content_of(message: bytes) -> tuple[bytes, int]:
     """What is behind the headers of SOME/IP and E2E Profile 4, and the counter (3.1)."""
     require(len(message) >= 28 and struct.unpack_from(">HH8xB", message) == (0x4F47, 0x8001, 1), "not ours")
@@ -38,7 +45,5 @@ def content_of(message: bytes) -> tuple[bytes, int]:
     require(version == VERSION, f"interface version {version}")
     require(length == length_again == len(message) - 8 <= MOST_BYTES - 8, "damaged")
     require((kind, code, data_id) == (2, 0, 0x494F4701), "damaged")
-    data = numpy.frombuffer(message[8:24] + message[28:], numpy.uint8).copy()
-    data[:4] ^= 0xFF
-    require(crc == int(numpy.bitwise_xor.reduce(_P4[numpy.arange(len(data))[::-1], data])) ^ 0xFFFFFFFF, "damaged")
+    require(crc == crc_p4(message[8:24] + message[28:]), "damaged")
     return message[28:], counter

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy
 
 from iogrid.frame import Frame, Window
-from iogrid.grid import CLASS_GRID, INDEX_GRID, Grid, References
+from iogrid.grid import CLASSES, INDEXES, Grid, References
 from iogrid.objects import ObjectParts
 from iogrid.protection import Unsound, content_of, require
 
@@ -34,8 +34,8 @@ class _Waiting:
         require(flags & _CONTENTS == self.flags and len(self.sequences) < 3000, "malformed")
         require(sequence not in self.sequences, "repeated")
         if kind == _TILES:
-            require(body[6:24] in (INDEX_GRID, CLASS_GRID), "unknown grid")
-            grid = self.indexes if body[6:24] == INDEX_GRID else self.classes
+            require(len(body) >= 24 and body[7] in (INDEXES, CLASSES), "unknown grid")
+            grid = self.indexes if body[7] == INDEXES else self.classes
             require(grid in self.grids, "malformed")
             grid.take_tiles(sequence, body)
         elif kind == _OBJECTS:
@@ -44,10 +44,9 @@ class _Waiting:
         else:
             grid = self.indexes if kind == _FRAME_END else self.classes
             require(kind == _FRAME_END or grid in self.grids, "malformed")
-            grid.take_end(body)
             if kind == _FRAME_END:
-                self.unwatched, self.blocked = grid.sectors_of(body, header[7])
-                self.temperature_c = grid.temperature_of(body, header[7])
+                self.unwatched, self.blocked, self.temperature_c = grid.tail_of(body, header[7])
+            grid.take_end(body)
         self.sequences.add(sequence)
         self.header = header if kind == _FRAME_END or not self.header else self.header
 
@@ -161,14 +160,15 @@ class Receiver:
         (indexes, indexes_lost, are_indexes_whole), (classes, classes_lost, are_classes_whole) = (
             grid.decode(number, own, self.dropped) if grid in waiting.grids else (None, None, True)
             for grid, own in zip((waiting.indexes, waiting.classes), self._own, strict=True))
-        window = Window.read(waiting.classes.window) if waiting.classes.window else None
+        geometry = waiting.indexes.geometry if waiting.indexes in waiting.grids else None
+        window = Window.read(waiting.classes.window, waiting.classes.geometry) if waiting.classes.window else None
         is_next, before = (self._before[0] + 1) & _WORD == number, self._before[1]
         self._before = number, window
         is_whole = waiting.indexes.end is not None and are_indexes_whole and are_classes_whole and \
             waiting.has_its_objects
         _, _, _, _, _, closed_us, vehicle, _, complete, partial, _, points_used, *_, run = waiting.header
         return Frame(number, closed_us, vehicle, run, complete, partial, points_used, waiting.unwatched,
-                     waiting.blocked, is_whole,
+                     waiting.blocked, is_whole, geometry,
                      None if indexes is None else indexes.view(numpy.int8), indexes_lost,
                      None if classes is None else classes >> 3, None if classes is None else classes & 7, classes_lost,
                      window, window.velocity_since(before) if window and is_next else None, waiting.objects.objects,

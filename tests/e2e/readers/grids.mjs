@@ -15,18 +15,25 @@ const PERCENT_OF_INDEX = Array.from({ length: 256 }, (_, byte) =>
 const PIXEL_OF_PERCENT = Array.from({ length: 101 }, (_, percent) =>
   Math.floor(2.55 * (100 - percent) + 0.5 + 1e-9)
 );
-// Table of CRC-32 as in zlib, which node offers from version 20.15 only.
-const TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let crc = byte;
-  for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >>> 1) ^ 0xedb88320 : crc >>> 1;
-  return crc >>> 0;
-});
-export function crc32(bytes, crc = 0) {
-  if (zlib.crc32) return zlib.crc32(bytes, crc);
+const tableOf = (polynomial) =>
+  Uint32Array.from({ length: 256 }, (_, byte) => {
+    let crc = byte;
+    for (let bit = 0; bit < 8; ++bit) crc = crc & 1 ? (crc >>> 1) ^ polynomial : crc >>> 1;
+    return crc >>> 0;
+  });
+function crcOf(table, bytes, crc) {
   let state = ~crc >>> 0;
-  for (const byte of bytes) state = TABLE[(state ^ byte) & 0xff] ^ (state >>> 8);
+  for (const byte of bytes) state = table[(state ^ byte) & 0xff] ^ (state >>> 8);
   return ~state >>> 0;
 }
+// CRC-32 as in zlib, which node offers from version 20.15 only.
+const ZLIB = tableOf(0xedb88320);
+export function crc32(bytes, crc = 0) {
+  return zlib.crc32 ? zlib.crc32(bytes, crc) : crcOf(ZLIB, bytes, crc);
+}
+// CRC-32/P4, of E2E and of grids.
+const P4 = tableOf(0xc8df352f);
+const crcP4 = (bytes, crc = 0) => crcOf(P4, bytes, crc);
 
 // docs/spec.md 3.6, "The name of a grid", over cells that are `stride` bytes apart.
 function nameOfGrid(data, stride) {
@@ -40,7 +47,7 @@ function nameOfGrid(data, stride) {
         const cell = (y * TILE + Math.floor(i / TILE)) * SIDE + x * TILE + (i % TILE);
         known |= tile[4 + i] = data[cell * stride];
       }
-      if (known) crc = crc32(tile, crc);
+      if (known) crc = crcP4(tile, crc);
     }
   }
   return crc.toString(16).padStart(8, "0");
@@ -51,7 +58,7 @@ function nameOfClasses(a, b, byteOf) {
   const corner = new Uint8Array(8);
   new DataView(corner.buffer).setInt32(0, a);
   new DataView(corner.buffer).setInt32(4, b);
-  let crc = crc32(corner);
+  let crc = crcP4(corner);
   let isEmpty = true;
   const tile = new Uint8Array(2 + TILE * TILE);
   for (let slot = 0; slot < (SIDE / TILE) ** 2; ++slot) {
@@ -64,7 +71,7 @@ function nameOfClasses(a, b, byteOf) {
       known |= tile[2 + i] = byteOf(cell);
     }
     if (known) {
-      crc = crc32(tile, crc);
+      crc = crcP4(tile, crc);
       isEmpty = false;
     }
   }

@@ -218,8 +218,8 @@ TEST_F(Gate, ItsCountsAreAmongTheLinkCounters) {
   EXPECT_TRUE(platform.admit(datagram, 0));
   EXPECT_FALSE(platform.admit(datagram, 0));
   const Vitals& vitals = platform.vitals({});
-  ASSERT_EQ(vitals.link_counter_count, 211U);
-  const auto counts = std::span(vitals.link_counters).subspan<199, 5>();
+  ASSERT_EQ(vitals.link_counter_count, 227U);
+  const auto counts = std::span(vitals.link_counters).subspan<215, 5>();
   EXPECT_EQ(std::vector(counts.begin(), counts.end()), (std::vector<std::uint32_t>{1, 0, 1, 0, 7}));
 }
 

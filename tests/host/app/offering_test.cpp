@@ -22,7 +22,7 @@ using net::testing::kConfig;
 using net::testing::put_be16;
 using testing::FakeMachine;
 
-constexpr std::size_t kAlways = 185;  // counters of any target (docs/spec.md 3.7)
+constexpr std::size_t kAlways = 201;  // counters of any target (docs/spec.md 3.7)
 constexpr std::size_t kRing = 1408;   // of the board: 1088 and the copies'
 constexpr std::size_t kIpOffset = net::testing::kIpOffset;
 constexpr std::size_t kUdpOffset = net::testing::kUdpOffset;
@@ -248,7 +248,7 @@ TEST(Offering, IsWithdrawnBeforeARunIsEndedForSilence) {
   const auto sent = datagrams_of(bench.machine.ethernet().take_sent());
   ASSERT_EQ(sent.size(), 1U);
   const std::size_t ttl_at = net::testing::kPayloadOffset + discovery::testing::kTtlAt;
-  EXPECT_EQ(be16(sent[0], ttl_at - 1), 0x0400U) << "version, time to live";
+  EXPECT_EQ(be16(sent[0], ttl_at - 1), 0x0500U) << "version, time to live";
   EXPECT_EQ(be16(sent[0], ttl_at + 1), 0U);
 }
 

@@ -55,7 +55,7 @@ class StateList {
   void end_frame() {}
   void take_classes(const stream::ClassEnd& end, const window::WindowView& view) {
     Seen& seen = frames.emplace_back();
-    seen.map = end.map->layer;
+    seen.map = end.map.layer;
     seen.is_placed = end.slice_count > 0;
     if (!seen.is_placed) {
       return;

@@ -109,13 +109,13 @@ void expect_shown(const ReceivedFrame& received, const ShownClasses::Tiles& show
   }
 }
 
-// CRC-32 of zlib, bit by bit.
+// CRC-32/P4, bit by bit.
 std::uint32_t crc_of(const std::vector<std::uint8_t>& bytes) {
   std::uint32_t crc = 0xFFFF'FFFF;
   for (const std::uint8_t byte : bytes) {
     crc ^= byte;
     for (int bit = 0; bit < 8; ++bit) {
-      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xEDB8'8320 : 0);
+      crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xC8DF'352F : 0);
     }
   }
   return ~crc;

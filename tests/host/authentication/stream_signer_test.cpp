@@ -17,7 +17,7 @@ using testing::from_hex;
 
 constexpr std::uint32_t kStreamRun = 0x1234ABCD;
 constexpr protection::Channel kChannel{
-    .event = {.service_id = 0x4F47, .event_id = 0x8005, .interface_version = 4},
+    .event = {.service_id = 0x4F47, .event_id = 0x8005, .interface_version = 5},
     .data_id = 0x494F4705,
     .max_delta_counter = 512};
 
@@ -36,14 +36,14 @@ TEST(StreamSigner, NamesItsMessages) {
   const std::vector<std::byte> message(secured.begin(), secured.end());
   ASSERT_EQ(message.size(), 28U + 12U + 2U * 16U + 12U);
   const std::vector<std::byte> head(message.begin(), message.begin() + 24);
-  EXPECT_EQ(head, from_hex("4f478005 0000004c 00000001 01040200 00400000 494f4705"));
+  EXPECT_EQ(head, from_hex("4f478005 0000004c 00000001 01050200 00400000 494f4705"));
   const std::vector<std::byte> content(message.begin() + 28, message.end() - 8);
   EXPECT_EQ(content, from_hex("000c0010 1234abcd 00020000"
                               "ba7816bf8f01cfea414140de5dae2223"
                               "e3b0c44298fc1c149afbf4c8996fb924"
                               "00000001"));
   const std::vector<std::byte> mac(message.end() - 8, message.end());
-  EXPECT_EQ(mac, from_hex("22fd7cfc17477141"));
+  EXPECT_EQ(mac, from_hex("dcf354e07548176e"));
 }
 
 TEST(StreamSigner, ASignatureIsVerifiedOnceInItsRunAndItsOrder) {

@@ -247,7 +247,7 @@ TEST(CarBlock, EachKindOfWrongBlockIsTold) {
   EXPECT_EQ(told([](CarBytes& bytes) { bytes.put_be32(128 + 8, 65'472 - 128 - 16 + 1); }),
             Refusal::kWrongLength);
   EXPECT_EQ(told([](CarBytes& bytes) { bytes.at(128 + 7) = std::byte{1}; }), Refusal::kDamaged);
-  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 1, 99); }), Refusal::kOtherGrid);
+  EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 1, 99); }), Refusal::kLimit);
   EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 3, 99); }), Refusal::kOtherGrid);
   EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 5, 99); }), Refusal::kOtherGrid);
   EXPECT_EQ(told([&](CarBytes& bytes) { put(bytes, 20 + 24, 7); }), Refusal::kNotACar);  // rule

@@ -66,6 +66,18 @@ TEST(Identity, IsTheCrcOfTheMembersInTheirOrder) {
   EXPECT_EQ(identity_of(car()), crc_of(bytes_of_car().number(1, 0).all));
 }
 
+// A grid that is no square around the car: 0 cells of a side, and four numbers more.
+TEST(Identity, HasTheRectangleOfTheGrid) {
+  Vehicle with = car();
+  with.grid = {.cell_mm = 200, .columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
+  Bytes grid;
+  grid.number(2, 200).number(2, 0).number(2, geometry::kResolution);
+  grid.number(2, 512).number(2, 320).number(2, 0).number(2, 160);
+  const auto rest = bytes_of_car().number(1, 0).all;
+  grid.all.insert(grid.all.end(), rest.begin() + 6, rest.end());
+  EXPECT_EQ(identity_of(with), crc_of(grid.all));
+}
+
 TEST(Identity, HasTheSensorsToo) {
   std::array<Sensor, 1> sensors;
   Sensor& sensor = sensors[0];
@@ -105,6 +117,18 @@ TEST(Identity, HasThatNothingIsFollowed) {
   EXPECT_EQ(byte_with(Grids::kClasses, false), (std::vector<std::uint8_t>{5}));
   EXPECT_EQ(byte_with(Grids::kBoth, true), (std::vector<std::uint8_t>{2}));
   EXPECT_EQ(byte_with(Grids::kBoth, false), (std::vector<std::uint8_t>{6}));
+}
+
+// The bytes of a car with the usual epsilon are what they were before epsilon was among them.
+TEST(Identity, HasAnUnusualEpsilon) {
+  const auto bytes_with = [](std::uint16_t epsilon_e5) {
+    std::vector<std::uint8_t> bytes;
+    content_detail::Writer out([&](std::uint8_t byte) { bytes.push_back(byte); });
+    out.quantisation_and_epsilon(index::Quantisation::kNearest, epsilon_e5);
+    return bytes;
+  };
+  EXPECT_EQ(bytes_with(5'000), (std::vector<std::uint8_t>{1}));
+  EXPECT_EQ(bytes_with(0x1234), (std::vector<std::uint8_t>{3, 0x12, 0x34}));
 }
 
 // Of one that has neither, the bytes are what they were before any could.

@@ -40,6 +40,35 @@ TEST(CarLimits, OfTheCarAreToldByTheirField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.network.peer = c.network.address; }), "network.peer");
 }
 
+// Four sizes of cells, sides of whole tiles in a memory of 1024 x 1024 cells; classes have one
+// grid.
+TEST(CarLimits, OfTheGrid) {
+  const auto fault_of = [](const geometry::Grid& grid) {
+    return fault_with([&](Changed& c) {
+      c.car.grid = grid;
+      c.car.grids = vehicle::Grids::kIndexes;
+      c.car.has_objects = false;
+    });
+  };
+  EXPECT_EQ(fault_of({}), "");
+  EXPECT_EQ(fault_of({.cell_mm = 0}), "grid.cell_m");
+  EXPECT_EQ(fault_of({.cell_mm = 99}), "grid.cell_m");
+  EXPECT_EQ(fault_of({.columns = 0, .origin_column = 0}), "grid.ahead_m");
+  EXPECT_EQ(fault_of({.columns = 1056}), "grid.ahead_m");
+  EXPECT_EQ(fault_of({.columns = 1000}), "grid.ahead_m");
+  EXPECT_EQ(fault_of({.columns = 480}), "grid.ahead_m");  // the origin is farther than that
+  EXPECT_EQ(fault_of({.columns = 512}), "");
+  EXPECT_EQ(fault_of({.rows = 1023}), "grid.left_m");
+  EXPECT_EQ(fault_of({.rows = 992, .origin_row = 993}), "grid.left_m");
+  for (const std::uint16_t columns : {std::uint16_t{512}, std::uint16_t{1024}}) {
+    EXPECT_EQ(fault_with([&](Changed& c) {
+                c.car.grid.cell_mm = columns == 512 ? 100 : 200;
+                c.car.grid.columns = columns;
+              }),
+              "grids");
+  }
+}
+
 TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[1].name = c.sensors[0].name; }), "1.name");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[2].udp_port = c.sensors[0].udp_port; }),
@@ -168,8 +197,8 @@ TEST(CarLimits, OfWhatOpensGround) {
         [&](Changed& c) {
           c.sensors[0].moved = moved;
           c.sensors[0].ground = ground;
-          c.car.z_min = vehicle::subcells_of(300);
-          c.car.z_max = vehicle::subcells_of(2'200);
+          c.car.z_min = c.car.grid.subcells(300);
+          c.car.z_max = c.car.grid.subcells(2'200);
         },
         "roof_hdl64e");
   };
@@ -252,8 +281,8 @@ TEST(CarLimits, EndsOfAcceptedBeamsAreAsFarAsTheirRange) {
   tests::Random random(20);
   for (const vehicles::Car& car : vehicles::cars()) {
     for (const Sensor& sensor : car.vehicle.sensors) {
-      const double length =
-          static_cast<double>(subcells_up(longest_line_mm(sensor.format, sensor.range.mm())));
+      const double length = static_cast<double>(
+          subcells_up(longest_line_mm(sensor.format, sensor.range.mm()), sensor.grid));
       for (int i = 0; i < 200; ++i) {
         const auto layer = static_cast<std::uint8_t>(random.below(sensor.layer_count));
         const auto step =

@@ -88,6 +88,7 @@ def line_of(frame: iogrid.Frame) -> str:
     return (f"{frame.number} run {frame.run} whole {frame.is_whole:d} lost {frame.indexes_lost.sum()} "
             f"{frame.classes_lost.sum()} cells {zlib.crc32(frame.indexes.tobytes()):08x} "
             f"{zlib.crc32((frame.classes << 3 | frame.sureness).tobytes()):08x} "
+            f"p(3) {iogrid.probability(3, frame.geometry.epsilon) if frame.geometry.epsilon else 0:.6f} "
             f"objects {objects_of(frame)} unwatched {frame.unwatched is not None:d} {frame.unwatched or 0:016x} "
             f"watched {is_watched:08x} blocked {frame.blocked or 0:016x} {is_blocked:08x} "
             f"chip {-32768 if frame.temperature_c is None else round(frame.temperature_c * 10)} causes {window.causes if window else 0:x} "
@@ -107,11 +108,21 @@ class Header(unittest.TestCase):
     def test_same_as_the_python_reader(self):
         for path in (streams.raw(), streams.simulated()):
             self.compare(streams.messages_of(path))
-        self.compare(streams.of_older_target())
+        self.compare(streams.with_a_short_end())
+
+    def test_a_rectangle_ahead_of_smaller_cells(self):
+        """And a change of geometry in a run, to which no tile of the other refers."""
+        target, messages = made_stream.Target(0), []
+        for grid in (made_stream.Grid(512, 320, 50, (0, -8000), 10_000), made_stream.Grid(), made_stream.Grid(32, 64, 500)):
+            for i in range(32):
+                grid.set(i, 2 * i % 60, i - 16)
+            messages += target.messages_of(grid, 1, made_classes.Window())
+        self.compare(messages)
+        self.compare(messages[1:])
 
     def test_another_version_is_dropped(self):
         message = streams.messages_of(streams.raw())[0]
-        others = [protected_message.of_version(message, version) for version in (3, 5)]
+        others = [protected_message.of_version(message, version) for version in (4, 6)]
         self.assertEqual(said_by(program("gcc"), others), ["used 0 dropped 2"])
 
     def test_order_within_a_frame_and_losses(self):
@@ -165,7 +176,7 @@ class Header(unittest.TestCase):
     def test_hostile_bytes_under_sanitizers(self):
         """What claims to be whole is a frame that was sent. tests/fuzz/client_reader.cpp goes on from here."""
         rng, reader = random.Random(SEED), program("clang", *SANITIZERS)
-        self.compare(streams.of_older_target(), reader)
+        self.compare(streams.with_a_short_end(), reader)
         mutants = whole = 0
         for path in (streams.simulated(), streams.raw()):
             messages = [message for message in streams.messages_of(path) if streams.frame_of(message) < 2]

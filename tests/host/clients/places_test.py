@@ -54,9 +54,9 @@ class Watched(unittest.TestCase):
         self.assertTrue(frame.is_blocked(-0.19, 0.19))
         self.assertFalse(frame.is_blocked(-0.19, -0.01))
 
-    def test_what_an_older_target_does_not_say_is_not_watched(self):
-        frame, = received(streams.of_older_target())[0]
-        self.assertTrue(frame.is_whole)
+    def test_without_its_end_nothing_is_watched(self):
+        (frame,), receiver = received(streams.with_a_short_end())
+        self.assertEqual((frame.is_whole, receiver.dropped), (False, {"malformed": 1}))
         self.assertEqual((frame.unwatched, frame.blocked, frame.temperature_c), (None, None, None))
         self.assertFalse(frame.is_watched(0, 0.1))
 
@@ -83,6 +83,18 @@ class Places(unittest.TestCase):
         self.assertEqual([frame.index_at(*place) for place in places], [7, 7, 0, 0])
         self.assertEqual([frame.index_at(*place) for place in ((51.3, 0), (0, -51.3), (1e9, 0))], [0, 0, 0])
 
+    def test_a_grid_says_where_it_is_and_its_epsilon(self):
+        """A rectangle 25.6 x 16 m ahead of the car, of cells of 5 cm."""
+        grid = made_stream.Grid(512, 320, 50, (0, -8000), 10_000)
+        grid.set(511, 3, 2)  # its corner of lowest x and y is at (25.55, -7.85) m
+        frame = frame_with(made_classes.Window(), grid)
+        self.assertTrue(frame.is_whole)
+        self.assertEqual((frame.indexes.shape, frame.indexes_lost.shape), ((320, 512), (10, 16)))
+        places = ((25.57, -7.83), (25.61, -7.83), (25.54, -7.83), (-0.01, 0), (1, 8.01))
+        self.assertEqual([frame.index_at(*place) for place in places], [2, 0, 0, 0, 0])
+        self.assertEqual(frame.geometry.epsilon, 0.1)
+        self.assertAlmostEqual(iogrid.probability(2, frame.geometry.epsilon), 36 / 52)  # 1 / (1 + (4/6)^2)
+
     def test_probability_is_that_of_the_recursive_set(self):
         """The table of docs/model.md, section 2."""
         table = {-14: 0.057, -7: 0.197, 0: 0.5, 1: 0.55, 2: 0.599}
@@ -95,7 +107,7 @@ class Places(unittest.TestCase):
         indexes = numpy.array([[10, 0], [-10, 127]], numpy.int8)
         self.assertTrue(numpy.allclose(iogrid.probability(indexes, 0.01), [[0.5987, 0.5], [0.4013, 0.9938]], atol=1e-4))
         self.assertAlmostEqual(iogrid.probability(indexes, epsilon=0.05)[0, 0], 0.8815, places=4)
-        self.assertRaises(TypeError, iogrid.probability, indexes)  # the stream does not say it, nor may a default
+        self.assertRaises(TypeError, iogrid.probability, indexes)
         for no_epsilon in (0, 0.5, -0.1, math.nan):
             self.assertRaises(ValueError, iogrid.probability, indexes, no_epsilon)
 

@@ -7,22 +7,25 @@
 
 static iogrid_receiver receiver;
 static uint8_t datagram[65536];
+static uint32_t zlib_crc[256];
 
 static uint32_t lost(const iogrid_grid* grid) {
   uint32_t tiles = 0;
-  for (uint32_t tile = 0; tile < IOGRID_TILES; ++tile) tiles += grid->is_lost[tile];
+  for (uint32_t tile = 0; tile < grid->tiles; ++tile) tiles += grid->is_lost[tile];
   return tiles;
 }
 
 // CRC-32 of the cells row by row.
 static uint32_t picture(const iogrid_receiver* r, int of_classes) {
   uint32_t crc = 0xFFFFFFFF;
-  for (uint32_t row = 0; row < IOGRID_SIDE; ++row) {
-    for (uint32_t column = 0; column < IOGRID_SIDE; ++column) {
+  const iogrid_grid* grid = of_classes ? &r->classes : &r->indexes;
+  for (uint32_t row = 0; row < grid->rows; ++row) {
+    for (uint32_t column = 0; column < grid->columns; ++column) {
       const uint8_t cell =
           of_classes ? iogrid_cell(r, column, row)
-                     : (uint8_t)iogrid_index_at(r, (column - 511.5) * 0.1, (row - 511.5) * 0.1);
-      crc = iogrid_crc(r->crc_32, crc, &cell, 1);
+                     : (uint8_t)iogrid_index_at(r, grid->x_m + (column + 0.5) * grid->cell_m,
+                                                grid->y_m + (row + 0.5) * grid->cell_m);
+      crc = iogrid_crc(zlib_crc, crc, &cell, 1);
     }
   }
   return ~crc;
@@ -46,7 +49,7 @@ static void print_objects(const iogrid_receiver* r) {
         o->length_cm, o->width_cm, o->has_heading ? o->heading : -1, o->is_hit, o->is_end_hidden,
         o->vx_cm_s, o->vy_cm_s, o->sigma_v_along, o->sigma_v_across, o->sigma_along,
         o->sigma_across, o->since_hit_ms, o->since_stopped, is_told, x, y, sigma);
-    crc = iogrid_crc(r->crc_32, crc, (const uint8_t*)text, (size_t)bytes);
+    crc = iogrid_crc(zlib_crc, crc, (const uint8_t*)text, (size_t)bytes);
   }
   printf(" objects %d %08x", count, ~crc);
 }
@@ -66,6 +69,7 @@ static void print(const iogrid_receiver* r) {
   printf("%u run %u whole %d lost %u %u cells %08x %08x", r->number, r->run, r->is_whole,
          r->has_indexes ? lost(&r->indexes) : 0, r->has_classes ? lost(&r->classes) : 0,
          picture(r, 0), picture(r, 1));
+  printf(" p(3) %.6f", r->indexes.epsilon > 0 ? iogrid_probability(r, 3) : 0);
   print_objects(r);
   uint32_t is_watched = 0, is_blocked = 0;
   for (int i = 0; i < 32; ++i) {
@@ -86,6 +90,12 @@ static void print(const iogrid_receiver* r) {
 
 int main(void) {
   iogrid_init(&receiver);
+  for (uint32_t i = 0; i < 256; ++i) {
+    zlib_crc[i] = i;
+    for (int bit = 0; bit < 8; ++bit) {
+      zlib_crc[i] = zlib_crc[i] >> 1 ^ (zlib_crc[i] & 1 ? 0xEDB88320U : 0);
+    }
+  }
   for (int high; (high = getchar()) != EOF;) {
     const size_t bytes = (size_t)high << 8 | (size_t)getchar();
     // On the heap, so that a byte read beyond its end is found.

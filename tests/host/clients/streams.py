@@ -1,7 +1,7 @@
 """Streams for the tests of clients/, and what `iog` says of them. Environment: IOG is the program, STREAMS a folder.
 
 The first is made by `iog` of a simulated drive; raw tiles, which it does not have, are made by tests/e2e/made_stream.py,
-and so is what an older target leaves out. Tiles are counted by tests/e2e/grid_stream.py, the tests' own reader.
+and so is an end that is too short. Tiles are counted by tests/e2e/grid_stream.py, the tests' own reader.
 """
 
 import collections
@@ -69,10 +69,10 @@ def raw() -> pathlib.Path:
     return path
 
 
-def of_older_target() -> list[bytes]:
-    """A frame whose end has no sectors and nothing behind them (3.5)."""
+def with_a_short_end() -> list[bytes]:
+    """A frame whose end lacks its last byte (3.5)."""
     *messages, end = made_stream.Target(0).messages_of(made_stream.Grid(), 1, made_classes.Window())
-    return [*messages, protected_message.protect(end[28:-24], len(messages))]
+    return [*messages, protected_message.protect(end[28:-1], len(messages))]
 
 
 def write(path: pathlib.Path, messages: list[bytes]) -> None:
@@ -102,7 +102,8 @@ def tiles_of(message: bytes) -> list[tuple[tuple[bool, int], grid_stream.Tile]]:
 
 def by_tile(cells: numpy.ndarray) -> numpy.ndarray:
     """The same cells as [row of tiles, column, row of the tile, column]."""
-    return cells.reshape(32, 32, 32, 32).swapaxes(1, 2)
+    rows, columns = cells.shape
+    return cells.reshape(rows // 32, 32, columns // 32, 32).swapaxes(1, 2)
 
 
 def encodings_of(messages: list[bytes]) -> collections.Counter:

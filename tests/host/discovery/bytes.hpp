@@ -21,12 +21,12 @@ inline Frame scapy_find() {
       "00000000 4f47ffff ff000003 ffffffff 00000000");
 }
 
-// A subscription to event group 1 of instance 1, version 4, for 3 s, counter 5, at 10.0.2.77:30500;
+// A subscription to event group 1 of instance 1, version 5, for 3 s, counter 5, at 10.0.2.77:30500;
 // session 2.
 inline Frame scapy_subscribe() {
   return from_hex(
       "ffff8100 00000030 00000002 01010200 c0000000 00000010"
-      "06000010 4f470001 04000003 00050001 0000000c"
+      "06000010 4f470001 05000003 00050001 0000000c"
       "00090400 0a00024d 00117724");
 }
 
@@ -34,13 +34,13 @@ inline Frame scapy_subscribe() {
 inline Frame scapy_offer() {
   return from_hex(
       "ffff8100 00000030 00000001 01010200 c0000000 00000010"
-      "01000010 4f470001 04000003 00000000 0000000c"
+      "01000010 4f470001 05000003 00000000 0000000c"
       "00090400 0a00020f 00111b59");
 }
 inline Frame scapy_acknowledgement() {
   return from_hex(
       "ffff8100 00000024 00000001 01010200 c0000000 00000010"
-      "07000000 4f470001 04000003 00050001 00000000");
+      "07000000 4f470001 05000003 00050001 00000000");
 }
 
 // Where fields of the two are.

@@ -21,7 +21,7 @@ TEST(DiscoveryMessage, ReadsWhatScapyMakes) {
   EXPECT_EQ(entry.type, EntryType::kSubscribe);
   EXPECT_EQ(entry.service, 0x4F47);
   EXPECT_EQ(entry.instance, 1);
-  EXPECT_EQ(entry.major, 4);
+  EXPECT_EQ(entry.major, 5);
   EXPECT_EQ(entry.ttl_s, 3U);
   EXPECT_EQ(entry.minor, 0x0005'0001U) << "counter and event group";
   EXPECT_EQ(entry.event_group(), 1);
@@ -33,7 +33,7 @@ TEST(DiscoveryMessage, IsWrittenAsScapyDoes) {
                     .options = {{{.first = 0, .count = 1}, {}}},
                     .service = 0x4F47,
                     .instance = 1,
-                    .major = 4,
+                    .major = 5,
                     .ttl_s = 3};
   Frame bytes(message_bytes(1), std::byte{0xEE});
   bytes.resize(write_message(1, kFlagReboot | kFlagUnicast, std::span(&offer, 1),
@@ -42,7 +42,7 @@ TEST(DiscoveryMessage, IsWrittenAsScapyDoes) {
   const Entry acknowledgement{.type = EntryType::kSubscribeAck,
                               .service = 0x4F47,
                               .instance = 1,
-                              .major = 4,
+                              .major = 5,
                               .ttl_s = 3,
                               .minor = 0x0005'0001};
   bytes.assign(message_bytes(1), std::byte{0xEE});

@@ -12,7 +12,7 @@ namespace iog::discovery::testing {
 using net::testing::put_be16;
 
 inline constexpr std::uint64_t kSecondUs = 1'000'000;
-inline constexpr Service kService{.service = 0x4F47, .major = 4, .minor = 0, .event_group = 1};
+inline constexpr Service kService{.service = 0x4F47, .major = 5, .minor = 0, .event_group = 1};
 
 inline net::Config config_of_instance(std::uint8_t instance) {
   net::Config config = kConfig;

@@ -34,7 +34,7 @@ TEST(Discovery, IsFoundByItsVersionsAndNoOthers) {
   Bench bench;
   Frame exact = scapy_find();
   put_be16(exact, kInstanceAt, 1);
-  exact[kMajorAt] = std::byte{4};
+  exact[kMajorAt] = std::byte{5};
   put_be16(exact, kMinorAt, 0);
   put_be16(exact, kMinorAt + 2, 0);
   EXPECT_FALSE(bench.ask(exact).empty());

@@ -28,11 +28,6 @@ inline long double radians(double degrees) {
   return static_cast<long double>(degrees) * std::numbers::pi_v<long double> / 180;
 }
 
-inline std::int64_t subcells(double metres) {
-  return std::llround(static_cast<long double>(metres) * 1000 / geometry::kCellMm *
-                      geometry::kResolution);
-}
-
 // Rounded to the nearest whole number, or nothing where rounding on the way could show: the
 // firmware's ends are within 0.002 subcells of the real ones.
 inline std::optional<std::int32_t> clearly(long double subcells) {
@@ -44,11 +39,11 @@ inline std::optional<std::int32_t> clearly(long double subcells) {
 }
 
 // The largest fraction of a turn in powers of two whose half, L away, is half a cell or less.
-inline std::int64_t steps_for(std::int64_t range_mm) {
+inline std::int64_t steps_for(std::int64_t range_mm, double cell_m) {
   std::int64_t steps = 1;
   while (2 * std::numbers::pi_v<long double> / static_cast<long double>(steps) *
              static_cast<long double>(range_mm) / 2 >
-         geometry::kCellMm / 2.0L) {
+         static_cast<long double>(cell_m) * 1000 / 2) {
     steps *= 2;
   }
   return steps;
@@ -69,7 +64,7 @@ class TurningRule {
       : config_(config), description_(description), elevations_deg_(elevations_deg) {}
 
   [[nodiscard]] std::optional<TurningRay> ray(const lidar::ScanPoint& point) const {
-    const std::int64_t steps = steps_for(config_.range_max_mm);
+    const std::int64_t steps = steps_for(config_.range_max_mm, description_.grid.cell_m);
     const std::int64_t step =
         (2 * point.azimuth_ticks * steps + kTicksOfVlp16) / (2 * kTicksOfVlp16) % steps;
     const long double azimuth = 2 * std::numbers::pi_v<long double> *
@@ -77,26 +72,25 @@ class TurningRule {
                                     static_cast<long double>(steps) +
                                 radians(config_.mount.yaw_deg);
     const long double length_m = config_.range_max_mm / 1000.0L;
-    const long double middle_m = geometry::kOriginCell * geometry::kCellMm / 1000.0L;
-    const auto exact = [&](double mount_m, long double way_m) {
-      return (static_cast<long double>(mount_m) + middle_m + way_m) * 1000 / geometry::kCellMm *
-             geometry::kResolution;
+    const description::GridConfig& grid = description_.grid;
+    const auto exact = [&](double mount_m, long double corner_m, long double way_m) {
+      return (static_cast<long double>(mount_m) + corner_m + way_m) * scale();
     };
-    const auto x = clearly(exact(config_.mount.x_m, length_m * std::cos(azimuth)));
-    const auto y = clearly(exact(config_.mount.y_m, length_m * std::sin(azimuth)));
+    const auto x = clearly(exact(config_.mount.x_m, grid.behind_m, length_m * std::cos(azimuth)));
+    const auto y = clearly(exact(config_.mount.y_m, grid.right_m, length_m * std::sin(azimuth)));
     const long double elevation = radians(elevations_deg_[point.layer]);
-    const auto z =
-        clearly((static_cast<long double>(config_.mount.z_m) + length_m * std::tan(elevation)) *
-                1000 / geometry::kCellMm * geometry::kResolution);
+    const auto z = clearly(
+        (static_cast<long double>(config_.mount.z_m) + length_m * std::tan(elevation)) * scale());
     if (!x || !y || !z) {
       return std::nullopt;
     }
-    return TurningRay{
-        .start = {static_cast<std::int32_t>(std::llround(exact(config_.mount.x_m, 0))),
-                  static_cast<std::int32_t>(std::llround(exact(config_.mount.y_m, 0)))},
-        .end = {*x, *y},
-        .z_start = subcells(config_.mount.z_m),
-        .z_end = *z};
+    return TurningRay{.start = {static_cast<std::int32_t>(
+                                    std::llround(exact(config_.mount.x_m, grid.behind_m, 0))),
+                                static_cast<std::int32_t>(
+                                    std::llround(exact(config_.mount.y_m, grid.right_m, 0)))},
+                      .end = {*x, *y},
+                      .z_start = subcells(config_.mount.z_m),
+                      .z_end = *z};
   }
 
   [[nodiscard]] std::int64_t along(const lidar::ScanPoint& point, std::int64_t range_mm) const {
@@ -111,10 +105,11 @@ class TurningRule {
     const std::int64_t measured = point.range_mm;  // by which too near is judged
     const std::int64_t at = along(point, measured);
     const description::FootprintConfig& car = description_.footprint;
-    const bool is_on_car = is_between(ray.start.x, ray.end.x, measured, car.x_min_m + middle(),
-                                      car.x_max_m + middle()) &&
-                           is_between(ray.start.y, ray.end.y, measured, car.y_min_m + middle(),
-                                      car.y_max_m + middle());
+    const description::GridConfig& grid = description_.grid;
+    const bool is_on_car = is_between(ray.start.x, ray.end.x, measured, car.x_min_m + grid.behind_m,
+                                      car.x_max_m + grid.behind_m) &&
+                           is_between(ray.start.y, ray.end.y, measured, car.y_min_m + grid.right_m,
+                                      car.y_max_m + grid.right_m);
     if (point.range_mm < config_.range_min_mm || is_on_car) {
       return vehicle::Fate::kTooNear;
     }
@@ -159,7 +154,13 @@ class TurningRule {
 
  private:
   [[nodiscard]] std::int64_t length() const { return config_.range_max_mm; }
-  static double middle() { return geometry::kOriginCell * geometry::kCellMm / 1000.0; }
+  // Subcells of a metre.
+  [[nodiscard]] long double scale() const {
+    return geometry::kResolution / static_cast<long double>(description_.grid.cell_m);
+  }
+  [[nodiscard]] std::int64_t subcells(double metres) const {
+    return std::llround(static_cast<long double>(metres) * scale());
+  }
 
   // Whether what is at distance `at` of L between the two ends is within the limits.
   [[nodiscard]] bool is_between(std::int64_t start, std::int64_t end, std::int64_t at, double low_m,

@@ -43,5 +43,22 @@ TEST(Grid, ItsAreaIsThatOfItsCells) {
   EXPECT_FALSE(kGridArea.contains({0, kCellsPerSide}));
 }
 
+// 16 x 10 tiles of the memory's 32 x 32, counted one by one.
+TEST(Grid, TilesOfARectangleAreNumberedRowByRow) {
+  constexpr Grid kGrid{.columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
+  EXPECT_EQ(kGrid.tile_count(), 160U);
+  std::size_t before = 0;
+  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
+    ASSERT_EQ(kGrid.tiles_before(tile), before) << tile;
+    if (tile % kTilesPerSide < 16 && tile / kTilesPerSide < 10) {
+      ASSERT_EQ(kGrid.tile_in_memory(before), tile);
+      ++before;
+    }
+  }
+  EXPECT_EQ(kGrid.tiles_before(kTileCount), 160U);
+  EXPECT_EQ(Grid{}.tiles_before(kTileCount), kTileCount);
+  EXPECT_EQ(Grid{}.tiles_before(777), 777U);
+}
+
 }  // namespace
 }  // namespace iog::geometry

@@ -22,6 +22,7 @@
 #include "fakes/turning_rule.hpp"
 #include "fusion/frame_fusion.hpp"
 #include "ground/ground.hpp"
+#include "tools/car/tables.hpp"
 
 namespace iog::grid {
 namespace {
@@ -38,11 +39,9 @@ using tests::TurningRule;
 using vehicle::Fate;
 
 // One point after the other, each in a frame of its own.
-template <typename Car>
 class AlonePoints {
  public:
-  explicit AlonePoints(std::span<const double> elevations_deg)
-      : rule_(Car::kConfigs[0], Car::kDescription, elevations_deg) {}
+  AlonePoints(const TurningRule& rule, const vehicle::Vehicle& car) : rule_(rule), car_(car) {}
 
   // All cells that the line might touch, and no others.
   void expect_as_the_rule_says(const lidar::ScanPoint& point) {
@@ -50,7 +49,7 @@ class AlonePoints {
     if (!ray) {
       return;
     }
-    const vehicle::Sensor& sensor = Car::kVehicle.sensors[0];
+    const vehicle::Sensor& sensor = car_.sensors[0];
     const Fate fate = fusion_->add(sensor, point);
     fusion_->finish();
     ASSERT_EQ(fate, rule_.fate(*ray, point)) << words_of(point);
@@ -58,6 +57,9 @@ class AlonePoints {
     std::ptrdiff_t known = 0;
     for_each_cell_around(*ray, [&](Cell cell) {
       const int found = fusion_->view().at(cell);
+      if (!car_.grid.area().contains(cell)) {
+        return;
+      }
       known += found != 0 ? 1 : 0;
       ASSERT_EQ(found, rule_.index(sensor.profile, *ray, point, fate, cell))
           << "cell " << cell.x << ", " << cell.y << ", " << words_of(point);
@@ -76,22 +78,32 @@ class AlonePoints {
   }
 
   TurningRule rule_;
-  std::unique_ptr<fusion::FrameFusion> fusion_ =
-      std::make_unique<fusion::FrameFusion>(Car::kVehicle);
+  vehicle::Vehicle car_;
+  std::unique_ptr<fusion::FrameFusion> fusion_ = std::make_unique<fusion::FrameFusion>(car_);
   std::array<int, vehicle::kFateCount> fates_{};
 };
+
+void expect_every_cell_as_the_rule_says(AlonePoints& alone, std::size_t layers, int longest_mm,
+                                        std::uint64_t seed, int points) {
+  tests::Random random(seed);
+  for (int i = 0; i < points && !testing::Test::HasFatalFailure(); ++i) {
+    alone.expect_as_the_rule_says(random_point(random, layers, longest_mm));
+  }
+  EXPECT_GT(alone.count(Fate::kUsed), 0);
+  EXPECT_GT(alone.count(Fate::kOutsideHeightBand), 0);
+}
+
+template <typename Car>
+AlonePoints alone_points(std::span<const double> elevations_deg) {
+  return {TurningRule(Car::kConfigs[0], Car::kDescription, elevations_deg), Car::kVehicle};
+}
 
 template <typename Car>
 void expect_every_cell_as_the_rule_says(std::span<const double> elevations_deg, std::uint64_t seed,
                                         int points) {
-  AlonePoints<Car> alone(elevations_deg);
-  tests::Random random(seed);
+  AlonePoints alone = alone_points<Car>(elevations_deg);
   const int longest_mm = static_cast<int>(Car::kConfigs[0].range_max_mm) * 9 / 8;
-  for (int i = 0; i < points && !testing::Test::HasFatalFailure(); ++i) {
-    alone.expect_as_the_rule_says(random_point(random, elevations_deg.size(), longest_mm));
-  }
-  EXPECT_GT(alone.count(Fate::kUsed), 0);
-  EXPECT_GT(alone.count(Fate::kOutsideHeightBand), 0);
+  expect_every_cell_as_the_rule_says(alone, elevations_deg.size(), longest_mm, seed, points);
 }
 
 TEST(Turning, EveryCellIsAsTheRuleSaysForAVlp16) {
@@ -106,6 +118,26 @@ TEST(Turning, EveryCellIsAsTheRuleSaysFor128Layers) {
 TEST(Turning, EveryCellIsAsTheRuleSaysAtTheLimits) {
   expect_every_cell_as_the_rule_says<SteepVlp16>(SteepVlp16::kElevationsDeg, 53,
                                                  tests::effort(60, 8));
+}
+
+// The four sizes of a cell, and a rectangle ahead: 51.2 x 32 m.
+TEST(Turning, EveryCellIsAsTheRuleSaysOnEachGrid) {
+  const auto square = [](double cell_m) { return description::GridConfig{.cell_m = cell_m}; };
+  const std::vector<description::GridConfig> grids{
+      square(0.05),
+      square(0.2),
+      square(0.5),
+      {.ahead_m = 51.2, .behind_m = 0, .left_m = 16, .right_m = 16}};
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    description::Description car = LevelVlp16::kDescription;
+    car.grid = grids[i];
+    auto config = LevelVlp16::kConfigs[0];
+    config.range_max_mm = 60'000;
+    const std::vector sensors{description::sensor_of(config, car)};
+    AlonePoints alone(TurningRule(config, car, lidar::VelodyneVlp16::kElevationsDeg),
+                      description::vehicle_of(car, sensors));
+    expect_every_cell_as_the_rule_says(alone, 16, 67'500, 55 + i, tests::effort(60, 8));
+  }
 }
 
 // Where the car's own border lies is asked of what was measured, as the sensor's minimum is, and
@@ -134,7 +166,7 @@ TEST(Turning, TooNearIsJudgedByWhatIsMeasured) {
 TEST(Turning, EveryCellIsAsTheRuleSaysBehindTheBand) {
   constexpr int kStepMm = tests::effort(41, 163);
   tests::Random random(54);
-  AlonePoints<LevelVlp16> alone(lidar::VelodyneVlp16::kElevationsDeg);
+  AlonePoints alone = alone_points<LevelVlp16>(lidar::VelodyneVlp16::kElevationsDeg);
   const auto sensor_m = static_cast<long double>(LevelVlp16::kConfigs[0].mount.z_m);
   // Steps of 5 have layers above and below by turns.
   constexpr std::size_t kLayerStep = tests::effort(1, 5);

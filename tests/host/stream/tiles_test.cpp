@@ -26,14 +26,14 @@ Bytes body_of(std::span<const std::byte> message) {
 
 // Speaks of tiles 5 to 66 and carries 33 and 65: one of two bytes, one of one.
 Bytes some_body() {
-  return bytes_of({0,   5, 0, 66,   0,    2,    5,    0,    4,    0,    4,    0, 0,
-                   100, 0, 0, 0xFF, 0xFF, 0x38, 0x00, 0xFF, 0xFF, 0x38, 0x00, 0, 33,
-                   4,   0, 2, 7,    8,    0,    65,   5,    0,    1,    9});
+  return bytes_of({0,   5,    0,    66,   0,    2,    5,    0,    4,    0,    4,    0, 0,
+                   100, 0x30, 0x39, 0xFF, 0xFF, 0x38, 0x00, 0xFF, 0xFF, 0x38, 0x00, 0, 33,
+                   4,   0,    2,    7,    8,    0,    65,   5,    0,    1,    9});
 }
 
 TEST(TilesWriter, WritesWhatTheSpecificationSays) {
   TilesWriter writer;
-  writer.begin_grid({.frame_number = 9}, geometry_of_level(0));
+  writer.begin_grid({.frame_number = 9, .epsilon_e5 = 0x3039}, geometry_of_level(0));
   writer.begin_message(5);
   ASSERT_TRUE(writer.append(33, Encoding::kRunStarts, bytes_of({7, 8})));
   ASSERT_TRUE(writer.append(65, Encoding::kRunStartsSince, bytes_of({9})));
@@ -92,6 +92,7 @@ TEST(TilesReader, ReadsWhatTheSpecificationSays) {
   EXPECT_EQ(header.first_tile, 5);
   EXPECT_EQ(header.end_tile, 66);
   EXPECT_EQ(header.geometry, geometry_of_level(0));
+  EXPECT_EQ(header.epsilon_e5, 0x3039);
   TileRecord record;
   ASSERT_TRUE(records.next(record));
   EXPECT_EQ(record.tile, 33);
@@ -165,6 +166,31 @@ TEST(Geometry, OfEveryLevelIsTheSameSquare) {
     EXPECT_EQ(geometry.width * geometry.cell_mm, geometry::kCellsPerSide * geometry::kCellMm);
     EXPECT_EQ(geometry.tile_count() << (2 * level), geometry_of_level(0).tile_count());
   }
+}
+
+// A receiver takes what a car can have, and no more than the memory holds.
+TEST(Geometry, IsOfAGridThatACarCanHave) {
+  constexpr geometry::Grid kGrid{
+      .cell_mm = 50, .columns = 1024, .rows = 640, .origin_column = 0, .origin_row = 320};
+  constexpr Geometry kGeometry = geometry_of(kGrid);
+  EXPECT_EQ(kGeometry.width, 1024);
+  EXPECT_EQ(kGeometry.height, 640);
+  EXPECT_EQ(kGeometry.cell_mm, 50);
+  EXPECT_EQ(kGeometry.origin_x_mm, 0);
+  EXPECT_EQ(kGeometry.origin_y_mm, -16'000);
+  EXPECT_EQ(grid_of(kGeometry), kGrid);
+  EXPECT_EQ(grid_of(geometry_of_level(0)), geometry::Grid{});
+  const auto is_taken = [&](auto&& change) {
+    Geometry geometry = kGeometry;
+    change(geometry);
+    return grid_of(geometry).has_value();
+  };
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 2048; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.height = 0; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.cell_mm = 0; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_x_mm = 50; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_y_mm = -16'001; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.storage = Storage::kHighestIndex; }));
 }
 
 }  // namespace

@@ -245,7 +245,7 @@ TEST(FrameAssembler, AnotherVersionIsRefusedByName) {
     assembler.take(message);
   }
   EXPECT_EQ(assembler.version_sent(), 3);
-  EXPECT_EQ(words_of_version(3), "interface version 3; this iog reads 4");
+  EXPECT_EQ(words_of_version(3), "interface version 3; this iog reads 5");
   EXPECT_EQ(assembler.counts().other_version, sample().size());
 }
 

@@ -50,7 +50,7 @@ std::uint32_t FakeClassWorld::name_of(std::uint32_t frame) const {
   wire::ByteWriter out(place);
   out.i32_be(corner_a);
   out.i32_be(corner_b);
-  stream::Crc32 crc;
+  stream::GridCrc32 crc;
   crc.update(place);
   for (const auto& [slot, cells] : tiles_in(frame)) {
     wire::ByteWriter number(place);

@@ -27,10 +27,10 @@ std::string text_of(const std::string& path) {
 
 // ROS map_server: row 0 is the row of highest y; 0 occupied, 254 free, 205 unknown.
 TEST(RosMap, FilesAreExact) {
-  constexpr std::array<index::OccupancyIndex, 9> kCells{-127, -1,  0,  // lowest y
-                                                        1,    127, 0, 0, 0, 2};
+  const std::vector<index::OccupancyIndex> cells{-127, -1,  0,  // lowest y
+                                                 1,    127, 0, 0, 0, 2};
   const tests::TemporaryFolder folder;
-  const RosMap map{.cells = kCells, .side = 3, .cell_m = 0.1, .origin_m = -51.2};
+  const RosMap map{.cells = cells, .grid = {.columns = 3, .rows = 3}};
   write_ros_map(folder.path(), "iog_map", map);
   const std::string pgm = text_of(folder / "iog_map.pgm");
   EXPECT_EQ(pgm, std::string("P5\n3 3\n255\n") + "\xCD\xCD" + std::string(2, '\0') +
@@ -45,11 +45,22 @@ TEST(RosMap, FilesAreExact) {
             "free_thresh: 0.196\n");
 }
 
+// Of 5 cm, ahead of the car: 2 columns and 3 rows, of which one is to its right.
+TEST(RosMap, IsOfTheGridOfTheCar) {
+  const geometry::Grid grid{
+      .cell_mm = 50, .columns = 2, .rows = 3, .origin_column = 0, .origin_row = 1};
+  const RosMap map{.cells = {1, -1, 0, 0, 0, 2}, .grid = grid};
+  EXPECT_EQ(ros_map_pixels(map), (std::vector<std::uint8_t>{205, 0, 205, 205, 0, 254}));
+  const std::string yaml = ros_map_yaml("map.pgm", map);
+  EXPECT_NE(yaml.find("resolution: 0.05\norigin: [0.00, -0.05, 0.0]\n"), std::string::npos) << yaml;
+}
+
 // map_server computes p = (255 - pixel) / 255 and compares with its two thresholds.
 TEST(RosMap, ThresholdsGiveBackTheClasses) {
   for (int index = -127; index <= 127; ++index) {
-    const std::array cells{static_cast<index::OccupancyIndex>(index)};
-    const double p = (255 - ros_map_pixels({.cells = cells, .side = 1})[0]) / 255.0;
+    const auto its = static_cast<index::OccupancyIndex>(index);
+    const double p =
+        (255 - ros_map_pixels({.cells = {its}, .grid = {.columns = 1, .rows = 1}})[0]) / 255.0;
     EXPECT_EQ(p > 0.65, index > 0);
     EXPECT_EQ(p < 0.196, index < 0);
   }

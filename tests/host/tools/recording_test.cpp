@@ -195,8 +195,8 @@ TEST(Percents, AreProbabilitiesOfTheRecursiveSet) {
 
 // Offsets by hand from the definition: stamp 8, length and "base_link\0" 14, 2 to align, load time
 // 8, resolution, width and height 12, 4 to align, pose 56, length 4; behind 4 of the encapsulation.
-// The stream does not say epsilon.
-TEST(Percents, OfAnUnknownCarAreNotKnown) {
+// A frame without indexes says no epsilon.
+TEST(Percents, WithoutEpsilonAreNotKnown) {
   GridFrame frame;
   std::ranges::fill(frame.cells, 127);
   EXPECT_EQ(occupancy_grid(frame, 0, Percents(std::nullopt)).back(), std::byte{0xFF});

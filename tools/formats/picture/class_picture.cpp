@@ -176,8 +176,8 @@ class ClassPainter {
 
   // Whose the map is.
   [[nodiscard]] std::string attribution() const {
-    const auto& map = classes_->end.map;
-    return std::string(map && map->in_use ? map->in_use->words() : std::string_view());
+    const auto& in_use = classes_->end.map.in_use;
+    return std::string(in_use ? in_use->words() : std::string_view());
   }
 
   void paint_legend() {

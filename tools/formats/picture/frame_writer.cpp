@@ -46,11 +46,7 @@ void FrameWriter::write_last(const GridFrame& frame) {
   if (!frame.header.has_indexes()) {
     return;
   }
-  write_ros_map(options_.folder, "map",
-                {.cells = frame.cells,
-                 .side = geometry::kCellsPerSide,
-                 .cell_m = geometry::kCellMm / 1000.0,
-                 .origin_m = -geometry::kOriginCell * geometry::kCellMm / 1000.0});
+  write_ros_map(options_.folder, "map", {.cells = cells_in_grid(frame), .grid = frame.shape});
 }
 
 }  // namespace iog::tools

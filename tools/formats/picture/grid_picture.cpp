@@ -26,8 +26,21 @@ constexpr Colour kCar{250, 250, 250};
 constexpr Colour kSensor{20, 170, 150};
 
 constexpr int kWholeGridM = geometry::kCellsPerSide * geometry::kCellMm / 2000;
-constexpr int kCellsPerMetre = 1000 / geometry::kCellMm;
 constexpr int kSmallestHit = 3;  // pixels; a smaller one is not seen among free cells
+
+// The cells of an axis that a picture shows.
+struct Shown {
+  int first = 0;
+  int end = 0;
+  int origin = 0;  // the vehicle's
+
+  Shown(int cells, int origin_cell, int radius_cells)
+      : first(std::max(0, origin_cell - radius_cells)),
+        end(std::max(first + 1, std::min(cells, origin_cell + radius_cells))),
+        origin(origin_cell) {}
+  [[nodiscard]] int count() const { return end - first; }
+  [[nodiscard]] int reach() const { return std::max(end - origin, origin - first); }
+};
 
 // From metres in the vehicle frame to pixels.
 class Painter {
@@ -35,9 +48,10 @@ class Painter {
   Painter(const GridFrame& frame, const PictureScale& scale)
       : frame_(&frame),
         scale_(scale.pixels_per_cell),
-        cells_(scale.radius_m >= kWholeGridM ? geometry::kCellsPerSide
-                                             : 2 * scale.radius_m * kCellsPerMetre),
-        canvas_(cells_ * scale_, cells_ * scale_, kUnknown) {}
+        cells_per_metre_(1000 / frame.shape.cell_mm),
+        x_(frame.shape.columns, frame.shape.origin_column, radius_cells(scale)),
+        y_(frame.shape.rows, frame.shape.origin_row, radius_cells(scale)),
+        canvas_(y_.count() * scale_, x_.count() * scale_, kUnknown) {}
 
   Canvas paint() {
     paint_cells(false);
@@ -52,20 +66,24 @@ class Painter {
   }
 
  private:
-  [[nodiscard]] double pixels(double metres) const { return metres * kCellsPerMetre * scale_; }
-  [[nodiscard]] double column(double y_m) const { return canvas_.width() / 2.0 - pixels(y_m); }
-  [[nodiscard]] int reach_m() const { return cells_ / 2 / kCellsPerMetre; }
-  [[nodiscard]] double row(double x_m) const { return canvas_.height() / 2.0 - pixels(x_m); }
+  [[nodiscard]] int radius_cells(const PictureScale& scale) const {
+    return scale.radius_m >= kWholeGridM ? geometry::kCellsPerSide
+                                         : scale.radius_m * cells_per_metre_;
+  }
+  [[nodiscard]] double pixels(double metres) const { return metres * cells_per_metre_ * scale_; }
+  [[nodiscard]] double column(double y_m) const {
+    return (y_.end - y_.origin) * scale_ - pixels(y_m);
+  }
+  [[nodiscard]] double row(double x_m) const { return (x_.end - x_.origin) * scale_ - pixels(x_m); }
+  [[nodiscard]] int reach_m() const { return std::max(x_.reach(), y_.reach()) / cells_per_metre_; }
 
   // visit(place in the grid, column and row of its first pixel) for each cell of the picture.
   template <typename Visit>
   void for_each_cell(Visit&& visit) const {
-    const int first = (geometry::kCellsPerSide - cells_) / 2;
-    for (int up = 0; up < cells_; ++up) {
-      for (int left = 0; left < cells_; ++left) {
-        visit(static_cast<std::size_t>(first + left) * geometry::kCellsPerSide +
-                  static_cast<std::size_t>(first + up),
-              (cells_ - 1 - left) * scale_, (cells_ - 1 - up) * scale_);
+    for (int x = x_.first; x < x_.end; ++x) {
+      for (int y = y_.first; y < y_.end; ++y) {
+        visit(static_cast<std::size_t>(geometry::number_of({x, y})), (y_.end - 1 - y) * scale_,
+              (x_.end - 1 - x) * scale_);
       }
     }
   }
@@ -159,7 +177,9 @@ class Painter {
 
   const GridFrame* frame_;
   int scale_;
-  int cells_;  // on a side of the picture
+  int cells_per_metre_;
+  Shown x_;
+  Shown y_;
   Canvas canvas_;
 };
 

@@ -1,5 +1,5 @@
 // A grid as a picture for people: the car in the middle, its x axis (forward) pointing up, its y
-// axis to the left.
+// axis to the left. A grid that does not surround the car has its own middle.
 #pragma once
 
 #include <cstdint>

@@ -1,22 +1,19 @@
 // A grid as a map of ROS map_server (trinary mode): a PGM and the YAML that names it.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "geometry/grid.hpp"
 #include "index/occupancy_index.hpp"
 
 namespace iog::tools {
 
-// A square of cells, row by row from the lowest y.
+// The cells of a grid, row by row from the lowest y.
 struct RosMap {
-  std::span<const index::OccupancyIndex> cells;
-  std::size_t side = 0;
-  double cell_m = 0.1;
-  double origin_m = -51.2;  // x and y of the corner of the first cell
+  std::vector<index::OccupancyIndex> cells;
+  geometry::Grid grid;
 };
 
 // 0 occupied (index above 0), 254 free (below), 205 unknown; x to the right, the row of highest y

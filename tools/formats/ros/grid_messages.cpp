@@ -14,16 +14,17 @@
 namespace iog::tools::ros {
 namespace {
 
-constexpr double kOriginM = -geometry::kOriginCell * geometry::kCellMm / 1000.0;
-constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
-
 constexpr std::array kCellFields{Field{"index", FieldType::kInt8},
                                  Field{"probability_percent", FieldType::kUint8},
                                  Field{"age_frames", FieldType::kUint8}};
 constexpr std::size_t kBytesPerCell = kCellFields.size();
 
-Place place_at(std::uint64_t stamp_us) {
-  return {.time_us = stamp_us, .frame_id = kFrameId, .x_m = kOriginM, .y_m = kOriginM};
+Place place_at(std::uint64_t stamp_us, const geometry::Grid& grid) {
+  return {.time_us = stamp_us,
+          .frame_id = kFrameId,
+          .x_m = -grid.origin_column * grid.cell_mm / 1000.0,
+          .y_m = -grid.origin_row * grid.cell_mm / 1000.0,
+          .grid = grid};
 }
 
 std::uint8_t age_of(const LiveGrid& grid, std::size_t tile) {
@@ -49,12 +50,13 @@ Percents::Percents(std::optional<double> epsilon) {
 std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stamp_us,
                                       const Percents& percents) {
   constexpr std::byte kUnknown{0xFF};  // -1
-  std::vector<std::byte> cells(geometry::kCellCount);
-  std::ranges::transform(frame.cells, cells.begin(), [&](index::OccupancyIndex index) {
+  const std::vector<index::OccupancyIndex> indexes = cells_in_grid(frame);
+  std::vector<std::byte> cells(indexes.size());
+  std::ranges::transform(indexes, cells.begin(), [&](index::OccupancyIndex index) {
     return percents[index] == Percents::kNotKnown ? kUnknown : std::byte{percents[index]};
   });
   CdrWriter out;
-  put_occupancy_head(out, place_at(stamp_us));
+  put_occupancy_head(out, place_at(stamp_us, frame.shape));
   out.put(cells);
   return out.take();
 }
@@ -64,8 +66,10 @@ std::vector<std::byte> image(const GridFrame& frame, std::uint64_t stamp_us,
   constexpr std::uint32_t kWhite = 255;
   std::vector<std::byte> pixels;
   pixels.reserve(geometry::kCellCount);
-  for (std::size_t x = kSide; x-- > 0;) {
-    for (std::size_t y = kSide; y-- > 0;) {
+  const std::uint32_t height = frame.shape.columns;
+  const std::uint32_t width = frame.shape.rows;
+  for (std::size_t x = height; x-- > 0;) {
+    for (std::size_t y = width; y-- > 0;) {
       const std::uint32_t free = 100U - percents[frame.cells[y * geometry::kCellsPerSide + x]];
       pixels.push_back(static_cast<std::byte>((free * kWhite + 50) / 100));
     }
@@ -73,30 +77,34 @@ std::vector<std::byte> image(const GridFrame& frame, std::uint64_t stamp_us,
   CdrWriter out;
   put_stamp(out, stamp_us);
   out.put(kFrameId);
-  out.put(kSide);
-  out.put(kSide);
+  out.put(height);
+  out.put(width);
   out.put(std::string_view("mono8"));
   out.put(std::uint8_t{0});  // byte order
-  out.put(kSide);            // bytes of a row
+  out.put(width);            // bytes of a row
   out.put(pixels);
   return out.take();
 }
 
 std::vector<std::byte> foxglove_grid(const LiveGrid& grid, std::uint64_t stamp_us,
                                      const Percents& percents) {
-  std::vector<std::byte> cells(geometry::kCellCount * kBytesPerCell);
-  for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+  const geometry::Grid& shape = grid.shape();
+  std::vector<std::byte> cells(std::size_t{shape.columns} * shape.rows * kBytesPerCell);
+  for (std::size_t number = 0; number < shape.tile_count(); ++number) {
+    const std::size_t tile = shape.tile_in_memory(number);
     const std::byte age{age_of(grid, tile)};
     for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
-      const std::size_t cell = cell_of_tile(tile, i);
-      const index::OccupancyIndex index = grid.cells()[cell];
+      const std::size_t place = cell_of_tile(tile, i);
+      const index::OccupancyIndex index = grid.cells()[place];
+      const std::size_t cell =
+          place / geometry::kCellsPerSide * shape.columns + place % geometry::kCellsPerSide;
       cells[cell * kBytesPerCell] = static_cast<std::byte>(index);
       cells[cell * kBytesPerCell + 1] = std::byte{percents[index]};
       cells[cell * kBytesPerCell + 2] = age;
     }
   }
   CdrWriter out;
-  put_foxglove_head(out, place_at(stamp_us), kCellFields);
+  put_foxglove_head(out, place_at(stamp_us, shape), kCellFields);
   out.put(cells);
   return out.take();
 }

@@ -1,14 +1,7 @@
 #include "tools/formats/ros/grid_parts.hpp"
 
-#include "geometry/grid.hpp"
-
 namespace iog::tools::ros {
 namespace {
-
-constexpr double kCellM = geometry::kCellMm / 1000.0;
-constexpr auto kAcross = static_cast<std::uint32_t>(geometry::kCellsPerSide);
-static_assert(std::size_t{kAcross} * kAcross == geometry::kCellCount &&
-              kAcross == geometry::kCellsPerSide);
 
 // geometry_msgs/Pose.
 void put_corner(CdrWriter& out, const Place& place) {
@@ -28,9 +21,9 @@ void put_occupancy_head(CdrWriter& out, const Place& place) {
   put_stamp(out, place.time_us);
   out.put(place.frame_id);
   put_stamp(out, place.time_us);
-  out.put(static_cast<float>(kCellM));
-  out.put(kAcross);
-  out.put(kAcross);
+  out.put(static_cast<float>(place.grid.cell_mm / 1000.0));
+  out.put(std::uint32_t{place.grid.columns});
+  out.put(std::uint32_t{place.grid.rows});
   put_corner(out, place);
 }
 
@@ -39,10 +32,10 @@ void put_foxglove_head(CdrWriter& out, const Place& place, std::span<const Field
   put_stamp(out, place.time_us);
   out.put(place.frame_id);
   put_corner(out, place);
-  out.put(kAcross);
-  out.put(kCellM);
-  out.put(kCellM);
-  out.put(kAcross * bytes_per_cell);
+  out.put(std::uint32_t{place.grid.columns});
+  out.put(place.grid.cell_mm / 1000.0);
+  out.put(place.grid.cell_mm / 1000.0);
+  out.put(place.grid.columns * bytes_per_cell);
   out.put(bytes_per_cell);
   out.put(bytes_per_cell);  // fields
   std::uint32_t offset = 0;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "geometry/grid.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 
 namespace iog::tools::ros {
@@ -15,12 +16,13 @@ struct Place {
   std::string_view frame_id;
   double x_m = 0;
   double y_m = 0;
+  geometry::Grid grid{};  // its cells
 };
 
 // builtin_interfaces/Time.
 void put_stamp(CdrWriter& out, std::uint64_t time_us);
 
-// A nav_msgs/OccupancyGrid of as many cells as ours, but for the cells themselves.
+// A nav_msgs/OccupancyGrid but for the cells themselves.
 void put_occupancy_head(CdrWriter& out, const Place& place);
 
 // Numbers of foxglove_msgs/PackedElementField.
@@ -30,8 +32,7 @@ struct Field {
   FieldType type;
 };
 
-// A foxglove_msgs/Grid of as many cells as ours, each with these fields of a byte, but for the
-// cells themselves.
+// A foxglove_msgs/Grid whose cells have these fields of a byte each, but for the cells themselves.
 void put_foxglove_head(CdrWriter& out, const Place& place, std::span<const Field> fields);
 
 }  // namespace iog::tools::ros

@@ -57,7 +57,12 @@ export class GridCanvas {
     return this.vehicle ? this.vehicle.cell_m : 0.1;
   }
 
-  // Of the car's file: the stream does not say it. Null: the car is not known here.
+  // The cell at whose lowest corner the vehicle's origin is, in its grid of indexes.
+  get originCell() {
+    return this.vehicle?.origin_cell ?? [SIDE / 2, SIDE / 2];
+  }
+
+  // Of the stream. Null: no indexes have come.
   get epsilon() {
     return this.vehicle ? this.vehicle.epsilon : null;
   }
@@ -169,7 +174,8 @@ export class GridCanvas {
     return this.showsClasses
         ? this.groundToScreen((classes.corner_a * TILE_SIDE + x) * this.cellM,
                               (classes.corner_b * TILE_SIDE + y) * this.cellM)
-        : this.toScreen((x - SIDE / 2) * this.cellM, (y - SIDE / 2) * this.cellM);
+        : this.toScreen((x - this.originCell[0]) * this.cellM,
+                        (y - this.originCell[1]) * this.cellM);
   }
 
   // What is at a place of the page: its place in metres of the vehicle, x and y of its cell in the
@@ -178,7 +184,7 @@ export class GridCanvas {
     const { x, y } = this.toMetres(column, row);
     const vehicle = rotated(x, y, -this.turn);
     const place = this.showsClasses ? this.windowPlaceOf(vehicle) : vehicle.map(
-        (metres) => metres / this.cellM + SIDE / 2);
+        (metres, axis) => metres / this.cellM + this.originCell[axis]);
     const [cellX, cellY] = place.map(Math.floor);
     const isInside = cellX >= 0 && cellX < SIDE && cellY >= 0 && cellY < SIDE;
     return isInside ? { x: cellX, y: cellY, vehicle, number: this.numberOf(cellX, cellY) } : null;
@@ -205,7 +211,7 @@ export class GridCanvas {
     const { corner_a: a, corner_b: b } = this.grid.classes ?? {};
     const metres = (first, cell) => (first + cell + 0.5) * this.cellM;
     return this.showsClasses ? this.fromGround([metres(a * TILE_SIDE, x), metres(b * TILE_SIDE, y)])
-                             : [metres(-SIDE / 2, x), metres(-SIDE / 2, y)];
+                             : [metres(-this.originCell[0], x), metres(-this.originCell[1], y)];
   }
 
   // Of a cell of the picture its number in the layer, where tiles of the window lie by slot.

@@ -10,10 +10,10 @@ const BESIDE = 16; // pixels from the mouse
 const SURENESS = ["barely", "hardly sure", "not very sure", "fairly sure", "quite sure", "sure",
                   "very sure", "as sure as can be"];
 
-// No cell is certain. Without the car's ε no probability is known.
+// No cell is certain. Without ε no probability is known.
 function probabilityWords(index, epsilon) {
   if (epsilon === null) {
-    return "p not known: this car's ε is not known here";
+    return "p not known: ε is not known here";
   }
   const p = probabilityOf(index, epsilon);
   if (p < 0.0001 || p > 0.9999) {

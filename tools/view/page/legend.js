@@ -90,7 +90,7 @@ function showScale(view, { title, bar, ticks }) {
     context.fillStyle = css(colourOfIndex(theme, scale, epsilon, index));
     context.fillRect(column, 0, 1, bar.height);
   }
-  title.textContent = scale === view.scale ? TITLES[scale] : `${TITLES[scale]}: this car's ε is not known here`;
+  title.textContent = scale === view.scale ? TITLES[scale] : `${TITLES[scale]}: ε is not known here`;
   const p = (index) => probabilityOf(index, epsilon).toPrecision(2);
   const words = scale === "index" ? ["≤ −56", "−28", "0", "+7", "≥ +14"]
                                   : [`≤ ${p(LOW)}`, "", p(0), p(HIGH / 2), `≥ ${p(HIGH)}`];
