@@ -51,11 +51,11 @@ enum class Group : std::uint8_t {
   kPoseFate,
   // Slices since start.
   kSliceCause,
-  // How often it began, since start.
+  // Number of times that a cause began, since start.
   kMapCause,
   // Chunks of maps since start.
   kChunkFate,
-  // Of a sensor in a frame.
+  // States of a sensor in a frame.
   kSensorState,
 };
 
