@@ -245,8 +245,8 @@ class KeptAzimuth {
   std::array<bool, kMaxLines> has_line_{};
   bool is_asked_for_ = false;
   std::uint32_t beams_found_ = 0;
-  std::uint32_t common_ = 0;     // the lines share this many cells,
-  std::uint32_t different_ = 0;  // but possibly not this many
+  std::uint32_t common_ = 0;     // the lines are known to share this many cells
+  std::uint32_t different_ = 0;  // the lines may not share this many cells
   std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
 };

@@ -33,7 +33,7 @@ struct BandJudge {
             .otherwise = vehicle::Fate::kOutsideHeightBand,
             .is_whole = ends_in_band && in_band.first == 0};
   }
-  // TurnLayer::behind_mm and rank.
+  // These functions return TurnLayer::behind_mm and rank.
   [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
     return layers->layers[layer].behind_mm;
   }
@@ -102,7 +102,8 @@ class BandGate {
   const TurnLayers* layers_;
 };
 
-// All layers of a sector are within the limits from the start of their beams.
+// The gate of a line over the estimated ground. All layers of a sector are within the limits from
+// the start of their beams.
 class GroundGate {
  public:
   // All arguments must outlive the gate. The line must lie in this sector.

@@ -108,7 +108,7 @@ class WaitingLines {
     lines_[azimuth_step % kPlaces] = {
         .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind = {}};
   }
-  // Only if has_room().
+  // Requires has_room(azimuth_step).
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }

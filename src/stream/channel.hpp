@@ -31,7 +31,7 @@ constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t d
 }
 inline constexpr protection::Channel kNetworkChannel = channel_of(0x8001, 0x494F4701);
 inline constexpr protection::Channel kSerialChannel = channel_of(0x8002, 0x494F4702);
-// Used for cars with a key. It signs the messages of the network channel
+// Carries the signatures of the network channel's messages, if the car has a key
 // (authentication/stream_signer.hpp).
 inline constexpr protection::Channel kSignatureChannel = channel_of(0x8005, 0x494F4705);
 

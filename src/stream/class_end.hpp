@@ -29,7 +29,7 @@ struct SliceRecord {
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// The slices that could not be placed for one cause since start.
+// The number of slices since start that could not be placed because of one cause.
 struct CauseRecord {
   std::uint32_t slices = 0;  // for the cause kNone, the number of slices placed
   pose::Tally began{};       // how often the cause began, and the last time at which it began

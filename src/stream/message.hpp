@@ -3,7 +3,7 @@
 //
 // Every message starts with the same header, which contains its own length and the message type. A
 // receiver skips header bytes that it does not know. It drops messages with unknown types,
-// encodings or storages. Therefore new fields and encodings can be added later. Tile messages are
+// encodings or storages. New fields and encodings can therefore be added later. Tile messages are
 // defined in stream/tiles.hpp.
 #pragma once
 

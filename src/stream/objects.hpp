@@ -24,7 +24,7 @@ inline constexpr std::uint16_t kObjectHasHeading = 0x0001;
 inline constexpr std::uint16_t kObjectNotHit = 0x0002;     // not hit in this frame; predicted
 inline constexpr std::uint16_t kObjectEndHidden = 0x0004;  // may be longer or wider than measured
 
-inline constexpr std::uint16_t kNotBelieved = 65535;  // in a velocity deviation: not confirmed
+inline constexpr std::uint16_t kNotBelieved = 65535;  // as a velocity's deviation: not confirmed
 inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
 // A box on the ground and its motion. Positions and velocities are in the local frame. "Along"
@@ -42,8 +42,8 @@ struct ObjectRecord {
   std::uint16_t flags = 0;
   std::int16_t vx_cm_s = 0;  // 0 unless the object is moving
   std::int16_t vy_cm_s = 0;
-  // Standard deviations of the values above. The velocity deviations are kNotBelieved for young and
-  // stationary objects.
+  // Standard deviations of the values above. For young and stationary objects, the standard
+  // deviations of the velocity are kNotBelieved.
   std::uint16_t sigma_v_along_cm_s = kNotBelieved;
   std::uint16_t sigma_v_across_cm_s = kNotBelieved;
   std::uint16_t sigma_along_mm = 0;
@@ -69,7 +69,7 @@ struct ObjectsHeader {
   std::uint64_t time_us = 0;         // equal to ObjectList::time_us
   std::uint16_t objects = 0;         // number of objects in the frame, at most kMaxObjects
   std::uint8_t parts = 1;            // 1 to kMaxObjectParts; 1 if the list is empty
-  std::uint16_t tracks_refused = 0;  // objects refused since the last frame because of a full list
+  std::uint16_t tracks_refused = 0;  // objects since the previous frame that did not fit
   std::uint16_t hits_left = 0;       // hits not processed since the previous frame
   friend constexpr bool operator==(const ObjectsHeader&, const ObjectsHeader&) = default;
 };

@@ -28,9 +28,9 @@ class References {
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // Records the payload length of a tile that was sent as changes to its reference. If this length
-  // exceeds seven eighths of the self-contained length, the tile is sent self-contained the next
-  // time. This makes the following frames shorter.
+  // Records the payload length of a tile that was sent as a difference from its reference. If this
+  // length exceeds seven eighths of the self-contained length, the tile is sent self-contained the
+  // next time, which makes the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
   // The stored reference of a tile. Returns nothing if the tile was never sent self-contained.

@@ -32,34 +32,34 @@ enum class Group : std::uint8_t {
   kPort,
   // Fragments, and fragmented datagrams (1.5).
   kFragment,
-  // Shared work; core 0 does the items for lost cores ([cores.md](cores.md)).
+  // Shared work. Core 0 does the items of lost cores ([cores.md](cores.md)).
   kCore,
   // Frames for which the port had no room, restarts of the port ([drivers.md](drivers.md)), and
-  // frames lost by them.
+  // frames lost in these restarts.
   kRestart,
-  // Starts with this one, how the run before ended, and that end's number (table below).
+  // Starts including this one, how the previous run ended, and the number of this end (below).
   kRun,
   // The loop's times, 13 words each (below).
   kLoopTime,
   // Room for later counters: 0, which receivers ignore.
   kLater,
   // Only if the target offers its service ([service_discovery.md](service_discovery.md)), or if
-  // commands must be signed: datagrams of service discovery, those left unanswered in a flood,
-  // offers, questions answered, subscriptions; messages copied to the subscriber, and not copied
-  // for want of room.
+  // commands must be signed: datagrams of service discovery, datagrams left unanswered in a flood,
+  // offers, questions answered, subscriptions; messages copied to the subscriber, and messages not
+  // copied for lack of room.
   kDiscovery,
   // Only if commands must be signed (9): messages on the ports of poses and maps, the last
-  // authentic counter of each, and two words that sign these ten.
+  // authentic counter of each, and two words that sign these ten counters.
   kCommand,
   // Messages since start.
   kPoseFate,
   // Slices since start.
   kSliceCause,
-  // How often it began, since start.
+  // Number of times that a cause began, since start.
   kMapCause,
   // Chunks of maps since start.
   kChunkFate,
-  // Of a sensor in a frame.
+  // States of a sensor in a frame.
   kSensorState,
 };
 

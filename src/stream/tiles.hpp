@@ -130,7 +130,7 @@ class TilesWriter {
                             std::span<const std::byte> payload);
 
   // Ends the message, which then covers the tiles below `end_tile`, and starts the next message at
-  // `end_tile`. The bytes are valid until the next append() or begin function.
+  // `end_tile`. The bytes are valid until the next call of append() or of a begin function.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
   // The number of tiles in the current message.

@@ -2,7 +2,7 @@
 // up. One thread publishes; another one serves pages.
 //
 // A slow page gets the newest state next, and what lies between is skipped: nothing ever queues.
-// The bytes of a message are in docs/view.md.
+// page/messages.js reads the bytes of a message.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The server's messages (docs/view.md): numbers are little endian, words are JSON, and tiles are
-// encoded raw or by run starts (docs/spec.md 3.4).
+// The server's messages: numbers are little endian, words are JSON, and tiles are encoded raw or by
+// run starts (docs/spec.md 3.4). A key is complete by itself; any other message has only the tiles
+// that have changed. Ages are in frames: 254 is that or more, and 255 is a tile that never came.
 //
 // Whatever the bytes, reading ends and nothing outside of the result is written; what makes no
 // sense throws an Error.

@@ -1,4 +1,4 @@
-// Reads the messages of a scene as the page does (docs/view.md), for the tests of tools/view.
+// Reads the messages of a scene as the page does (page/messages.js), for the tests of tools/view.
 #pragma once
 
 #include <array>
