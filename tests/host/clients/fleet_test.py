@@ -148,8 +148,8 @@ class Fleet(unittest.TestCase):
         until(lambda: not self.client.scheduler_info()["workers"], "workers of the test before")
 
     def run_fleet(self, recordings: pathlib.Path, results: pathlib.Path, **more) -> dict[str, str]:
-        return fleet.run(self.client, fleet.recordings_of(str(recordings)), str(results), CAR, patience_s=PATIENCE_S,
-                         **more)
+        return fleet.run(self.client, fleet.recordings_of(str(recordings)), str(results), CAR, timeout_s=PATIENCE_S,
+                         patience_s=PATIENCE_S, **more)
 
     def test_a_worker_that_dies_loses_no_recording(self):
         """It is killed while it has a recording that nobody has written yet. Then the other one has it."""
