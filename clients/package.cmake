@@ -12,6 +12,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-numpy")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, chromium, wireshark, zstd")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, chromium, python3-distributed, wireshark, zstd")
 
 include(CPack)

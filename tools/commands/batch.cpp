@@ -67,7 +67,7 @@ std::string reason_of(const Children::Ended& ended, const std::string& said,
                       const std::string& path) {
   std::string words;
   for (const std::string& line : read_lines(said)) {
-    words = line.empty() ? words : line;
+    words = line.empty() || line.starts_with("Run with --help") ? words : line;
   }
   for (const std::string& prefix : {std::string("iog: "), path + ": "}) {
     words.erase(0, words.starts_with(prefix) ? prefix.size() : 0);
@@ -105,6 +105,17 @@ Facts read_facts(const std::string& path) {
     facts.emplace_back(line.substr(0, end), line.substr(end + 1));
   }
   return facts;
+}
+
+// A mistake in an option is an error of the batch, and not of each recording.
+void check_options(const BatchOptions& options) {
+  CLI::App program("", "iog");
+  add_fuse(program);
+  program.get_subcommand("fuse")->callback({});
+  std::vector<std::string> words{"fuse", "--pcap", "drive.pcap", "--poses", "drive.poses.csv"};
+  words.insert(words.end(), options.of_fuse.begin(), options.of_fuse.end());
+  std::ranges::reverse(words);
+  program.parse(words);
 }
 
 double seconds_of_children() {
@@ -274,6 +285,7 @@ void add_batch(CLI::App& program) {
     if (const CLI::Option* const file = command->get_option("--vehicle-file"); !file->empty()) {
       options->car_file = file->results().front();
     }
+    check_options(*options);
     std::cerr << warning_of_upward_mounts(find_vehicle(options->vehicle));
     catch_interrupts();
     Batch batch(*options, program.version());

@@ -13,7 +13,8 @@ namespace iog::tools {
 class StreamRecorder {
  public:
   // UsageError if the file cannot be written.
-  explicit StreamRecorder(const std::string& path) : file_(path) {}
+  explicit StreamRecorder(const std::string& path)
+      : file_(path, PcapWriter::Unfinished::kNothing) {}
 
   // A message as app::Pipeline sends it.
   void take(std::span<const std::byte> message);

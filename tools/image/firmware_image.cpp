@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -224,15 +223,9 @@ void FirmwareImage::set_block(car_block::Block block) {
 }
 
 void FirmwareImage::write(const std::string& path) const {
-  const std::string fresh = path + ".new";
-  OutputFile file(fresh);
+  OutputFile file(path);
   file.write(bytes_);
   file.finish();
-  std::error_code error;
-  std::filesystem::rename(fresh, path, error);
-  if (error) {
-    throw UsageError(path + ": cannot be replaced: " + error.message());
-  }
 }
 
 }  // namespace iog::tools

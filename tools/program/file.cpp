@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -100,11 +101,38 @@ void remove_numbered(const std::string& folder, std::string_view stem, std::stri
   }
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path) {
+OutputPlace::OutputPlace(const std::string& path) : path_(path) {
+  std::error_code error;
+  if (path != "-" &&
+      (std::filesystem::is_regular_file(path, error) || !std::filesystem::exists(path, error))) {
+    const auto target = std::filesystem::weakly_canonical(path, error);  // behind links
+    part_ = UnfinishedFile(target.string() + ".part");
+  }
+}
+
+void OutputPlace::finish() {
+  if (part_.is_none()) {
+    return;
+  }
+  const std::string& part = part_.path();
+  errno = 0;
+  if (std::rename(part.c_str(), part.substr(0, part.rfind(".part")).c_str()) != 0) {
+    throw file_error(path_, "cannot be written");
+  }
+  part_.keep();
+}
+
+OutputFile::OutputFile(const std::string& path) : path_(path), place_(path) {
+  open(place_->path());
+}
+
+OutputFile::OutputFile(const UnfinishedFile& file) : path_(file.path()) { open(path_); }
+
+void OutputFile::open(const std::string& path) {
   errno = 0;
   stream_.open(path, std::ios::binary);
   if (!stream_) {
-    throw file_error(path, "cannot be written");
+    throw file_error(path_, "cannot be written");
   }
 }
 
@@ -124,6 +152,9 @@ void OutputFile::finish() {
   stream_.close();
   if (!stream_) {
     throw file_error(path_, "not written completely");
+  }
+  if (place_) {
+    place_->finish();
   }
 }
 

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/interrupt.hpp"
 
 namespace iog::tools {
 
@@ -29,10 +31,28 @@ void make_folder(const std::string& path);
 // Removes all of these from the folder: what an earlier run has left would look like this one's.
 void remove_numbered(const std::string& folder, std::string_view stem, std::string_view suffix);
 
+// Where the bytes of an output go: to PATH.part, which becomes PATH in finish(). An output without
+// finish() leaves nothing, and the file that was there stays. The same holds if a signal ends the
+// program. Devices, pipes and "-" are written directly.
+class OutputPlace {
+ public:
+  explicit OutputPlace(const std::string& path);
+
+  [[nodiscard]] const std::string& path() const { return part_.is_none() ? path_ : part_.path(); }
+  // When the file is closed. UsageError if it cannot become PATH.
+  void finish();
+
+ private:
+  std::string path_;
+  UnfinishedFile part_;
+};
+
 class OutputFile {
  public:
   // UsageError if the file cannot be written.
   explicit OutputFile(const std::string& path);
+  // Into a file that exists and that its owner removes.
+  explicit OutputFile(const UnfinishedFile& file);
 
   // UsageError if it is known already that the bytes do not reach the file.
   void write(std::span<const std::byte> bytes);
@@ -42,7 +62,10 @@ class OutputFile {
   void finish();
 
  private:
+  void open(const std::string& path);
+
   std::string path_;
+  std::optional<OutputPlace> place_;
   std::ofstream stream_;
 };
 

@@ -66,7 +66,9 @@ TEST(KeyFile, HoldsThirtyTwoDigits) {
   const tests::TemporaryFolder folder;
   const std::string path = folder / "car.key";
   const auto key_in = [&](std::string_view text) {
-    OutputFile(path).write(text);
+    OutputFile file(path);
+    file.write(text);
+    file.finish();
     return read_key_file(path);
   };
   EXPECT_EQ(key_in("  000102030405060708090a0b0c0d0E0F\r\n")[15], std::byte{15});

@@ -258,7 +258,9 @@ TEST_F(ImageFile, AKeyIsPutThereWithItsCar) {
   EXPECT_EQ(words_of_image(image).find("commands"), std::string::npos);
   CatalogueEntry car = find_vehicle("reference_car");
   const std::string key_file = folder_ / "car.key";
-  OutputFile(key_file).write("2b7e151628aed2a6abf7158809cf4f3c\n");
+  OutputFile key(key_file);
+  key.write("2b7e151628aed2a6abf7158809cf4f3c\n");
+  key.finish();
   car.key_file = key_file;
   put_car(car, image);
   EXPECT_NE(words_of_image(image).find("signed, check value of the key 7ad386c376"),

@@ -1,6 +1,7 @@
 // What the programs of the PC say when something is wrong: words that say what to do about it.
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/mcap/writer.hpp"
+#include "tools/formats/picture/canvas.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/file.hpp"
@@ -138,6 +140,42 @@ TEST(File, SaysWhyItCannotBeReadOrWritten) {
   const tests::TemporaryFolder folder;
   EXPECT_EQ(complaint_of([&] { static_cast<void>(read_file(folder.path())); }),
             folder.path() + ": cannot be read: it is a folder");
+}
+
+// Also through a link, which stays.
+TEST(File, AnUnfinishedOneLeavesWhatWasThere) {
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "out.txt";
+  const std::string link = folder / "link.txt";
+  const auto write = [](const std::string& name, bool finishes) {
+    OutputFile file(name);
+    file.write(finishes ? "whole" : "half");
+    if (finishes) {
+      file.finish();
+    }
+  };
+  write(path, true);
+  std::filesystem::create_symlink(path, link);
+  for (const std::string& name : {path, link, folder / "new.txt"}) {
+    write(name, false);
+    EXPECT_EQ(read_lines(path), std::vector<std::string>{"whole"});
+    const std::filesystem::directory_iterator all(std::filesystem::path(path).parent_path());
+    EXPECT_EQ(std::distance(begin(all), end(all)), 2) << name;
+  }
+  write(link, true);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
+// libpng itself would remove what it cannot write to: of root, the device.
+TEST(File, APictureDoesNotRemoveWhereItCannotBeWritten) {
+  const tests::TemporaryFolder folder;
+  const std::string link = folder / "full.png";
+  std::filesystem::create_symlink("/dev/full", link);
+  EXPECT_TRUE(contains(complaint_of([&] {
+                         Canvas(2, 2, {0, 0, 0}).write_png(link);
+                       }),
+                       "full.png: not written completely: No space left on device"));
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
 }
 
 TEST(File, SaysThatTheDiskIsFull) {

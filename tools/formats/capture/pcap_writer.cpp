@@ -4,16 +4,13 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <pcap/pcap.h>
-#include <system_error>
 #include <vector>
 
 #include "net/ethernet.hpp"
 #include "net/ipv4.hpp"
 #include "net/udp.hpp"
 #include "require/require.hpp"
-#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
@@ -62,14 +59,11 @@ void PcapWriter::Closer::operator()(pcap_dumper* file) const { pcap_dump_close(f
 
 PcapWriter::PcapWriter(const std::string& path, Unfinished left)
     : path_(path), link_(pcap_open_dead(DLT_EN10MB, kSnapLength)) {
-  std::error_code error;
-  if (left == Unfinished::kNothing && path != "-" &&
-      (std::filesystem::is_regular_file(path, error) || !std::filesystem::exists(path, error))) {
-    const auto target = std::filesystem::weakly_canonical(path, error);  // behind links
-    part_ = UnfinishedFile(target.string() + ".part");
+  if (left == Unfinished::kNothing) {
+    place_.emplace(path);
   }
   errno = 0;
-  file_.reset(pcap_dump_open(link_.get(), (part_.is_none() ? path : part_.path()).c_str()));
+  file_.reset(pcap_dump_open(link_.get(), (place_ ? place_->path() : path).c_str()));
   if (!file_) {
     throw file_error(path, "cannot be written");
   }
@@ -115,14 +109,9 @@ void PcapWriter::finish() {
     throw file_error(path_, "not written completely");
   }
   file_.reset();
-  if (part_.is_none()) {
-    return;
+  if (place_) {
+    place_->finish();
   }
-  const std::string& part = part_.path();
-  if (std::rename(part.c_str(), part.substr(0, part.rfind(".part")).c_str()) != 0) {
-    throw file_error(path_, "cannot be written");
-  }
-  part_.keep();
 }
 
 }  // namespace iog::tools

@@ -6,10 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/program/interrupt.hpp"
+#include "tools/program/file.hpp"
 
 struct pcap;
 struct pcap_dumper;
@@ -18,9 +19,7 @@ namespace iog::tools {
 
 class PcapWriter {
  public:
-  // What is left of a capture that ends before finish(): its beginning, or nothing. kNothing writes
-  // into PATH.part, which becomes the capture in finish(). Devices
-  // and pipes are written directly.
+  // What is left of a capture that ends before finish(): its beginning, or nothing (OutputPlace).
   enum class Unfinished : std::uint8_t { kBeginning, kNothing };
 
   // UsageError if the file cannot be written.
@@ -43,7 +42,7 @@ class PcapWriter {
   };
 
   std::string path_;
-  UnfinishedFile part_;  // none if the capture is written directly
+  std::optional<OutputPlace> place_;  // none if its beginning is kept
   std::unique_ptr<pcap, Closer> link_;
   std::unique_ptr<pcap_dumper, Closer> file_;
   std::uint16_t identification_ = 0;

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <png.h>
+#include <span>
+#include <vector>
 
 #include "tools/formats/picture/font.hpp"
-#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
@@ -103,9 +106,14 @@ void Canvas::write_png(const std::string& path) const {
   image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB;
   static_assert(sizeof(Colour) == 3);
-  if (png_image_write_to_file(&image, path.c_str(), 0, pixels_.data(), 0, nullptr) == 0) {
+  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::vector<std::byte> png(bytes);
+  if (png_image_write_to_memory(&image, png.data(), &bytes, 0, pixels_.data(), 0, nullptr) == 0) {
     throw UsageError(path + ": cannot be written: " + image.message);
   }
+  OutputFile file(path);
+  file.write(std::span(png).first(bytes));
+  file.finish();
 }
 
 }  // namespace iog::tools

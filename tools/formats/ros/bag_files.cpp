@@ -124,7 +124,7 @@ PlainFile::PlainFile(const std::string& path) : path_(path) {
     throw file_error(path_, "cannot be made");
   }
   close(made);
-  OutputFile out(path_);
+  OutputFile out(copy_);
   std::vector<std::byte> bytes(1U << 20);
   while (const std::size_t got = packed.read(bytes)) {
     out.write(std::span(bytes).first(got));
