@@ -103,14 +103,21 @@ Bytes some_rest() {
   return rest;
 }
 
-Bytes some_body() {
+Bytes some_body_before_the_map() {
   Bytes body(kClassWindowBytes);
   write_class_window(some_end().window, std::span(body).first<kClassWindowBytes>());
-  for (const Bytes& part : {some_rest(), some_map()}) {
-    body.insert(body.end(), part.begin(), part.end());
-  }
+  const Bytes rest = some_rest();
+  body.insert(body.end(), rest.begin(), rest.end());
   return body;
 }
+
+Bytes with_map(Bytes body) {
+  const Bytes map = some_map();
+  body.insert(body.end(), map.begin(), map.end());
+  return body;
+}
+
+Bytes some_body() { return with_map(some_body_before_the_map()); }
 
 TEST(ClassEnd, IsWrittenAsTheSpecificationSays) {
   Bytes buffer(2000);
@@ -229,7 +236,7 @@ TEST(ClassEnd, ShorterRecordsThanOursContradictIt) {
 
 // A later version counts more fates, and says more of each slice.
 TEST(ClassEnd, WhatALaterVersionSaysIsSkipped) {
-  Bytes body = some_body();
+  Bytes body = some_body_before_the_map();
   const auto counts = body.begin() + kClassWindowBytes + 36;
   counts[0] = std::byte{17};
   counts[4] = std::byte{26};
@@ -238,17 +245,17 @@ TEST(ClassEnd, WhatALaterVersionSaysIsSkipped) {
   body.insert(body.end() - 26, 2, std::byte{0xEE});                 // of the first
   body.insert(body.begin() + kFates + 16 * 4, 4, std::byte{0xEE});  // a fate
   ClassEnd end;
-  ASSERT_EQ(read_class_end(body, end), ReadStatus::kOk);
+  ASSERT_EQ(read_class_end(with_map(body), end), ReadStatus::kOk);
   EXPECT_EQ(end.pose_fates, some_end().pose_fates);
   EXPECT_EQ(end.slices, some_end().slices);
 }
 
 TEST(ClassEnd, MoreSlicesThanOursAreSkipped) {
-  Bytes body = some_body();
+  Bytes body = some_body_before_the_map();
   body[kClassWindowBytes + 39] = std::byte{kMaxSlices + 1};
   body.resize(body.size() + (kMaxSlices - 1) * 24);
   ClassEnd end;
-  ASSERT_EQ(read_class_end(body, end), ReadStatus::kOk);
+  ASSERT_EQ(read_class_end(with_map(body), end), ReadStatus::kOk);
   EXPECT_EQ(end.slice_count, kMaxSlices);
   EXPECT_EQ(end.slices[1].middle_us, 8000U);
 }

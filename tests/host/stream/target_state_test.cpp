@@ -41,16 +41,16 @@ TEST(TargetState, EachCounterGoesWhereItsNameIs) {
   put(Some{.restarts = 1, .mac = {2, 3}, .misuse = 4}, counters);
   LinkCounters expected{};
   expected[49] = 1;
-  expected[209] = 2;
-  expected[210] = 3;
+  expected[225] = 2;
+  expected[226] = 3;
   expected[28] = 4;
   EXPECT_EQ(counters, expected);
 }
 
 TEST(TargetState, WhoCountsReadsItsCountersAgain) {
   LinkCounters counters{};
-  counters[209] = 2;
-  counters[210] = 3;
+  counters[225] = 2;
+  counters[226] = 3;
   const auto some = get<Some>(counters, kMaxLinkCounters);
   ASSERT_TRUE(some.has_value());
   EXPECT_EQ(some->mac, (std::array<std::uint32_t, 2>{2, 3}));
