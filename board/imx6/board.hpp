@@ -5,7 +5,7 @@
 
 #include "boot_record.hpp"
 #include "cores.hpp"
-#include "ethernet/enet_port.hpp"
+#include "ethernet/enet.hpp"
 #include "hal/end_of_run.hpp"
 #include "memory/l2_cache.hpp"
 #include "serial_link.hpp"

@@ -5,7 +5,6 @@
 #include "memory.hpp"
 #include "peripherals.hpp"
 #include "text_line.hpp"
-#include "uncached_memory.hpp"
 #include "version.hpp"
 
 namespace iog::zcu102 {
@@ -15,23 +14,17 @@ Board::Board(const MacAddress& address)
       console_(uart0),
       serial_(uart1),
       watchdog_(swdt),
-      ethernet_(gem3, crl_apb,
-                {.receive_descriptors = gem_memory.receive_descriptors,
-                 .receive_buffers = gem_memory.receive_buffers,
-                 .transmit_descriptors = gem_memory.transmit_descriptors,
-                 .transmit_buffers = gem_memory.transmit_buffers,
-                 .parked = gem_memory.parked},
-                [] { return Clock().now_us(); }),
+      ethernet_({gem3, crl_apb}, GemPort::rings_of(gem_memory), memory_, clock_),
       cores_(gic_distributor, clock_, all_helpers) {
   watchdog_.start();
-  UncachedMemory memory;
-  boot_ = open_boot_record(boot_record, memory);
+  boot_ = open_boot_record(boot_record, memory_);
   console_.start();
   serial_.start();
   ethernet_.start(mac_address_);
   start_gic(gic_distributor, gic_cpu);
-  run_number_ = begin_run(
-      boot_record, {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_}, memory);
+  run_number_ =
+      begin_run(boot_record,
+                {.noise = boot_noise, .ticks = stopwatch_.ticks(), .mac = mac_address_}, memory_);
 }
 
 void Board::idle() {

@@ -4,12 +4,13 @@
 #include <cstdint>
 
 #include "boot_record.hpp"
-#include "clock.hpp"
 #include "cores.hpp"
-#include "ethernet/gem_port.hpp"
+#include "ethernet/gem.hpp"
 #include "hal/end_of_run.hpp"
 #include "hal/thermometer.hpp"
+#include "memory/uncached_memory.hpp"
 #include "serial_link.hpp"
+#include "time/clock.hpp"
 #include "uart.hpp"
 #include "watchdog.hpp"
 
@@ -66,6 +67,7 @@ class Board {
   Uart console_;
   SerialLink serial_;
   Watchdog watchdog_;
+  UncachedMemory memory_;
   GemPort ethernet_;
   Cores cores_;
   Boot boot_;
