@@ -52,8 +52,9 @@ struct DescriptorFormat {
   }
   static void empty(Descriptor& descriptor) { machine::store(descriptor.length, std::uint16_t{0}); }
   static void give(Descriptor& descriptor, std::uint32_t /*buffer*/, bool is_last) {
-    using namespace receive_flag;
-    machine::store(descriptor.flags, static_cast<std::uint16_t>(kEmpty | (is_last ? kWrap : 0)));
+    machine::store(
+        descriptor.flags,
+        static_cast<std::uint16_t>(receive_flag::kEmpty | (is_last ? receive_flag::kWrap : 0)));
   }
   static bool is_filled(const Descriptor& descriptor) {
     return (machine::load(descriptor.flags) & receive_flag::kEmpty) == 0;
@@ -68,9 +69,10 @@ struct DescriptorFormat {
     machine::store(descriptor.length, static_cast<std::uint16_t>(bytes));
   }
   static void send(Descriptor& descriptor) {
-    using namespace transmit_flag;
-    const unsigned wrap = machine::load(descriptor.flags) & kWrap;
-    machine::store(descriptor.flags, static_cast<std::uint16_t>(kReady | kLast | kCrc | wrap));
+    const unsigned wrap = machine::load(descriptor.flags) & transmit_flag::kWrap;
+    machine::store(descriptor.flags,
+                   static_cast<std::uint16_t>(transmit_flag::kReady | transmit_flag::kLast |
+                                              transmit_flag::kCrc | wrap));
   }
   static bool is_sent(const Descriptor& descriptor) {
     return (machine::load(descriptor.flags) & transmit_flag::kReady) == 0;

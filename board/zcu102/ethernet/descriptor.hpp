@@ -60,20 +60,19 @@ struct DescriptorFormat {
   }
 
   static void place_free(Descriptor& descriptor, std::uint32_t buffer, bool is_last) {
-    using namespace transmit_flag;
-    machine::store(descriptor.control, kOurs | (is_last ? kWrap : 0));
+    machine::store(descriptor.control, transmit_flag::kOurs | (is_last ? transmit_flag::kWrap : 0));
     machine::store(descriptor.address, buffer);
     machine::store(descriptor.address_high, std::uint32_t{0});
   }
   static void set_length(Descriptor& descriptor, std::size_t bytes) {
-    using namespace transmit_flag;
-    const std::uint32_t kept = machine::load(descriptor.control) & kWrap;
-    machine::store(descriptor.control, kOurs | kept | static_cast<std::uint32_t>(bytes));
+    const std::uint32_t kept = machine::load(descriptor.control) & transmit_flag::kWrap;
+    machine::store(descriptor.control,
+                   transmit_flag::kOurs | kept | static_cast<std::uint32_t>(bytes));
   }
   static void send(Descriptor& descriptor) {
-    using namespace transmit_flag;
-    const std::uint32_t kept = machine::load(descriptor.control) & (kWrap | kLength);
-    machine::store(descriptor.control, kLast | kept);
+    const std::uint32_t kept =
+        machine::load(descriptor.control) & (transmit_flag::kWrap | transmit_flag::kLength);
+    machine::store(descriptor.control, transmit_flag::kLast | kept);
   }
   static bool is_sent(const Descriptor& descriptor) {
     return (machine::load(descriptor.control) & transmit_flag::kOurs) != 0;
