@@ -189,7 +189,7 @@ void time_stages(Board& board, TimedPlatform::Team& team, const iog::vehicle::Ve
   feed.emplace(*platform, *pipeline, network);
   pipeline->start(0);
   for (std::uint32_t frame = 0; frame < kWarmUpFrames + kFrames + 2; ++frame) {
-    const std::uint64_t now_us = std::uint64_t{frame} * iog::tests::kFramePeriodUs;
+    const std::uint64_t now_us = frame * iog::tests::kFramePeriodUs;
     for (std::uint32_t number = 0; number < Street::kPoses; ++number) {
       feed->take(iog::pose::kPosePort, street->pose(frame, number),
                  now_us + number * Street::kPoseEveryUs);

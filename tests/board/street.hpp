@@ -16,14 +16,14 @@
 
 namespace iog::tests {
 
-inline constexpr std::uint32_t kFramePeriodUs = 40'000;
+inline constexpr std::uint64_t kFramePeriodUs = 40'000;
 
 class Street {
  public:
   static constexpr std::uint32_t kSensors = 4;
   static constexpr std::uint32_t kMessages = 7;  // of a scan
   static constexpr std::uint32_t kPoses = 4;     // of a frame
-  static constexpr std::uint32_t kPoseEveryUs = kFramePeriodUs / kPoses;
+  static constexpr std::uint64_t kPoseEveryUs = kFramePeriodUs / kPoses;
 
   // A message of the scan that this sensor makes in this frame, valid until the next call.
   std::span<const std::byte> scan(std::uint32_t frame, std::uint32_t sensor,
@@ -48,7 +48,7 @@ class Street {
 
   // The pose of a moment; the encoder numbers them.
   std::span<const std::byte> pose(std::uint32_t frame, std::uint32_t number) {
-    const std::uint32_t since_us = frame * kFramePeriodUs + number * kPoseEveryUs;
+    const std::uint64_t since_us = frame * kFramePeriodUs + number * kPoseEveryUs;
     pose_ = encoder_.encode({.run = 1,
                              .age_us = 0,
                              .clock_us = kBeginUs + since_us,
@@ -77,7 +77,7 @@ class Street {
   static constexpr std::int32_t kParkedMm = 6000;
   static constexpr std::int32_t kMostMm = 60'000;
 
-  static std::int32_t x_mm(std::uint32_t since_us) {
+  static std::int32_t x_mm(std::uint64_t since_us) {
     return static_cast<std::int32_t>(since_us / 1000) * kSpeedMmPerS / 1000;
   }
   static std::int16_t angle_of(std::uint32_t column) {
