@@ -1,5 +1,5 @@
-// The run of a board: its number, how the one before it ended, its own end, its main stack. The
-// Board of each board is one.
+// The base of each board's Board: the number of the run, how the run before it ended, how this one
+// ends, and the main stack.
 #pragma once
 
 #include <cstdint>
@@ -39,15 +39,15 @@ class BoardRun {
   void open_record(Memory& memory) {
     boot_ = open_boot_record(boot_record, memory);
   }
-  // Last, when the ticks have run beside clocks that they know nothing of.
+  // Called last, when the ticks have run beside clocks that they do not depend on.
   template <typename Memory>
   void number_run(std::uint32_t ticks, Memory& memory) {
     run_number_ =
         begin_run(boot_record, {.noise = boot_noise, .ticks = ticks, .mac = mac_address_}, memory);
   }
 
-  // Parts of the banner: version, chip and why this boot; "PHY ... at ..."; "MAC ..."; the last
-  // word of the run before, if it left one.
+  // Parts of the banner: version, chip and the reason of this boot; "PHY ... at ..."; "MAC ..."; the
+  // last word of the previous run, if it left one.
   TextLine begin_banner(std::string_view chip) const;
   static void add_phy(TextLine& line, const phy::Identity& phy);
   void add_mac(TextLine& line) const;

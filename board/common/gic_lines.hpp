@@ -10,8 +10,8 @@ namespace iog::board {
 // Anything above the mask of 0xff in urgency.
 inline constexpr std::uint8_t kInterruptPriority = 0xa0;
 
-// Off, with no line enabled and all level-sensitive: a loader may have left lines enabled and edges
-// pending.
+// Switches the GIC off, disables all lines and makes them level-sensitive. A loader may have left
+// lines enabled and edges pending.
 template <typename Distributor>
 void clear_lines(Distributor& distributor, GicCpuRegisters& cpu) {
   distributor.ctlr.write(0);

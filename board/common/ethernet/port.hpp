@@ -16,9 +16,10 @@
 //   run()               it receives and sends
 //   start_phy()         finds the PHY and sets it up
 //   bin_of(group)       the bit of the filter's hash table; set_groups(bits) may come at any time
-//   frame_bytes(descriptor, counters)  of the good frame in a filled buffer; 0: none, and counted
-//   gave_back()         after each buffer that it may fill again
-//   found_none(counters)               after a look that found no filled buffer
+//   frame_bytes(descriptor, counters)  the length of the good frame in a filled buffer; 0 if the
+//                       buffer has none, which is counted
+//   gave_back()         called after each buffer that the controller may fill again
+//   found_none(counters)               called when no buffer is filled
 //   send()              wakes the transmitter, once the descriptors are in memory
 //   collect(counters)   adds what its statistics have counted since the last call
 //   can_receive(), has_bus_error(), clear_event()
@@ -68,7 +69,7 @@ constexpr std::array<health::Guard*, 5> guards_of(PortMemory<Format>& memory) {
           &memory.behind_receive_buffers, &memory.behind_transmit_buffers};
 }
 
-// Its functions are in port_functions.hpp, for the file of the board that makes one of it.
+// Its functions are in port_functions.hpp, which one file of each board includes.
 template <typename Controller>
 class Port {
  public:
