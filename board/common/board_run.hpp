@@ -46,8 +46,8 @@ class BoardRun {
         begin_run(boot_record, {.noise = boot_noise, .ticks = ticks, .mac = mac_address_}, memory);
   }
 
-  // Parts of the banner: version, chip and the reason of this boot; "PHY ... at ..."; "MAC ..."; the
-  // last word of the previous run, if it left one.
+  // Parts of the banner: version, chip and the reason of this boot; "PHY ... at ..."; "MAC ...";
+  // the last word of the previous run, if it left one.
   TextLine begin_banner(std::string_view chip) const;
   static void add_phy(TextLine& line, const phy::Identity& phy);
   void add_mac(TextLine& line) const;
