@@ -49,6 +49,12 @@ class Mdio {
     return wait();
   }
 
+  // Of a PHY that was found, so it answers. A failed write shows as a link that is down or loses
+  // frames, and there is nothing else to do about it at start-up.
+  void set(unsigned phy_register, std::uint16_t value) {
+    static_cast<void>(write(phy_register, value));
+  }
+
   // The same in two halves, for the loop: nothing waits.
   void begin_read(unsigned phy_register) { port_.begin(frame(kRead, phy_register)); }
   bool finished() const { return port_.finished(); }

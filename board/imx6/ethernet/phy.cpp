@@ -43,12 +43,6 @@ constexpr std::uint16_t kMultiport = 1u << 10;  // prefers to be master, where t
 constexpr std::uint16_t kBeMaster =
     kManualMaster | kMaster | kMultiport | phy::kGigabitFull | phy::kGigabitHalf;
 
-// A PHY that was found answers; a failed write shows as a link that is down or loses frames, and
-// there is nothing else to do about it here.
-void write(Mdio& mdio, unsigned phy_register, std::uint16_t value) {
-  static_cast<void>(mdio.write(phy_register, value));
-}
-
 }  // namespace
 
 phy::Identity start_phy(Mdio& mdio) {
@@ -57,12 +51,12 @@ phy::Identity start_phy(Mdio& mdio) {
     return found;  // QEMU's PHY has no RGMII to delay and no clock to be master of
   }
   for (const Skew& skew : kSkews) {
-    write(mdio, kExtendedControl,
-          static_cast<std::uint16_t>(kExtendedWriteBit | skew.extended_register));
-    write(mdio, kExtendedWrite, skew.value);
+    mdio.set(kExtendedControl,
+             static_cast<std::uint16_t>(kExtendedWriteBit | skew.extended_register));
+    mdio.set(kExtendedWrite, skew.value);
   }
-  write(mdio, phy::kGigabitControl, kBeMaster);
-  write(mdio, phy::kBasicControl, phy::kNegotiateAnew);
+  mdio.set(phy::kGigabitControl, kBeMaster);
+  mdio.set(phy::kBasicControl, phy::kNegotiateAnew);
   return found;
 }
 

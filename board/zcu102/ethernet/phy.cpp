@@ -29,23 +29,17 @@ constexpr std::uint16_t kRgmiiDelayControl = 0x0086;
 // transmitting, 2.25 ns when receiving (Linux, zynqmp-zcu102-revA.dts).
 constexpr std::uint16_t kDelays = 0xa << 4 | 0x8;
 
-// A PHY that was found answers; a failed access shows as a link that is down or loses frames, and
-// there is nothing else to do about it here.
-void write(Mdio& mdio, unsigned phy_register, std::uint16_t value) {
-  static_cast<void>(mdio.write(phy_register, value));
-}
-
 void select_extended(Mdio& mdio, std::uint16_t extended_register) {
-  write(mdio, kRegisterControl, kDevice31Address);
-  write(mdio, kAddressOrData, extended_register);
-  write(mdio, kRegisterControl, kDevice31Data);
+  mdio.set(kRegisterControl, kDevice31Address);
+  mdio.set(kAddressOrData, extended_register);
+  mdio.set(kRegisterControl, kDevice31Data);
 }
 
 void change_extended(Mdio& mdio, std::uint16_t extended_register, std::uint16_t clear,
                      std::uint16_t set) {
   select_extended(mdio, extended_register);
   const unsigned before = mdio.read(kAddressOrData).value_or(0);
-  write(mdio, kAddressOrData, static_cast<std::uint16_t>((before & ~unsigned{clear}) | set));
+  mdio.set(kAddressOrData, static_cast<std::uint16_t>((before & ~unsigned{clear}) | set));
 }
 
 }  // namespace
@@ -60,11 +54,10 @@ phy::Identity start_phy(Mdio& mdio) {
   change_extended(mdio, kRgmiiControl, 0, kRgmiiDelays);
   change_extended(mdio, kRgmiiDelayControl, 0xff, kDelays);
   const unsigned control = mdio.read(kPhyControl).value_or(0);
-  write(
-      mdio, kPhyControl,
-      static_cast<std::uint16_t>((control & ~unsigned{kFifoDepth | kForceLinkGood}) | kFifoDepth4));
-  write(mdio, phy::kGigabitControl, phy::kGigabitFull);
-  write(mdio, phy::kBasicControl, phy::kNegotiateAnew);
+  mdio.set(kPhyControl, static_cast<std::uint16_t>(
+                            (control & ~unsigned{kFifoDepth | kForceLinkGood}) | kFifoDepth4));
+  mdio.set(phy::kGigabitControl, phy::kGigabitFull);
+  mdio.set(phy::kBasicControl, phy::kNegotiateAnew);
   return found;
 }
 
