@@ -37,7 +37,7 @@ extern Helpers all_helpers;
 // that what it has stored stays visible.
 [[noreturn]] void end_helper(hal::CoreState state, const TextLine& last_word);
 
-// Of each board: its interrupt controller passes wake and stop to this core, or nothing any more.
+// The interrupt controller passes wake and stop to this core (of each board), or nothing any more.
 void hear_core_0();
 void hear_nobody();
 

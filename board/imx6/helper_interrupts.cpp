@@ -11,6 +11,4 @@ void board::hear_core_0() {
   imx6::gic_cpu.ctlr.write(imx6::GicCpuRegisters::kCtlrEnable);
 }
 
-void board::hear_nobody() { imx6::gic_cpu.ctlr.write(0); }
-
 }  // namespace iog

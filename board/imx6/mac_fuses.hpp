@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "ethernet/enet_port.hpp"
+#include "board/common/ethernet/settings.hpp"
 #include "registers/ocotp.hpp"
 
 namespace iog::imx6 {

@@ -7,7 +7,6 @@
 #include "hal/cores.hpp"
 #include "memory/l2_cache.hpp"
 #include "peripherals.hpp"
-#include "stack_gauge.hpp"
 #include "watchdog.hpp"
 
 namespace iog::imx6 {
@@ -41,8 +40,6 @@ constexpr std::array<mmu::Range, 2> kDevices{
 constinit mmu::MemoryMap map{};
 
 constinit bool l2_cache_on = false;
-
-constinit StackGauge main_stack_gauge{};
 
 void read_the_linker() {
   auto stack = stacks.begin();
@@ -81,14 +78,6 @@ const mmu::MemoryMap& memory_map() { return map; }
 const mmu::Tables& translation_tables() { return tables; }
 
 bool l2_cache_is_on() { return l2_cache_on; }
-
-std::uint32_t main_stack_bytes() {
-  return address_of(main_stack_top) - address_of(main_stack_bottom);
-}
-
-std::uint32_t main_stack_used_bytes() {
-  return main_stack_gauge.used_bytes({&main_stack_bottom, main_stack_bytes() / 4});
-}
 
 // What is kept here and in fault.cpp is zeroed before this, all other static data after it
 // (linker/imx6.ld).

@@ -15,11 +15,6 @@ const mmu::Tables& translation_tables();
 // Whether the L2 cache came on. QEMU has none.
 bool l2_cache_is_on();
 
-// Bytes of the main stack that were ever used, as StackGauge::used_bytes() finds them. startup.S
-// has painted the stack.
-std::uint32_t main_stack_used_bytes();
-std::uint32_t main_stack_bytes();
-
 // Called once by startup.S, before static data is zeroed and before main(). All of it is off when
 // it is called; when it returns, MMU, L1, L2 and branch prediction are on. The watchdog is started
 // first, so that no step from here on can hang for good.

@@ -3,22 +3,19 @@
 
 #include <cstdint>
 
-#include "boot_record.hpp"
-#include "clock.hpp"
+#include "board_run.hpp"
 #include "cores.hpp"
-#include "ethernet/gem_port.hpp"
-#include "hal/end_of_run.hpp"
+#include "ethernet/gem.hpp"
 #include "hal/thermometer.hpp"
+#include "memory/uncached_memory.hpp"
 #include "serial_link.hpp"
+#include "time/clock.hpp"
 #include "uart.hpp"
 #include "watchdog.hpp"
 
-// What startup.S calls when memory is up; it must not return.
-extern "C" int main();
-
 namespace iog::zcu102 {
 
-class Board {
+class Board : public board::BoardRun {
  public:
   // Starts everything, in the order in which the parts need each other.
   explicit Board(const MacAddress& address);
@@ -31,17 +28,8 @@ class Board {
   GemPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  const MacAddress& mac_address() const { return mac_address_; }
-
   // Sleeps until a frame has arrived, or 1 ms. Poll every device after it and before the next call.
   void idle();
-
-  // Of this run, as hal::RunNumber.
-  std::uint32_t run_number() const { return run_number_; }
-
-  // As hal::EndsRuns: by a last word, and a reset by the firmware beneath.
-  void end_run(hal::End end, std::string_view words);
-  hal::RunBefore run_before() const { return boot_.before; }
 
   // What the check of memory looks at beside the image: what the MMU walks, and guards around the
   // rings of the Ethernet controller.
@@ -51,25 +39,19 @@ class Board {
   // As hal::Thermometer: the system monitor belongs to the firmware beneath.
   std::int16_t temperature_dc() const { return hal::kTemperatureNotKnown; }
 
-  // The deepest the main stack has been since start, and how deep it may be.
-  std::uint32_t stack_used_bytes() const;
-  std::uint32_t stack_bytes() const;
-
   // Version, clock, the MAC address, why this boot, and the previous run's last word if it left
   // one.
   void print_banner();
 
  private:
-  MacAddress mac_address_;
   Clock clock_;
   Stopwatch stopwatch_;
   Uart console_;
   SerialLink serial_;
   Watchdog watchdog_;
+  UncachedMemory memory_;
   GemPort ethernet_;
   Cores cores_;
-  Boot boot_;
-  std::uint32_t run_number_ = 0;
 };
 
 }  // namespace iog::zcu102

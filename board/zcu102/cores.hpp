@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "clock.hpp"
 #include "hal/cores.hpp"
 #include "helper_cores.hpp"
 #include "registers/gic.hpp"
+#include "time/clock.hpp"
 
 namespace iog::zcu102 {
 

@@ -4,10 +4,10 @@
 #include "ending.hpp"
 #include "helper.hpp"
 #include "memory.hpp"
+#include "memory/uncached_memory.hpp"
 #include "peripherals.hpp"
 #include "psci.hpp"
 #include "uart.hpp"
-#include "uncached_memory.hpp"
 #include "watchdog.hpp"
 
 namespace iog {

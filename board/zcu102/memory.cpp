@@ -2,7 +2,6 @@
 
 #include "hal/cores.hpp"
 #include "machine.hpp"
-#include "stack_gauge.hpp"
 
 namespace iog::zcu102 {
 namespace {
@@ -27,7 +26,6 @@ constexpr std::size_t kStacks = 2 + 2 * (hal::kMaxCores - 1);
 // The ranges of code, data and the like, of the stacks, of the devices.
 constinit std::array<mmu::Range, 8 + kStacks + 4> ranges{};
 constinit std::span<const mmu::Range> stacks{};
-constinit StackGauge main_stack_gauge{};
 
 // The GIC; the watchdog; UARTs and Ethernet controllers; the clocks.
 constexpr std::array<mmu::Range, 4> kDevices{{{0xf900'0000, 0xf920'0000, mmu::Memory::kDevice},
@@ -79,14 +77,6 @@ bool in_stack_guard(std::uint64_t address) {
     }
   }
   return true;
-}
-
-std::uint32_t main_stack_bytes() {
-  return static_cast<std::uint32_t>(address_of(main_stack_top) - address_of(main_stack_bottom));
-}
-
-std::uint32_t main_stack_used_bytes() {
-  return main_stack_gauge.used_bytes({&main_stack_bottom, main_stack_bytes() / 4});
 }
 
 extern "C" void start_memory() {

@@ -11,10 +11,6 @@ const mmu::Tables& translation_tables();
 // Is this the address of a guard: among the stacks, but of none of them?
 bool in_stack_guard(std::uint64_t address);
 
-// Bytes of the main stack that were ever used, as StackGauge::used_bytes() finds them.
-std::uint32_t main_stack_used_bytes();
-std::uint32_t main_stack_bytes();
-
 // Called once by startup.S, before static data is zeroed; then it starts the MMU.
 extern "C" void start_memory();
 

@@ -38,7 +38,7 @@ def part_of(run: str) -> str:
 # (lab/a9_model/stage_map.hpp). Two stages lie outside the frame: what the benchmark itself does between
 # two frames, and reading its stopwatch.
 STAGES = {
-    "receive": ["ethernet/enet_port:receive", "net/ethernet:parse_ethernet", "net/ipv4:parse_ipv4",
+    "receive": ["ethernet/port_functions:receive", "net/ethernet:parse_ethernet", "net/ipv4:parse_ipv4",
                 "net/udp:parse_udp"],
     "decode": ["intake/intake:receive", "intake/intake:classify", "app/frame:accept"],
     "beams": ["fusion/shared_fusion:add_points"],
@@ -46,7 +46,7 @@ STAGES = {
     "mark": ["fusion/frame_fusion:finish"],
     "encode": ["target/stage_pass:take", "target/stage_pass:tick"],
     "send": ["net/outbound:build_datagram",
-             *(f"ethernet/enet_port:{name}" for name in ("acquire", "commit", "pump"))],
+             *(f"ethernet/port_functions:{name}" for name in ("acquire", "commit", "pump"))],
     "clear": ["grid/block_grid:clear_tile"],
 }
 OUTSIDE = {"benchmark": ["target/stage_pass:add_end"],

@@ -20,7 +20,7 @@
 #include <cstring>
 
 #include "capture.hpp"
-#include "ethernet/enet_port.hpp"
+#include "ethernet/enet.hpp"
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"
 #include "number_in.hpp"

@@ -21,9 +21,7 @@ Wire& Wire::of_machine() {
 }
 
 Wire::Wire()
-    : port_(imx6::enet, imx6::enet_memory.receive_descriptors, imx6::enet_memory.receive_buffers,
-            imx6::enet_memory.transmit_descriptors, imx6::enet_memory.transmit_buffers, cache_,
-            clock_),
+    : port_({imx6::enet, cache_}, imx6::EnetPort::rings_of(imx6::enet_memory), cache_, clock_),
       cache_(imx6::pl310),
       clock_(imx6::gpt) {
   clock_.start();
@@ -34,15 +32,15 @@ bool Wire::deliver(std::span<const std::byte> frame) {
   if (!port_.receive().empty()) {
     port_.release();
   }
-  if (frame.size() > imx6::EnetPort::kMaxFrameBytes) {
+  if (frame.size() > board::kMaxFrameBytes) {
     return false;
   }
   a9_model::pause();
   imx6::Descriptor& descriptor = imx6::enet_memory.receive_descriptors[next_];
   const std::uint16_t flags = machine::load(descriptor.flags);
   require((flags & imx6::receive_flag::kEmpty) != 0);
-  std::ranges::copy(
-      frame, imx6::enet_memory.receive_buffers.begin() + next_ * imx6::ReceiveRing::kBufferBytes);
+  std::ranges::copy(frame, imx6::enet_memory.receive_buffers.begin() +
+                               next_ * imx6::DescriptorFormat::kReceiveBytes);
   machine::store(descriptor.length, static_cast<std::uint16_t>(frame.size() + kFcsBytes));
   machine::store(descriptor.flags, static_cast<std::uint16_t>((flags & imx6::receive_flag::kWrap) |
                                                               imx6::receive_flag::kLast));

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "ethernet/enet_port.hpp"
+#include "ethernet/enet.hpp"
 
 namespace iog::lab {
 

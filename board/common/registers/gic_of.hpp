@@ -36,6 +36,16 @@ struct GicDistributorOf {
   static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit a core
 };
 
+// Where the manual has them.
+template <typename D>
+inline constexpr bool kIsLaidOut = offsetof(D, igroupr) == 0x080 &&
+                                   offsetof(D, isenabler) == 0x100 &&
+                                   offsetof(D, icenabler) == 0x180 &&
+                                   offsetof(D, icpendr) == 0x280 &&
+                                   offsetof(D, ipriorityr) == 0x400 &&
+                                   offsetof(D, itargetsr) == 0x800 && offsetof(D, icfgr) == 0xc00 &&
+                                   offsetof(D, sgir) == 0xf00;
+
 struct GicCpuRegisters {
   Rw32 ctlr;
   Rw32 pmr;

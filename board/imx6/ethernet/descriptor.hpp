@@ -3,6 +3,7 @@
 // add checksum offload and time stamps, which nothing here uses.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "machine.hpp"
@@ -35,13 +36,47 @@ inline constexpr std::uint16_t kLast = 1u << 11;   // L
 inline constexpr std::uint16_t kCrc = 1u << 10;    // TC: the controller appends the FCS
 }  // namespace transmit_flag
 
-// How one descriptor changes hands; TransmitRing does the same for several at once. First
-// everything that was stored before, buffer and length included, reaches memory. Then the flags
-// with the owner bit are stored, last of all. Code that wakes the controller afterwards calls
-// drain_stores() once more, so that it finds the bit.
-inline void hand_over(Descriptor& descriptor, std::uint16_t flags_with_owner, L2Cache& cache) {
-  cache.drain_stores();
-  machine::store(descriptor.flags, flags_with_owner);
-}
+// As rings.hpp asks for it. The controller's bit is alone in `flags`, so a length may be stored
+// before.
+struct DescriptorFormat {
+  using Descriptor = imx6::Descriptor;
+  using Memory = L2Cache;
+  // Four LUX at 25 Hz send some 1000 frames of 1500 bytes a second and a Velodyne 1500, so this is
+  // 100 ms of both together, longer than the slowest pass of the loop.
+  static constexpr std::size_t kReceiveFrames = 256;
+  // They hold the longest frame (1518) and keep every buffer on a 64-byte burst.
+  static constexpr std::size_t kReceiveBytes = 2048;
+
+  static void place(Descriptor& descriptor, std::uint32_t buffer) {
+    machine::store(descriptor.buffer, buffer);
+  }
+  static void empty(Descriptor& descriptor) { machine::store(descriptor.length, std::uint16_t{0}); }
+  static void give(Descriptor& descriptor, std::uint32_t /*buffer*/, bool is_last) {
+    machine::store(
+        descriptor.flags,
+        static_cast<std::uint16_t>(receive_flag::kEmpty | (is_last ? receive_flag::kWrap : 0)));
+  }
+  static bool is_filled(const Descriptor& descriptor) {
+    return (machine::load(descriptor.flags) & receive_flag::kEmpty) == 0;
+  }
+
+  static void place_free(Descriptor& descriptor, std::uint32_t buffer, bool is_last) {
+    machine::store(descriptor.length, std::uint16_t{0});
+    machine::store(descriptor.flags, is_last ? transmit_flag::kWrap : std::uint16_t{0});
+    machine::store(descriptor.buffer, buffer);
+  }
+  static void set_length(Descriptor& descriptor, std::size_t bytes) {
+    machine::store(descriptor.length, static_cast<std::uint16_t>(bytes));
+  }
+  static void send(Descriptor& descriptor) {
+    const unsigned wrap = machine::load(descriptor.flags) & transmit_flag::kWrap;
+    machine::store(descriptor.flags,
+                   static_cast<std::uint16_t>(transmit_flag::kReady | transmit_flag::kLast |
+                                              transmit_flag::kCrc | wrap));
+  }
+  static bool is_sent(const Descriptor& descriptor) {
+    return (machine::load(descriptor.flags) & transmit_flag::kReady) == 0;
+  }
+};
 
 }  // namespace iog::imx6

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "machine_of_arm.hpp"
+
 // What boards share is at hand in this one.
 namespace iog::board {}
 namespace iog::imx6 {
@@ -15,17 +17,6 @@ using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 32;
-
-// One access of exactly the width of T, never merged, split or dropped by the compiler.
-template <typename T>
-inline T load(const T& location) {
-  return *static_cast<const volatile T*>(&location);
-}
-
-template <typename T>
-inline void store(T& location, T value) {
-  *static_cast<volatile T*>(&location) = value;
-}
 
 // Copies `bursts` times kBurstBytes, at least one; both sides are aligned to 8 bytes. Of uncached
 // memory an LDM is one burst of the bus, up to nine times 64 bits (Cortex-A9 TRM, ARM DDI 0388I,
@@ -41,14 +32,6 @@ inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts
       : "r4", "r5", "r6", "r7", "r8", "r9", "r10", "r12", "cc", "memory");
 }
 
-// Makes everything that this core has stored visible to every DMA engine before anything after it
-// happens. It is a DSB and not a DMB, because a store to a device that starts the engine mostly
-// follows.
-inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
-
-// Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
-inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
-
 inline void mask_interrupts() { __asm__ volatile("cpsid i" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("cpsie i\n\tisb" ::: "memory"); }
 
@@ -57,15 +40,6 @@ inline std::size_t core_number() {
   std::uint32_t mpidr = 0;
   __asm__("mrc p15, 0, %0, c0, c0, 5" : "=r"(mpidr));
   return mpidr & 3;
-}
-
-// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
-inline void yield() { __asm__ volatile("yield" ::: "memory"); }
-
-// The address as the bus sees it: memory is mapped one to one, so it is the pointer.
-template <typename T>
-inline std::uint32_t bus_address(const T& object) {
-  return reinterpret_cast<std::uint32_t>(&object);
 }
 
 }  // namespace iog::machine

@@ -50,8 +50,7 @@ struct EnetRegisters {
 
   static constexpr std::uint32_t kEirBusError = 1u << 22;  // EBERR
   static constexpr std::uint32_t kEirMii = 1u << 23;
-  static constexpr std::uint32_t kEirReceivedFrame = 1u << 25;     // RXF
-  static constexpr std::uint32_t kEirTransmittedFrame = 1u << 27;  // TXF
+  static constexpr std::uint32_t kEirReceivedFrame = 1u << 25;  // RXF
   static constexpr std::uint32_t kEirAll = 0xffffffff;
   static constexpr std::uint32_t kRdarActive = 1u << 24;
   static constexpr std::uint32_t kTdarActive = 1u << 24;
@@ -59,12 +58,6 @@ struct EnetRegisters {
   static constexpr std::uint32_t kEcrEtherEn = 1u << 1;
   static constexpr std::uint32_t kEcrSpeed1000 = 1u << 5;
   static constexpr std::uint32_t kEcrDescriptorSwap = 1u << 8;  // DBSWP: little-endian descriptors
-  static constexpr std::uint32_t kMmfrStart = 1u << 30;         // ST = 01
-  static constexpr std::uint32_t kMmfrRead = 2u << 28;          // OP = 10
-  static constexpr std::uint32_t kMmfrWrite = 1u << 28;         // OP = 01
-  static constexpr unsigned kMmfrPhyShift = 23;
-  static constexpr unsigned kMmfrRegisterShift = 18;
-  static constexpr std::uint32_t kMmfrTurnaround = 2u << 16;  // TA = 10
   static constexpr std::uint32_t kMibcDisable = 1u << 31;
   static constexpr std::uint32_t kMibcClear = 1u << 29;           // does not clear itself
   static constexpr std::uint32_t kRcrHalfDuplexNoEcho = 1u << 1;  // DRT

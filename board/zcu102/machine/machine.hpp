@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "machine_of_arm.hpp"
+
 // What boards share is at hand in this one.
 namespace iog::board {}
 namespace iog::zcu102 {
@@ -17,28 +19,10 @@ namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 64;  // a line of the caches
 
-// One access of exactly the width of T, never merged, split or dropped by the compiler.
-template <typename T>
-inline T load(const T& location) {
-  return *static_cast<const volatile T*>(&location);
-}
-
-template <typename T>
-inline void store(T& location, T value) {
-  *static_cast<volatile T*>(&location) = value;
-}
-
 // Copies `bursts` times kBurstBytes, at least one.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
   std::memcpy(to, from, bursts * kBurstBytes);
 }
-
-// Makes everything that this core has stored visible to every DMA engine before anything after it
-// happens.
-inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
-
-// Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
-inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
 
 inline void mask_interrupts() { __asm__ volatile("msr daifset, #2" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("msr daifclr, #2\n\tisb" ::: "memory"); }
@@ -48,15 +32,6 @@ inline std::size_t core_number() {
   std::uint64_t mpidr = 0;
   __asm__("mrs %0, mpidr_el1" : "=r"(mpidr));
   return mpidr & 0xff;
-}
-
-// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
-inline void yield() { __asm__ volatile("yield" ::: "memory"); }
-
-// The address as the bus sees it: memory is mapped one to one, and all of it is below 4 GiB.
-template <typename T>
-inline std::uint32_t bus_address(const T& object) {
-  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&object));
 }
 
 // The generic timer (ARM ARM, D11): its counter, which no earlier instruction is read behind, and

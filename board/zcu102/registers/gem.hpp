@@ -90,7 +90,6 @@ struct CrlApbRegisters {
   static constexpr std::uint32_t kReceiveActive = 1u << 26;
   static constexpr std::uint32_t kActive = 1u << 25;
   static constexpr unsigned kDivisor1Shift = 16;
-  static constexpr std::uint32_t kDivisor1 = 0x3fu << kDivisor1Shift;
   static constexpr unsigned kDivisor0Shift = 8;
   static constexpr std::uint32_t kFromIoPll = 0;
 };

@@ -93,7 +93,7 @@ TEST_F(Port, AFrameIsCopiedOnceAndItsBufferGivenBackAtOnce) {
   for (std::size_t bytes = 14; bytes <= 1514; ++bytes) {
     const std::size_t at = arrived_ % kReceive;
     const std::span<std::byte> buffer =
-        std::span(receive_bytes_).subspan(at * ReceiveRing::kBufferBytes, bytes);
+        std::span(receive_bytes_).subspan(at * DescriptorFormat::kReceiveBytes, bytes);
     std::ranges::generate(buffer, [value = bytes]() mutable { return std::byte(value++ * 37); });
     const std::vector<std::byte> sent(buffer.begin() + 1, buffer.end());
     arrive(bytes + 4);
@@ -164,7 +164,11 @@ TEST_F(Port, FramesMarkedBadAreCountedAndDropped) {
 TEST_F(Port, FramesThatTheControllerHadNoRoomForAreItsOwnCount) {
   EXPECT_EQ(port_.counters().receive_overflows, 0u);
   poke(registers_.ieee_r_macerr, 7u);
+  pump_at(1'000);
   EXPECT_EQ(port_.counters().receive_overflows, 7u);
+  poke(registers_.ieee_r_macerr, 8u);
+  pump_at(2'000);
+  EXPECT_EQ(port_.counters().receive_overflows, 8u);
 }
 
 TEST_F(Port, AFrameInSeveralBuffersCountsOnce) {

@@ -282,6 +282,7 @@ TEST_F(Restart, FramesWithoutRoomStayCounted) {
   pump_at(1'000'000);
   EXPECT_EQ(port_.counters().receive_overflows, 7u);
   poke(registers_.ieee_r_macerr, 2u);
+  pump_at(1'001'000);
   EXPECT_EQ(port_.counters().receive_overflows, 9u);
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "ethernet/enet_port.hpp"
+#include "ethernet/enet.hpp"
 #include "trace.hpp"
 
 namespace iog::imx6 {
@@ -40,7 +40,7 @@ class PortOnRam : public testing::Test {
   void arrive(std::size_t bytes_with_fcs, std::uint16_t flags = receive_flag::kLast) {
     Descriptor& descriptor = receive_[arrived_ % kReceive];
     ASSERT_NE(descriptor.flags & receive_flag::kEmpty, 0) << "the controller has no buffer";
-    receive_bytes_[arrived_ % kReceive * ReceiveRing::kBufferBytes] = std::byte{arrived_};
+    receive_bytes_[arrived_ % kReceive * DescriptorFormat::kReceiveBytes] = std::byte{arrived_};
     descriptor.length = static_cast<std::uint16_t>(bytes_with_fcs);
     descriptor.flags = static_cast<std::uint16_t>((descriptor.flags & receive_flag::kWrap) | flags);
     ++arrived_;
@@ -97,10 +97,11 @@ class PortOnRam : public testing::Test {
   std::array<Descriptor, kReceive> receive_{};
   std::array<Descriptor, kTransmit> transmit_{};
   std::vector<std::byte> receive_bytes_ =
-      std::vector<std::byte>(kReceive * ReceiveRing::kBufferBytes);
+      std::vector<std::byte>(kReceive * DescriptorFormat::kReceiveBytes);
   std::vector<std::byte> transmit_bytes_ =
-      std::vector<std::byte>(kTransmit * TransmitRing::kBufferBytes);
-  EnetPort port_{registers_, receive_, receive_bytes_, transmit_, transmit_bytes_, cache_, clock_};
+      std::vector<std::byte>(kTransmit * board::kTransmitBytes);
+  EnetPort port_{
+      {registers_, cache_}, {receive_, receive_bytes_, transmit_, transmit_bytes_}, cache_, clock_};
   std::uint8_t arrived_ = 0;
 
  private:

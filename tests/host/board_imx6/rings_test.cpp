@@ -1,10 +1,11 @@
 // Descriptor rings: ownership, order of the stores, wrap-around.
+#include "board/common/ethernet/rings.hpp"
+
 #include <array>
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "ethernet/receive_ring.hpp"
-#include "ethernet/transmit_ring.hpp"
+#include "ethernet/descriptor.hpp"
 #include "trace.hpp"
 
 namespace iog::imx6 {
@@ -12,6 +13,8 @@ namespace {
 
 using machine::Event;
 using machine::recorder;
+using Receiving = board::ReceiveRing<DescriptorFormat>;
+using Sending = board::TransmitRing<DescriptorFormat>;
 
 constexpr std::size_t kFrames = 4;
 
@@ -43,8 +46,8 @@ class Rings : public testing::Test {
   Pl310Registers pl310_{};
   L2Cache cache_{pl310_};
   std::array<Descriptor, kFrames> descriptors_{};
-  std::vector<std::byte> receive_buffers_{kFrames * ReceiveRing::kBufferBytes};
-  std::vector<std::byte> transmit_buffers_{kFrames * TransmitRing::kBufferBytes};
+  std::vector<std::byte> receive_buffers_{kFrames * Receiving::kBufferBytes};
+  std::vector<std::byte> transmit_buffers_{kFrames * Sending::kBufferBytes};
 };
 
 class Receive : public Rings {
@@ -61,7 +64,7 @@ class Receive : public Rings {
         static_cast<std::uint16_t>((descriptor.flags & receive_flag::kWrap) | receive_flag::kLast);
   }
 
-  ReceiveRing ring_{descriptors_, receive_buffers_, cache_};
+  Receiving ring_{descriptors_, receive_buffers_, cache_};
 };
 
 TEST_F(Receive, StartsWithEveryBufferTheControllersAndOneWrap) {
@@ -69,7 +72,7 @@ TEST_F(Receive, StartsWithEveryBufferTheControllersAndOneWrap) {
     const bool last = index == kFrames - 1;
     EXPECT_EQ(descriptors_[index].flags, last ? 0xa000 : 0x8000);
     EXPECT_EQ(descriptors_[index].buffer,
-              machine::bus_address(receive_buffers_[index * ReceiveRing::kBufferBytes]));
+              machine::bus_address(receive_buffers_[index * Receiving::kBufferBytes]));
   }
   EXPECT_FALSE(ring_.filled());
 }
@@ -84,8 +87,8 @@ TEST_F(Receive, ShowsBuffersInOrderRoundAndRound) {
     const std::size_t index = count % kFrames;
     fill(index, static_cast<std::uint16_t>(64 + count));
     ASSERT_TRUE(ring_.filled());
-    EXPECT_EQ(ring_.length(), 64 + count);
-    EXPECT_EQ(ring_.buffer().data(), &receive_buffers_[index * ReceiveRing::kBufferBytes]);
+    EXPECT_EQ(ring_.descriptor().length, 64 + count);
+    EXPECT_EQ(ring_.buffer().data(), &receive_buffers_[index * Receiving::kBufferBytes]);
     ring_.recycle();
     EXPECT_EQ(descriptors_[index].flags, index == kFrames - 1 ? 0xa000 : 0x8000);
     EXPECT_FALSE(ring_.filled());
@@ -104,15 +107,15 @@ class Transmit : public Rings {
     descriptors_[index].flags &= static_cast<std::uint16_t>(~transmit_flag::kReady);
   }
 
-  TransmitRing ring_{descriptors_, transmit_buffers_, cache_};
+  Sending ring_{descriptors_, transmit_buffers_, cache_};
 };
 
 TEST_F(Transmit, ACommittedFrameIsNotTheControllersYet) {
   ring_.commit(100);
   EXPECT_EQ(descriptors_[0].length, 100);
   EXPECT_EQ(descriptors_[0].flags & transmit_flag::kReady, 0);
-  EXPECT_EQ(ring_.queued(), 1u);
-  EXPECT_EQ(ring_.in_flight(), 0u);
+  EXPECT_EQ(ring_.order().queued(), 1u);
+  EXPECT_EQ(ring_.order().in_flight(), 0u);
 }
 
 TEST_F(Transmit, HandsOverOldestFirstAndNoMoreThanAsked) {
@@ -130,18 +133,18 @@ TEST_F(Transmit, HandsOverOldestFirstAndNoMoreThanAsked) {
 
 TEST_F(Transmit, IsFullWithEveryBufferQueuedOrInFlight) {
   for (std::size_t count = 0; count < kFrames; ++count) {
-    EXPECT_FALSE(ring_.full());
+    EXPECT_NE(ring_.order().room(), 0u);
     ring_.commit(60);
   }
-  EXPECT_TRUE(ring_.full());
+  EXPECT_EQ(ring_.order().room(), 0u);
   ring_.hand_over_queued(kFrames);
-  EXPECT_TRUE(ring_.full());
+  EXPECT_EQ(ring_.order().room(), 0u);
   EXPECT_EQ(descriptors_[kFrames - 1].flags, 0xac00);  // with W
   ring_.reclaim();
-  EXPECT_TRUE(ring_.full()) << "nothing has been sent";
+  EXPECT_EQ(ring_.order().room(), 0u) << "nothing has been sent";
   finish(0);
   ring_.reclaim();
-  EXPECT_FALSE(ring_.full());
+  EXPECT_NE(ring_.order().room(), 0u);
 }
 
 TEST_F(Transmit, ReclaimsInOrderOnly) {
@@ -150,10 +153,10 @@ TEST_F(Transmit, ReclaimsInOrderOnly) {
   ring_.hand_over_queued(2);
   finish(1);
   ring_.reclaim();
-  EXPECT_EQ(ring_.in_flight(), 2u) << "the oldest is still on the way";
+  EXPECT_EQ(ring_.order().in_flight(), 2u) << "the oldest is still on the way";
   finish(0);
   ring_.reclaim();
-  EXPECT_EQ(ring_.in_flight(), 0u);
+  EXPECT_EQ(ring_.order().in_flight(), 0u);
 }
 
 // Every mixture of queueing, handing over and finishing: the counts never leave their bounds and
@@ -165,18 +168,18 @@ TEST_F(Transmit, CountsStayInBoundsInEveryMixture) {
   for (int step = 0; step < 20'000; ++step) {
     random = random * 1'664'525 + 1'013'904'223;
     const std::uint32_t dice = random >> 30;
-    if (dice == 0 && !ring_.full()) {
-      ASSERT_EQ(ring_.buffer().data(), &transmit_buffers_[next * TransmitRing::kBufferBytes]);
+    if (dice == 0 && ring_.order().room() != 0) {
+      ASSERT_EQ(ring_.buffer().data(), &transmit_buffers_[next * Sending::kBufferBytes]);
       ring_.commit(60);
       next = (next + 1) % kFrames;
     } else if (dice == 1) {
       ring_.hand_over_queued((random >> 20) % 3);
-    } else if (dice == 2 && ring_.in_flight() != 0) {
+    } else if (dice == 2 && ring_.order().in_flight() != 0) {
       finish(oldest);
       oldest = (oldest + 1) % kFrames;
       ring_.reclaim();
     }
-    ASSERT_LE(ring_.queued() + ring_.in_flight(), kFrames);
+    ASSERT_LE(ring_.order().queued() + ring_.order().in_flight(), kFrames);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "ethernet/gem_port.hpp"
+#include "ethernet/gem.hpp"
 #include "trace.hpp"
 
 namespace iog::zcu102 {
@@ -20,7 +20,7 @@ class GemOnRam : public testing::Test {
   static constexpr std::uint32_t kWhole = receive_flag::kFirst | receive_flag::kLast;
 
   GemOnRam() {
-    now_us = 0;
+    machine::counter_us = 0;
     machine::poke(registers_.network_status, 4u);  // MDIO is always idle
     phy_[2] = 0x0141;                              // as in QEMU
     phy_[3] = 0x0cc2;
@@ -53,7 +53,7 @@ class GemOnRam : public testing::Test {
   void arrive(std::uint32_t bytes, std::uint32_t flags = kWhole) {
     Descriptor& descriptor = receive_[arrived_ % kReceive];
     ASSERT_EQ(descriptor.address & receive_flag::kOurs, 0u) << "the controller has no buffer";
-    receive_bytes_[arrived_ % kReceive * ReceiveRing::kBufferBytes] =
+    receive_bytes_[arrived_ % kReceive * DescriptorFormat::kReceiveBytes] =
         std::byte{static_cast<std::uint8_t>(arrived_)};
     descriptor.control = bytes | flags;
     descriptor.address |= receive_flag::kOurs;
@@ -81,7 +81,7 @@ class GemOnRam : public testing::Test {
     }
   }
   void pump_at(std::uint64_t at_us) {
-    now_us = at_us;
+    machine::counter_us = at_us;
     port_.pump();
   }
 
@@ -99,20 +99,20 @@ class GemOnRam : public testing::Test {
     look_at_link(at_us);
   }
 
-  static std::uint64_t now() { return now_us; }
-  static inline std::uint64_t now_us = 0;
-
   GemRegisters registers_{};
   CrlApbRegisters clocks_{};
   std::array<Descriptor, kReceive> receive_{};
   std::array<Descriptor, kTransmit> transmit_{};
-  std::array<Descriptor, 2> parked_{};
   std::vector<std::byte> receive_bytes_ =
-      std::vector<std::byte>(kReceive * ReceiveRing::kBufferBytes);
+      std::vector<std::byte>(kReceive * DescriptorFormat::kReceiveBytes);
   std::vector<std::byte> transmit_bytes_ =
-      std::vector<std::byte>(kTransmit * TransmitRing::kBufferBytes);
-  GemPort port_{
-      registers_, clocks_, {receive_, receive_bytes_, transmit_, transmit_bytes_, parked_}, now};
+      std::vector<std::byte>(kTransmit * board::kTransmitBytes);
+  UncachedMemory memory_;
+  Clock clock_;
+  GemPort port_{{registers_, clocks_},
+                {receive_, receive_bytes_, transmit_, transmit_bytes_},
+                memory_,
+                clock_};
   std::size_t arrived_ = 0;
   std::size_t sent_ = 0;
   std::uint32_t counted_ = 0;  // in each statistic

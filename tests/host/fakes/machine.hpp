@@ -66,6 +66,11 @@ inline void barrier() { recorder.events.push_back({Event::Kind::kBarrier}); }
 inline void wait_for_interrupt() { recorder.events.push_back({Event::Kind::kSleep}); }
 inline void yield() {}
 
+// The counter of the ZCU102, in microseconds, as the test sets it.
+inline std::uint64_t counter_us = 0;
+inline std::uint64_t counter() { return counter_us; }
+inline std::uint64_t counter_hz() { return 1'000'000; }
+
 // Half of a pointer of the PC: enough to tell buffers apart, and what the rings write in
 // descriptors.
 template <typename T>

@@ -1,0 +1,70 @@
+// The run of a board: its number, how the one before it ended, its own end, its main stack. The
+// Board of each board is one.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "board/common/ethernet/clause_22.hpp"
+#include "board/common/ethernet/settings.hpp"
+#include "boot_record.hpp"
+#include "hal/end_of_run.hpp"
+#include "text_line.hpp"
+
+// What startup.S calls when memory is up. In freestanding C++ main() is a function like any other,
+// so it needs a declaration and the name that the assembler knows. It must not return.
+extern "C" int main();
+
+namespace iog::board {
+
+class BoardRun {
+ public:
+  explicit BoardRun(const MacAddress& address) : mac_address_(address) {}
+
+  const MacAddress& mac_address() const { return mac_address_; }
+
+  // Of this run, as hal::RunNumber.
+  std::uint32_t run_number() const { return run_number_; }
+
+  // As hal::EndsRuns: by a last word, and a reset.
+  void end_run(hal::End end, std::string_view words);
+  hal::RunBefore run_before() const { return boot_.before; }
+
+  // The deepest the main stack has been since start, and how deep it may be.
+  std::uint32_t stack_used_bytes() const;
+  std::uint32_t stack_bytes() const;
+
+ protected:
+  template <typename Memory>
+  void open_record(Memory& memory) {
+    boot_ = open_boot_record(boot_record, memory);
+  }
+  // Last, when the ticks have run beside clocks that they know nothing of.
+  template <typename Memory>
+  void number_run(std::uint32_t ticks, Memory& memory) {
+    run_number_ =
+        begin_run(boot_record, {.noise = boot_noise, .ticks = ticks, .mac = mac_address_}, memory);
+  }
+
+  // Parts of the banner: version, chip and why this boot; "PHY ... at ..."; "MAC ..."; the last
+  // word of the run before, if it left one.
+  TextLine begin_banner(std::string_view chip) const;
+  static void add_phy(TextLine& line, const phy::Identity& phy);
+  void add_mac(TextLine& line) const;
+  template <typename Console>
+  void print_last_word_before(Console& console) const {
+    if (boot_.last_word_bytes != 0) {
+      console.write("previous run: LAST WORD ");
+      console.write(boot_.last_word_text());
+      console.write("\n");
+    }
+  }
+
+  MacAddress mac_address_;
+
+ private:
+  Boot boot_;
+  std::uint32_t run_number_ = 0;
+};
+
+}  // namespace iog::board

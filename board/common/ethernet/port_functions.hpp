@@ -1,0 +1,188 @@
+// The functions of Port (port.hpp), included by the one file of a board that instantiates it. So
+// they are compiled once, as drivers are.
+#pragma once
+
+#include "board/common/ethernet/port.hpp"
+#include "require/require.hpp"
+
+namespace iog::board {
+
+// The longest that the controller may rightly keep a frame: at 10 Mbit/s and half duplex it backs
+// off 15 times from collisions, at most 7151 slots of 51.2 us in all (802.3, 4.2.3.2.5), and sends
+// 16 times for 1.2 ms, 386 ms. At full duplex it is 1.2 ms. Half a second is also many passes of
+// the loop, each of which wakes a transmitter that only slept.
+inline constexpr std::uint64_t kStuckUs = 500'000;
+// Of a bus that stays bad: at most so often.
+inline constexpr std::uint64_t kBusErrorPauseUs = 100'000;
+// The GEM's smallest statistic has 10 bits; a gigabit wire fills it in 0.7 ms, and then it stays
+// full.
+inline constexpr std::uint64_t kStatisticsPeriodUs = 1000;
+
+template <typename Controller>
+void Port<Controller>::start(const MacAddress& address) {
+  address_ = address;
+  set_up(Link{});
+  phy_ = controller_.start_phy();
+  controller_.run();
+}
+
+// The controller forgets the rings when it is stopped.
+template <typename Controller>
+void Port<Controller>::set_up(const Link& mode) {
+  mode_ = mode;
+  controller_.stop();
+  receive_ring_.start();
+  transmit_ring_.start();
+  controller_.set_up({.address = address_,
+                      .groups = groups_,
+                      .mode = mode,
+                      .receive_ring = receive_ring_.bus_address(),
+                      .transmit_ring = transmit_ring_.bus_address()});
+}
+
+// The filter may change while frames come; a restart sets it again.
+template <typename Controller>
+void Port<Controller>::join(const MacAddress& group) {
+  groups_ |= std::uint64_t{1} << Controller::bin_of(group);
+  controller_.set_groups(groups_);
+}
+
+template <typename Controller>
+std::span<const std::byte> Port<Controller>::receive() {
+  // Bad frames are dropped until a good one or none is left. A controller that only ever receives
+  // bad frames faster than we drop them must not hold the loop: at most one ring of them per call.
+  for (std::size_t dropped = 0; frame_.empty() && dropped < Format::kReceiveFrames; ++dropped) {
+    if (!receive_ring_.filled()) {
+      controller_.found_none(counters_);
+      break;
+    }
+    accept();
+    receive_ring_.recycle();
+    controller_.gave_back();
+  }
+  return frame_;
+}
+
+// Looks at the next filled buffer. If it holds a good frame, its copy is frame_.
+template <typename Controller>
+void Port<Controller>::accept() {
+  // A copy reads whole bursts, of the buffer that holds the frame alone.
+  static_assert(kFrameBursts * machine::kBurstBytes <= Format::kReceiveBytes);
+  static_assert(Format::kReceiveBytes % machine::kBurstBytes == 0);
+  const std::size_t bytes = controller_.frame_bytes(receive_ring_.descriptor(), counters_);
+  if (bytes == 0) {
+    return;
+  }
+  ++counters_.received;
+  machine::copy_bursts(copy_.data(), receive_ring_.buffer().data(),
+                       (bytes + machine::kBurstBytes - 1) / machine::kBurstBytes);
+  frame_ = std::span(copy_).first(bytes);
+}
+
+template <typename Controller>
+hal::PortLife Port<Controller>::life() const {
+  const TransmitOrder& order = transmit_ring_.order();
+  const bool nothing_waits = order.in_flight() == 0 && order.queued() == 0;
+  return {
+      .moved = counters_.received + counters_.receive_errors + counters_.oversized + order.sent(),
+      .is_excused = !link_monitor_.link().up || (controller_.can_receive() && nothing_waits)};
+}
+
+template <typename Controller>
+void Port<Controller>::release() {
+  require(!frame_.empty());
+  frame_ = {};
+}
+
+template <typename Controller>
+std::span<std::byte> Port<Controller>::acquire() {
+  if (!acquired_.empty()) {
+    return acquired_;
+  }
+  if (transmit_ring_.order().room() == 0 && room() == 0) {
+    ++counters_.send_refused;
+    return {};
+  }
+  acquired_ = transmit_ring_.buffer();
+  return acquired_;
+}
+
+template <typename Controller>
+std::size_t Port<Controller>::room() {
+  transmit_ring_.reclaim();
+  return transmit_ring_.order().room();
+}
+
+template <typename Controller>
+void Port<Controller>::commit(std::size_t frame_bytes) {
+  require(!acquired_.empty());
+  require(frame_bytes >= kMinFrameBytes && frame_bytes <= kMaxFrameBytes);
+  acquired_ = {};
+  transmit_ring_.commit(frame_bytes);
+  ++counters_.sent;
+}
+
+// A wake-up that meets the transmitter ending its last frame may be lost, so as long as frames are
+// in flight, every pass wakes it again.
+template <typename Controller>
+void Port<Controller>::pump() {
+  const std::uint64_t now_us = clock_.now_us();
+  link_monitor_.poll(now_us);
+  if (now_us - collected_us_ >= kStatisticsPeriodUs) {
+    controller_.collect(counters_);
+    collected_us_ = now_us;
+  }
+  transmit_ring_.reclaim();
+  if (must_start_anew(now_us)) {
+    start_anew(now_us);
+  }
+  shaper_.spend(transmit_ring_.hand_over_queued(shaper_.allowed(now_us)));
+  if (transmit_ring_.order().in_flight() != 0) {
+    memory_.drain_stores();
+    controller_.send();
+  }
+}
+
+// A bus error stops the controller or leaves it open where its DMA was, a frame that never leaves
+// has stopped the transmitter whatever the reason, and another speed or duplex may be set only
+// while it is stopped. A link that is down keeps the mode it had.
+template <typename Controller>
+bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
+  const bool stuck = is_stuck(now_us);  // always asked: it watches
+  const Link& link = link_monitor_.link();
+  const bool mode_differs =
+      link.up && (link.speed != mode_.speed || link.full_duplex != mode_.full_duplex);
+  const bool bus_error = controller_.has_bus_error() && now_us - restarted_us_ >= kBusErrorPauseUs;
+  return acquired_.empty() && (stuck || mode_differs || bus_error);
+}
+
+// Whether frames are in flight and none has left for kStuckUs. Without a link that is no wonder: it
+// may be the PHY that has stopped the clock.
+template <typename Controller>
+bool Port<Controller>::is_stuck(std::uint64_t now_us) {
+  const TransmitOrder& order = transmit_ring_.order();
+  if (order.in_flight() == 0 || order.sent() != progress_sent_ || !link_monitor_.link().up) {
+    progress_sent_ = order.sent();
+    progress_us_ = now_us;
+  }
+  return now_us - progress_us_ >= kStuckUs;
+}
+
+// What waits in either ring is lost, and counted: of half a ring it is not known where the
+// controller was. Takes some 0.2 ms on the i.MX6, most of it the descriptors.
+template <typename Controller>
+void Port<Controller>::start_anew(std::uint64_t now_us) {
+  ++counters_.restarts;
+  counters_.lost_received += static_cast<std::uint32_t>(receive_ring_.waiting());
+  const TransmitOrder& order = transmit_ring_.order();
+  counters_.lost_unsent += static_cast<std::uint32_t>(order.queued() + order.in_flight());
+  controller_.collect(counters_);
+  link_monitor_.abandon();
+  const Link& link = link_monitor_.link();
+  set_up(link.up ? link : mode_);
+  controller_.run();
+  restarted_us_ = now_us;
+  progress_us_ = now_us;
+}
+
+}  // namespace iog::board

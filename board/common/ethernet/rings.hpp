@@ -1,0 +1,166 @@
+// The rings of buffers: one that the controller fills, one that it sends. They know ownership and
+// order, and nothing about frames.
+//
+// Format (ethernet/descriptor.hpp of the board) says how a Descriptor is written, and its Memory
+// drains what was stored. A descriptor changes hands in this way: everything that was stored
+// before, buffer and length included, reaches memory; then the word with the owner bit is stored,
+// last of all. Code that wakes the controller afterwards drains once more, so that it finds the
+// bit.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "board/common/ethernet/transmit_order.hpp"
+#include "machine.hpp"
+
+namespace iog::board {
+
+// Descriptors, and for each of them a buffer of kBytes.
+template <typename Format, std::size_t kBytes>
+class Ring {
+ public:
+  using Descriptor = typename Format::Descriptor;
+  using Memory = typename Format::Memory;
+  static constexpr std::size_t kBufferBytes = kBytes;
+
+  // What the controller is told.
+  std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
+
+ protected:
+  Ring(std::span<Descriptor> descriptors, std::span<std::byte> buffers, Memory& memory)
+      : descriptors_(descriptors), buffers_(buffers), memory_(memory) {}
+
+  std::span<std::byte> buffer(std::size_t index) const {
+    return buffers_.subspan(index * kBytes, kBytes);
+  }
+  std::uint32_t buffer_address(std::size_t index) const {
+    return machine::bus_address(buffer(index).front());
+  }
+  bool is_last(std::size_t index) const { return index + 1 == descriptors_.size(); }
+
+  std::span<Descriptor> descriptors_;
+  std::span<std::byte> buffers_;
+  Memory& memory_;
+};
+
+template <typename Format>
+class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
+ public:
+  using Base = Ring<Format, Format::kReceiveBytes>;
+  using typename Base::Descriptor;
+
+  ReceiveRing(std::span<Descriptor> descriptors, std::span<std::byte> buffers,
+              typename Base::Memory& memory)
+      : Base(descriptors, buffers, memory) {}
+
+  // Gives all buffers to the controller; the next one is the first.
+  void start() {
+    for (next_ = 0; next_ < this->descriptors_.size(); ++next_) {
+      Format::place(this->descriptors_[next_], this->buffer_address(next_));
+      give();
+    }
+    next_ = 0;
+    this->memory_.drain_stores();
+  }
+
+  // How many buffers it has filled that were not recycled.
+  std::size_t waiting() const {
+    return static_cast<std::size_t>(std::ranges::count_if(this->descriptors_, Format::is_filled));
+  }
+
+  // Whether the controller has filled the next buffer.
+  bool filled() const {
+    if (!Format::is_filled(descriptor())) {
+      return false;
+    }
+    // Neither buffer nor length may be read earlier than the bit that says they are ours.
+    machine::barrier();
+    return true;
+  }
+
+  // Of the next buffer, while filled().
+  const Descriptor& descriptor() const { return this->descriptors_[next_]; }
+  std::span<std::byte> buffer() const { return Base::buffer(next_); }
+
+  // Gives the next buffer back and goes on to the one after it.
+  void recycle() {
+    give();
+    next_ = this->is_last(next_) ? 0 : next_ + 1;
+  }
+
+ private:
+  void give() {
+    Descriptor& descriptor = this->descriptors_[next_];
+    Format::empty(descriptor);
+    this->memory_.drain_stores();
+    Format::give(descriptor, this->buffer_address(next_), this->is_last(next_));
+  }
+
+  std::size_t next_ = 0;
+};
+
+// 1514 bytes of the longest frame, rounded up to whole 64-byte bursts.
+inline constexpr std::size_t kTransmitBytes = 1536;
+
+template <typename Format>
+class TransmitRing : public Ring<Format, kTransmitBytes> {
+ public:
+  using Base = Ring<Format, kTransmitBytes>;
+  using typename Base::Descriptor;
+
+  TransmitRing(std::span<Descriptor> descriptors, std::span<std::byte> buffers,
+               typename Base::Memory& memory)
+      : Base(descriptors, buffers, memory), order_(descriptors.size()) {}
+
+  // All buffers are free; what was queued or in flight is forgotten.
+  void start() {
+    for (std::size_t index = 0; index < this->descriptors_.size(); ++index) {
+      Format::place_free(this->descriptors_[index], this->buffer_address(index),
+                         this->is_last(index));
+    }
+    order_.start();
+    this->memory_.drain_stores();
+  }
+
+  const TransmitOrder& order() const { return order_; }
+
+  // The buffer to fill next. Only while there is room.
+  std::span<std::byte> buffer() const { return Base::buffer(order_.next()); }
+
+  // Queues the first `bytes` of buffer(). The owner bit belongs to hand_over_queued().
+  void commit(std::size_t bytes) {
+    Format::set_length(this->descriptors_[order_.next()], bytes);
+    order_.commit();
+  }
+
+  // Hands at most `frames` queued buffers to the controller, oldest first; returns how many. The
+  // caller wakes the controller.
+  std::size_t hand_over_queued(std::size_t frames) {
+    const std::size_t handed = std::min(frames, order_.queued());
+    // One drain for all: what these frames stored before reaches memory before any owner bit.
+    if (handed != 0) {
+      this->memory_.drain_stores();
+    }
+    for (std::size_t count = 0; count < handed; ++count) {
+      Format::send(this->descriptors_[order_.oldest_queued()]);
+      order_.hand_over();
+    }
+    return handed;
+  }
+
+  // Takes back what has been sent.
+  void reclaim() {
+    while (order_.in_flight() != 0 &&
+           Format::is_sent(this->descriptors_[order_.oldest_in_flight()])) {
+      order_.reclaim();
+    }
+  }
+
+ private:
+  TransmitOrder order_;
+};
+
+}  // namespace iog::board

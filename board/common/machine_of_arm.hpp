@@ -1,0 +1,37 @@
+// What machine.hpp of every board has: one load or store of a device register or a DMA descriptor,
+// the barrier, sleep. The instructions have the same names in A32 and A64.
+#pragma once
+
+#include <cstdint>
+
+namespace iog::machine {
+
+// One access of exactly the width of T, never merged, split or dropped by the compiler.
+template <typename T>
+inline T load(const T& location) {
+  return *static_cast<const volatile T*>(&location);
+}
+
+template <typename T>
+inline void store(T& location, T value) {
+  *static_cast<volatile T*>(&location) = value;
+}
+
+// Makes everything that this core has stored visible to every DMA engine before anything after it
+// happens. It is a DSB and not a DMB, because a store to a device that starts the engine mostly
+// follows.
+inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
+
+// Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
+inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
+
+// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
+inline void yield() { __asm__ volatile("yield" ::: "memory"); }
+
+// The address as the bus sees it: memory is mapped one to one, and all of it is below 4 GiB.
+template <typename T>
+inline std::uint32_t bus_address(const T& object) {
+  return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&object));
+}
+
+}  // namespace iog::machine

@@ -1,0 +1,69 @@
+// The ENET, the controller of this board's Ethernet port (board/common/ethernet/port.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "board/common/ethernet/port.hpp"
+#include "ethernet/descriptor.hpp"
+#include "ethernet/management_port.hpp"
+#include "ethernet/phy.hpp"
+#include "registers/enet.hpp"
+#include "time/gpt_clock.hpp"
+
+namespace iog::imx6 {
+
+class Enet {
+ public:
+  using Format = DescriptorFormat;
+  using Mdio = imx6::Mdio;
+  using Clock = GptClock;
+
+  // What MRBR is told: below 2048 and a multiple of 16, because without enhanced descriptors a
+  // receive buffer size of 2 KiB sends the DMA into a runaway (FreeBSD if_ffec.c,
+  // ffec_init_locked).
+  static constexpr std::uint32_t kUsableBytes = 2032;
+
+  Enet(EnetRegisters& registers, L2Cache& cache) : registers_(registers), cache_(cache) {}
+
+  // As Port asks for it.
+  Mdio& mdio() { return mdio_; }
+  void stop();
+  void set_up(const PortSettings& settings);
+  void run();
+  phy::Identity start_phy() { return imx6::start_phy(mdio_); }
+  static unsigned bin_of(const MacAddress& group);
+  void set_groups(std::uint64_t groups);
+  std::size_t frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters);
+  void gave_back();
+  void found_none(hal::PortCounters& /*counters*/) {}
+  void send();
+  void collect(hal::PortCounters& counters);
+  bool can_receive() const;
+  bool has_bus_error() const { return (registers_.eir.read() & EnetRegisters::kEirBusError) != 0; }
+  void clear_event() { registers_.eir.clear(EnetRegisters::kEirReceivedFrame); }
+
+ private:
+  void set_address(const MacAddress& address);
+  void set_frame_limits();
+  void set_mode(const Link& mode);
+
+  EnetRegisters& registers_;
+  L2Cache& cache_;
+  Mdio mdio_{registers_};
+  bool in_long_frame_ = false;        // the buffers up to the next "last" are of a dropped frame
+  std::uint32_t overflows_seen_ = 0;  // what ENET_IEEE_R_MACERR was when it was last collected
+};
+
+using EnetPort = board::Port<Enet>;
+using EnetMemory = board::PortMemory<DescriptorFormat>;
+static_assert(EnetMemory::kTransmitFrames == 1408);
+static_assert(sizeof(EnetMemory) <= 3u << 20, "fits three sections of the DMA region");
+
+// The memory of the firmware's one controller, constinit where it is defined. Below and behind the
+// region nothing is mapped, for a processor.
+extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)
+
+}  // namespace iog::imx6
+
+extern template class iog::board::Port<iog::imx6::Enet>;
