@@ -18,7 +18,7 @@
 //   bin_of(group)       the bit of the filter's hash table; set_groups(bits) may come at any time
 //   frame_bytes(descriptor, counters)  of the good frame in a filled buffer; 0: none, and counted
 //   gave_back()         after each buffer that it may fill again
-//   found_none(counters)               after a look that found no filled buffer
+//   found_none(was_full, counters)     after a look that found no filled buffer
 //   send()              wakes the transmitter, once the descriptors are in memory
 //   collect(counters)   adds what its statistics have counted since the last call
 //   can_receive(), has_bus_error(), clear_event()
