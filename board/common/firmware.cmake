@@ -9,14 +9,15 @@
 # on the i.MX6, an instruction that an erratum of the processor needs (check_errata).
 function(iog_add_firmware name)
   set(layout ${PROJECT_SOURCE_DIR}/linker/${IOG_BOARD}.ld)
+  set(included ${PROJECT_SOURCE_DIR}/linker/image.ld ${PROJECT_SOURCE_DIR}/linker/debug.ld)
   set(peripherals ${PROJECT_SOURCE_DIR}/linker/${IOG_BOARD}_peripherals.ld)
   add_executable(${name} ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../${IOG_BOARD}/startup.S)
   set_target_properties(${name} PROPERTIES
     SUFFIX .elf
-    LINK_DEPENDS "${layout};${peripherals};${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seal_image")
+    LINK_DEPENDS "${layout};${included};${peripherals};${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seal_image")
   target_link_libraries(${name} PRIVATE iog_board_${IOG_BOARD} iog_warnings)
   target_link_options(${name} PRIVATE
-    "SHELL:-T ${layout}" "SHELL:-T ${peripherals}"
+    -L${PROJECT_SOURCE_DIR}/linker "SHELL:-T ${layout}" "SHELL:-T ${peripherals}"
     -Wl,--gc-sections -Wl,--fatal-warnings -Wl,--build-id=none
     -Wl,-Map=$<TARGET_FILE_DIR:${name}>/${name}.map)
   add_custom_command(TARGET ${name} POST_BUILD

@@ -7,7 +7,7 @@
 
 namespace iog::car_block {
 
-// Offset from the first byte of the image, which contains the exception vectors. linker/imx6.ld
+// Offset from the first byte of the image, which contains the exception vectors. linker/image.ld
 // places the block there.
 inline constexpr std::size_t kOffsetInImage = 0x1000;
 inline constexpr std::size_t kBlockBytes = 65'536;
