@@ -65,6 +65,10 @@ def images(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     run("lab/target/images", "build/imx6/board/imx6", report, out=folder / "images.csv")
 
 
+def boards(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
+    run("lab/target/boards", WORK / "boards", out=folder / "boards.csv")
+
+
 def a9_model(folder: pathlib.Path, _parts=(), _recordings=()) -> None:
     build("host", "a9_model", "a9_constants")
     build("imx6", "a9_micro")
@@ -100,6 +104,7 @@ KINDS = {
     "experiments": Kind("Repeating what the papers claim", experiments),
     "target": Kind("Counting and modelling on the Cortex-A9", target),
     "images": Kind("Weighing the firmware", images),
+    "boards": Kind("Counting a frame on each board", boards),
     "a9_model": Kind("Asking the cost model what others know", a9_model),
     "recorded": Kind("Fusing recorded drives", recorded),
 }
@@ -110,7 +115,7 @@ EXPERIMENTS = tuple(f"experiments/{path.name}" for path in sorted((ROOT / "lab/e
 DECIDED = tuple(f"experiments/{name}" for name in ("detection_quality", "order_of_fusion", "price_of_hits_win"))
 TARGET = tuple(f"target/{part}" for part in a9_runs.PARTS)
 # KIND or KIND/PART.
-STEPS = ("peers", *EXPERIMENTS, *DECIDED, *TARGET, "images", "a9_model", "recorded")
+STEPS = ("peers", *EXPERIMENTS, *DECIDED, *TARGET, "images", "boards", "a9_model", "recorded")
 # Which page shows what was measured by which steps.
 PAGES = {
     "results": (*EXPERIMENTS, *DECIDED, *TARGET, "peers"),
@@ -131,7 +136,7 @@ PAGES = {
     "results/four_cores": ("target/perception", "a9_model"),
     "results/recorded": ("recorded",),
     "evidential": ("experiments/evidential", "target/perception"),
-    "figures": ("target/frames", "images"),
+    "figures": ("target/frames", "images", "boards"),
     "a9_model": ("a9_model",),
     "peers": ("peers",),
 }
@@ -205,8 +210,8 @@ def write_stamps(steps: typing.Iterable[str]) -> None:
 
 def program_of(step: str) -> str:
     """What measures it: a path in the project."""
-    if step == "images":
-        return "lab/target/images"
+    if step in ("images", "boards"):
+        return f"lab/target/{step}"
     return f"lab/{step}" if step in (*EXPERIMENTS, *DECIDED) else f"lab/{step.partition('/')[0]}"
 
 

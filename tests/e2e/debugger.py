@@ -7,7 +7,6 @@ import functools
 import os
 import pathlib
 import socket
-import struct
 import subprocess
 import time
 
@@ -135,7 +134,7 @@ class Debugger:
         assert self.ask(f"Hg{core + 1:x}") == "OK", f"no core {core}"
 
     def register(self, number: int) -> int:
-        return struct.unpack("<I", bytes.fromhex(self.ask(f"p{number:x}")))[0]
+        return int.from_bytes(bytes.fromhex(self.ask(f"p{number:x}")), "little")
 
     def flip_register(self, number: int, bit: int) -> None:
         """Of any size: bit 0 is the lowest."""
@@ -144,7 +143,8 @@ class Debugger:
         assert self.ask(f"P{number:x}={value.hex()}") == "OK", f"register {number} is not taken"
 
     def set_register(self, number: int, value: int) -> None:
-        assert self.ask(f"P{number:x}={struct.pack('<I', value).hex()}") == "OK", f"register {number} is not taken"
+        size = len(self.ask(f"p{number:x}")) // 2
+        assert self.ask(f"P{number:x}={value.to_bytes(size, 'little').hex()}") == "OK", f"register {number} is not taken"
 
     def _send(self, command: str) -> None:
         body = command.encode("ascii")

@@ -1,4 +1,4 @@
-"""The firmware in QEMU, on a wire of which this program is the only other end.
+"""The firmware of a board in QEMU, on a wire of which this program is the only other end.
 
 The wire is a pair of Unix datagram sockets, one Ethernet frame a datagram. Its senders block, so
 nothing is lost outside the firmware and every frame that was sent can be found in its counters.
@@ -37,6 +37,7 @@ PATIENCE_S = 10  # a loaded PC may take long for what should take milliseconds
 ATTEMPTS = 5
 FIRST_SESSION = b"\0\1"  # of SOME/IP, in a run's first message
 NOT_JUDGED = 77  # to CTest a skipped test
+SABRELITE = ("qemu-system-arm", "-M", "sabrelite", "-m", "256M")
 VERDICT = f"cd {ROOT}; set -euo pipefail; source qemu/verdict; "
 
 
@@ -68,11 +69,11 @@ class Emulator:
     """QEMU with a board, and how much of a processor it gets: `share` is the least percentage, of all of an attempt."""
     share = 100
 
-    def __init__(self, folder: pathlib.Path, *options: str):
+    def __init__(self, folder: pathlib.Path, *options: str, machine: tuple[str, ...] = SABRELITE):
         self._times = folder.resolve() / "processor.txt"
         with open(folder / "qemu.txt", "wb") as log:
-            self.process = subprocess.Popen(["qemu-system-arm", "-M", "sabrelite", "-m", "256M", "-display", "none",
-                                             "-monitor", "none", *options],
+            self.process = subprocess.Popen([*machine, "-display", "none", "-monitor", "none", *options],
+                                            env=os.environ | {"QEMU_AUDIO_DRV": "none"},  # a ZCU102 has a sound card
                                             stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT)
         self._watch = subprocess.Popen(
             ["bash", "-c", VERDICT + f"out='{self._times.parent}' qemu_pid={self.process.pid}; watch_qemu"])
@@ -94,6 +95,9 @@ class Sabrelite:
     Messages of the grid are kept as they are until a frame is asked for: to read them takes time,
     which the thread would take from whoever is sending a frame.
     """
+    MACHINE = SABRELITE
+    CARDS = ("-net", "nic,netdev=wire,model=imx.enet")
+    CONSOLE = 1  # of its serial ports; the other one is the line
 
     def __init__(self, image: str, folder: pathlib.Path, record_to: pathlib.Path | None = None,
                  line: str = "null", options: tuple[str, ...] = ()):
@@ -123,11 +127,13 @@ class Sabrelite:
         self._thread = threading.Thread(target=self._play_peer)
         recorder = [] if record_to is None else \
             ["-object", f"filter-dump,id=recorder,netdev=wire,file={record_to}"]
+        ports = [line]
+        ports.insert(self.CONSOLE, f"file:{self._console}")
         self._qemu = Emulator(
-            folder, "-serial", line, "-serial", f"file:{self._console}", "-kernel", image,
+            folder, "-serial", ports[0], "-serial", ports[1], "-kernel", image,
             "-netdev", f"dgram,id=wire,local.type=unix,local.path={self._there},"
                        f"remote.type=unix,remote.path={self._here}",
-            "-net", "nic,netdev=wire,model=imx.enet", *recorder, *options)
+            *self.CARDS, *recorder, *options, machine=self.MACHINE)
         self._thread.start()
 
     def __enter__(self) -> "Sabrelite":
@@ -266,6 +272,21 @@ class Sabrelite:
         self.arp_requests += 1
         self.send(to_board(ethernet.TYPE_ARP, ethernet.arp(ethernet.ARP_REPLY, PEER_MAC, PEER_IP,
                                                            MAC, IP), PEER_MAC))
+
+
+class Zcu102(Sabrelite):
+    """The same firmware on the second board. The connector is that of its last Ethernet controller."""
+    MACHINE = ("qemu-system-aarch64", "-M", "xlnx-zcu102,virtualization=on", "-m", "512M")
+    CARDS = ("-net", "nic", "-net", "nic", "-net", "nic", "-net", "nic,netdev=wire")
+    CONSOLE = 0
+
+
+BOARDS = {"imx6": Sabrelite, "zcu102": Zcu102}
+
+
+def image_of(board: str) -> str:
+    """Of its reference car, as the board's preset builds it."""
+    return str(ROOT / f"build/{board}/board/{board}/iogrid-reference_car.elf")
 
 
 def to_board(kind: int, payload: bytes, source_mac: bytes) -> bytes:

@@ -19,7 +19,7 @@
 //   frame_bytes(descriptor, counters)  the length of the good frame in a filled buffer; 0 if the
 //                       buffer has none, which is counted
 //   gave_back()         called after each buffer that the controller may fill again
-//   found_none(counters)               called when no buffer is filled
+//   found_none(was_full, counters)     called when no buffer is filled
 //   send()              wakes the transmitter, once the descriptors are in memory
 //   collect(counters)   adds what its statistics have counted since the last call
 //   can_receive(), has_bus_error(), clear_event()

@@ -53,7 +53,7 @@ std::span<const std::byte> Port<Controller>::receive() {
   // bad frames faster than we drop them must not hold the loop: at most one ring of them per call.
   for (std::size_t dropped = 0; frame_.empty() && dropped < Format::kReceiveFrames; ++dropped) {
     if (!receive_ring_.filled()) {
-      controller_.found_none(counters_);
+      controller_.found_none(receive_ring_.was_full(), counters_);
       break;
     }
     accept();

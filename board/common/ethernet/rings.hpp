@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "board/common/ethernet/transmit_order.hpp"
 #include "machine.hpp"
@@ -63,6 +64,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
       give();
     }
     next_ = 0;
+    recycled_ = 0;
     this->memory_.drain_stores();
   }
 
@@ -85,9 +87,14 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
   const Descriptor& descriptor() const { return this->descriptors_[next_]; }
   std::span<std::byte> buffer() const { return Base::buffer(next_); }
 
+  // After filled() found none: whether the ring may have been full, because all its buffers were
+  // filled in a row.
+  bool was_full() { return std::exchange(recycled_, 0U) >= this->descriptors_.size(); }
+
   // Gives the next buffer back and goes on to the one after it.
   void recycle() {
     give();
+    ++recycled_;
     next_ = this->is_last(next_) ? 0 : next_ + 1;
   }
 
@@ -100,6 +107,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
   }
 
   std::size_t next_ = 0;
+  std::size_t recycled_ = 0;  // since filled() last found none
 };
 
 // 1514 bytes of the longest frame, rounded up to whole 64-byte bursts.

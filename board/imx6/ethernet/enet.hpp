@@ -36,7 +36,7 @@ class Enet {
   void set_groups(std::uint64_t groups);
   std::size_t frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters);
   void gave_back();
-  void found_none(hal::PortCounters& /*counters*/) {}
+  void found_none(bool /*was_full*/, hal::PortCounters& /*counters*/) {}
   void send();
   void collect(hal::PortCounters& counters);
   bool can_receive() const;

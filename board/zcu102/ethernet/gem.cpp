@@ -143,12 +143,16 @@ std::size_t Gem::frame_bytes(const Descriptor& descriptor, hal::PortCounters& co
 // Once the ring was full, QEMU's GEM keeps the descriptor that it found used, until NETWORK_CONTROL
 // is written. That write delivers as many waiting frames as there are free buffers and drops the
 // others, so it comes only when all buffers are free. The GEM itself looks again with each frame,
-// and the write changes nothing. At least one frame was lost, also if no statistic says so.
-void Gem::found_none(hal::PortCounters& counters) {
+// and the write changes nothing. At least one frame was lost, also if no statistic says so. QEMU
+// sets the flag for the parked queue, too, at each write of NETWORK_CONTROL.
+void Gem::found_none(bool was_full, hal::PortCounters& counters) {
   if ((registers_.receive_status.read() & R::kReceiveNoBuffer) == 0) {
     return;
   }
   registers_.receive_status.clear(R::kReceiveNoBuffer);
+  if (!was_full) {
+    return;
+  }
   collect(counters);
   counters.receive_overflows += counters.receive_overflows == overflows_seen_ ? 1 : 0;
   overflows_seen_ = counters.receive_overflows;

@@ -60,6 +60,18 @@ class GemOnRam : public testing::Test {
     ++arrived_;
   }
 
+  void fill_the_ring() {
+    for (std::size_t count = 0; count < kReceive; ++count) {
+      arrive(60);
+    }
+  }
+  void take(std::size_t frames) {
+    for (std::size_t count = 0; count < frames; ++count) {
+      EXPECT_FALSE(port_.receive().empty());
+      port_.release();
+    }
+  }
+
   // The controller sends what it owns, at most so many; returns how many frames.
   std::size_t send(std::size_t most = kTransmit) {
     std::size_t sent = 0;

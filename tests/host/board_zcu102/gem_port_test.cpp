@@ -60,15 +60,10 @@ TEST_F(Port, FramesOutsideTheBoundsAreCountedAndDropped) {
 // QEMU 7.2 keeps the descriptor that it found used until NETWORK_CONTROL is written with the
 // receiver on, and drops what waits beyond the free buffers then.
 TEST_F(Port, AFullRingIsLookedAtAgainWhenItIsEmpty) {
-  for (std::size_t count = 0; count < kReceive; ++count) {
-    arrive(60);
-  }
+  fill_the_ring();
   raise(registers_.receive_status, 0b111);
   forget();
-  for (std::size_t count = 0; count < kReceive; ++count) {
-    EXPECT_FALSE(port_.receive().empty());
-    port_.release();
-  }
+  take(kReceive);
   EXPECT_TRUE(machine::writes_to(registers_).empty()) << "not while frames wait";
   EXPECT_TRUE(port_.receive().empty());
   EXPECT_EQ(machine::writes_to(registers_), (std::vector<Write>{{0x020, 1}, {0x000, 0x1c}}));
@@ -76,6 +71,18 @@ TEST_F(Port, AFullRingIsLookedAtAgainWhenItIsEmpty) {
   EXPECT_EQ(port_.counters().receive_overflows, 1u) << "at least one was lost";
   EXPECT_TRUE(port_.receive().empty());
   EXPECT_EQ(port_.counters().receive_overflows, 1u);
+}
+
+// QEMU 7.2 looks at the first descriptor of each queue at each write of NETWORK_CONTROL, such as
+// the start of the transmitter. That of the parked queue is never free, so the flag is set.
+TEST_F(Port, ARingThatWasNotFullHasLostNothing) {
+  arrive(60);
+  take(1);
+  raise(registers_.receive_status, 0b111);
+  forget();
+  EXPECT_TRUE(port_.receive().empty());
+  EXPECT_EQ(machine::writes_to(registers_), (std::vector<Write>{{0x020, 1}}));
+  EXPECT_EQ(port_.counters().receive_overflows, 0u);
 }
 
 TEST_F(Port, StatisticsOfTheControllerAreCountedOnce) {
@@ -94,6 +101,8 @@ TEST_F(Port, StatisticsOfTheControllerAreCountedOnce) {
   EXPECT_EQ(port_.counters().oversized, 7u);
   EXPECT_EQ(port_.counters().receive_errors, 7u);
   EXPECT_EQ(port_.counters().receive_overflows, 14u) << "without a buffer; overrun";
+  fill_the_ring();
+  take(kReceive);
   counted_ = 3;
   raise(registers_.receive_status, 1);
   EXPECT_TRUE(port_.receive().empty());
