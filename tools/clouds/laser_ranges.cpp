@@ -1,5 +1,6 @@
 #include "tools/clouds/laser_ranges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -56,6 +57,10 @@ SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
   if (const std::string wrong = wrong_in(scan); !wrong.empty()) {
     throw UsageError(what + ": " + wrong);
   }
+  const auto far = std::ranges::count_if(scan.ranges_m, [](double range_m) {
+    return std::isfinite(range_m) && range_m * 1000 > kFarthestMm;
+  });
+  demand_metres(static_cast<std::size_t>(far), count, what);
   SeenCloud cloud{.time_us = scan.stamp_us};
   cloud.has_times = scan.apart_s > 0 && scan.apart_s * static_cast<double>(count) <= 1;
   cloud.has_wrong_times = scan.apart_s != 0 && count > 0 && !cloud.has_times;

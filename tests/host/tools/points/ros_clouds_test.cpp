@@ -334,6 +334,10 @@ TEST(RosClouds, AScanWhoseHeadContradictsItselfIsTold) {
   }
   EXPECT_EQ(told(2, 0.05F),
             "it: by angle_min and angle_increment its last beam is at 0 rad, and angle_max is 0.2");
+  EXPECT_EQ(told_by([] {
+              static_cast<void>(cloud_of_laser_scan(laser_scan({5000, 5000, 501, 5, 5}), "it"));
+            }),
+            "it: 3 of its 5 points are more than 500 m away; coordinates are metres");
   EXPECT_EQ(told(1, 0.3F), "");  // some drivers name the end of the last step
 }
 
