@@ -44,6 +44,7 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   ConvertedLog log = converted(std::move(even), conversion);
   samples_ = std::move(log.samples);
   set_.remarks.insert(set_.remarks.end(), log.remarks.begin(), log.remarks.end());
+  set_.remarks.insert(set_.remarks.end(), log.notes.begin(), log.notes.end());
 }
 
 std::vector<CapturedDatagram> CloudConversion::next() {

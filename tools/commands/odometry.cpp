@@ -24,7 +24,11 @@ struct OdometryOptions {
 
 void compare(const OdometryOptions& options, const CatalogueEntry& car,
              const std::vector<TurnPose>& turns) {
-  const MotionOffset offset = offset_by_motion(turns, log_of(options.drive, car).samples);
+  const ConvertedLog log = log_of(options.drive, car);
+  for (const std::string& words : words_of(log, {})) {
+    std::cout << options.drive.poses << ": " << words << '\n';
+  }
+  const MotionOffset offset = offset_by_motion(turns, log.samples);
   if (!offset.refusal.empty()) {
     throw CheckFailed(options.drive.poses + ": no clock offset: " + offset.refusal);
   }

@@ -221,8 +221,11 @@ TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
   expect_error(log(head + "1,nan,0,0,0,0\n"), "log.csv:2: x_m is 'nan'");
   expect_error({.captures = {lidar_}, .poses = lidar_}, "no log of poses");
   expect_error({.captures = {"/dev/null"}, .poses = log_}, "");
-  EXPECT_EQ(read(log(head + row + row + row)).words,
-            "|not used: 2 poses that are not newer than the one before (first: line 3)");
+  expect_error(log(head + row + row + row),
+               "log.csv: only one pose in it; not used: 2 poses that are not newer than the one "
+               "before (first: line 3)");
+  EXPECT_EQ(read(log(head + row + row + "1714564800.13,1,0,0,0.1,0.1\n")).words,
+            "|not used: 1 poses that are not newer than the one before (line 3)");
   EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("two_lux_parking")), UsageError);
 }
 
