@@ -41,6 +41,10 @@ std::string wrong_in(const LaserRanges& scan) {
   }
   const double end = scan.first_rad + scan.step_rad * static_cast<double>(scan.ranges_m.size() - 1);
   constexpr double kRounded = 1.01;
+  if (std::abs(end - scan.first_rad) > 2 * std::numbers::pi + step) {
+    return "its beams go from " + text_of(scan.first_rad) + " to " + text_of(end) +
+           " rad, which is more than a turn";
+  }
   return std::abs(end - scan.last_rad) <= kRounded * step
              ? std::string()
              : "by angle_min and angle_increment its last beam is at " + text_of(end) +

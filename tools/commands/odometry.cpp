@@ -1,15 +1,18 @@
 // iog odometry: the motion of a car by the scans of its spinning lidars.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/odometry/motion_offset.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 
@@ -39,6 +42,11 @@ void compare(const OdometryOptions& options, const CatalogueEntry& car,
 void estimate(const OdometryOptions& options) {
   if (options.out.empty() && options.drive.poses.empty()) {
     throw UsageError("give --out FILE, or --poses FILE to compare with");
+  }
+  const std::string suffix = std::filesystem::path(options.out).extension();
+  if (suffix != ".csv" && suffix.size() > 1 &&
+      std::ranges::count(kPoseFormats, std::string_view(suffix).substr(1)) > 0) {
+    throw UsageError(options.out + ": the log is CSV: give a name that ends in .csv");
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   demand_fit(options.drive.captures, car);
