@@ -241,6 +241,16 @@ TEST_F(BesideALog, CapturesAreMergedByTime) {
   EXPECT_EQ(merged.datagrams.size(), packets_.size());
   const auto time_us = [](const auto& one) { return std::get<0>(one); };
   EXPECT_TRUE(std::ranges::is_sorted(merged.datagrams, {}, time_us));
+  EXPECT_EQ(merged.words, "");
+  Datagrams later = packets_;
+  for (CapturedDatagram& datagram : later) {
+    datagram.time_us += 86'400'000'000;
+  }
+  files.captures.push_back(write(later, folder_ / "later.pcap"));
+  const std::string words = read(files).words;
+  EXPECT_NE(words.find("later.pcap begins 86399 s after the captures before it end"),
+            std::string::npos)
+      << words;
 }
 
 }  // namespace
