@@ -45,8 +45,8 @@ Rigid rigid_in(std::string_view text, const std::string& where) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     const std::size_t last = (i + 2) % 3;
-    const double product = rigid[next] * rigid[4 + last] - rigid[last] * rigid[4 + next];
-    if (std::abs(product - rigid[8 + i]) > 0.02) {
+    const double cross = rigid[next] * rigid[4 + last] - rigid[last] * rigid[4 + next];
+    if (std::abs(cross - rigid[8 + i]) > 0.02) {
       throw UsageError(where + ": its rows are no rotation");
     }
   }
