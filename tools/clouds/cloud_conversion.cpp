@@ -44,6 +44,7 @@ void CloudConversion::make_samples(double mount_x_m, double mount_y_m) {
   ConvertedLog log = converted(std::move(even), conversion);
   samples_ = std::move(log.samples);
   set_.remarks.insert(set_.remarks.end(), log.remarks.begin(), log.remarks.end());
+  set_.remarks.insert(set_.remarks.end(), log.notes.begin(), log.notes.end());
 }
 
 std::vector<CapturedDatagram> CloudConversion::next() {
@@ -59,6 +60,11 @@ std::vector<CapturedDatagram> CloudConversion::next() {
                      });
     ++clouds_read_;
     const std::uint64_t finite = fates().seen() - fates().not_finite;
+    if (2 * fates().out_of_range > finite) {
+      throw UsageError(set_.clouds[next_cloud_] + ": " + std::to_string(fates().out_of_range) +
+                       " of " + std::to_string(finite) + " points are beyond the range of " +
+                       std::string(sensor_->name) + "; coordinates are metres");
+    }
     if (2 * packets_.sure() < finite) {
       throw UsageError(set_.clouds[next_cloud_] + ": only " + std::to_string(packets_.sure()) +
                        " of " + std::to_string(finite) + " points are where the lasers of " +

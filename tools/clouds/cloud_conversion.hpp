@@ -31,8 +31,8 @@ class CloudConversion {
   void tell(UnitPackets::OnSent on_sent) { packets_.tell(std::move(on_sent)); }
 
   // The next datagrams in order of time, those of a turn; none: that was all. UsageError for a
-  // cloud that cannot be read, or if half of the points so far are not where the car's
-  // lasers look.
+  // cloud that cannot be read, or if half of the points so far are beyond the unit's range or
+  // not where the car's lasers look.
   [[nodiscard]] std::vector<CapturedDatagram> next();
 
   [[nodiscard]] const CloudSet& set() const { return set_; }

@@ -140,6 +140,14 @@ void add_times(const CloudRecords& records, const CloudField& field,
 
 }  // namespace
 
+void demand_metres(std::size_t far, std::size_t points, const std::string& what) {
+  if (2 * far > points) {
+    throw UsageError(what + ": " + std::to_string(far) + " of its " + std::to_string(points) +
+                     " points are more than " + std::to_string(kFarthestMm / 1000) +
+                     " m away; coordinates are metres");
+  }
+}
+
 void check_count(const CloudRecords& records, const std::string& what) {
   if (records.count > kMostCloudPoints) {
     throw UsageError(what + ": " + std::to_string(records.count) +

@@ -55,6 +55,13 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
+// Further than any unit sees.
+inline constexpr std::int32_t kFarthestMm = 500'000;
+
+// Coordinates in another unit or byte order; what is far away would be free all around. UsageError,
+// which begins with `what`, if more than half of the points are further away than kFarthestMm.
+void demand_metres(std::size_t far, std::size_t points, const std::string& what);
+
 // UsageError, which begins with `what`, for more points than a unit sees in a scan.
 void check_count(const CloudRecords& records, const std::string& what);
 

@@ -10,6 +10,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 namespace {
@@ -31,7 +32,8 @@ void read_times(CloudSet& set, const TimeIn& its_time_in, const CloudAt& cloud_a
     }
     const std::optional<std::uint64_t> time_us = its_time_in(lines[i]);
     if (!time_us) {
-      throw UsageError(set.times + ":" + std::to_string(i + 1) + ": '" + lines[i] + "' is no time");
+      throw UsageError(set.times + ":" + std::to_string(i + 1) + ": '" + printable(lines[i]) +
+                       "' is no time");
     }
     std::string cloud = cloud_at(i);
     const bool is_there = std::filesystem::exists(cloud);
@@ -44,6 +46,18 @@ void read_times(CloudSet& set, const TimeIn& its_time_in, const CloudAt& cloud_a
                      cloud_at(0));
   }
   remark(missing, "times without a cloud", set.remarks);
+  const std::string folder = std::filesystem::path(cloud_at(0)).parent_path();
+  remark(files_beside(folder, ".bin", set.clouds.size() - missing), "clouds without a time",
+         set.remarks);
+}
+
+// Of another drive, they would be anywhere.
+void demand_same_time(const CloudSet& set) {
+  const std::vector<LoggedPose>& poses = set.poses.poses;
+  if (!poses.empty() && (poses.back().time_us < set.forward.front().time_us ||
+                         set.forward.back().time_us < poses.front().time_us)) {
+    throw UsageError(set.times + ": no pose of oxts is of its times");
+  }
 }
 
 CloudSet read_raw(const std::string& folder) {
@@ -53,6 +67,7 @@ CloudSet read_raw(const std::string& folder) {
   });
   if (std::filesystem::exists(folder + "/oxts")) {
     set.poses = read_oxts_log(folder + "/oxts");
+    demand_same_time(set);
   } else {
     set.remarks.emplace_back("no poses: there is no oxts");
   }

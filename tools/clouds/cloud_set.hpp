@@ -30,7 +30,7 @@ struct CloudSet {
 };
 
 // UsageError if the folder has neither form, a file of it cannot be read or is not what it has to
-// be, or there is no cloud.
+// be, there is no cloud, or the poses are of another time.
 [[nodiscard]] CloudSet read_cloud_set(const std::string& folder);
 
 // Where a point of a cloud was in the unit's frame at a time, in microseconds since 1970.

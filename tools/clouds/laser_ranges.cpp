@@ -1,5 +1,6 @@
 #include "tools/clouds/laser_ranges.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -40,6 +41,10 @@ std::string wrong_in(const LaserRanges& scan) {
   }
   const double end = scan.first_rad + scan.step_rad * static_cast<double>(scan.ranges_m.size() - 1);
   constexpr double kRounded = 1.01;
+  if (std::abs(end - scan.first_rad) > 2 * std::numbers::pi + step) {
+    return "its beams go from " + text_of(scan.first_rad) + " to " + text_of(end) +
+           " rad, which is more than a turn";
+  }
   return std::abs(end - scan.last_rad) <= kRounded * step
              ? std::string()
              : "by angle_min and angle_increment its last beam is at " + text_of(end) +
@@ -56,6 +61,10 @@ SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
   if (const std::string wrong = wrong_in(scan); !wrong.empty()) {
     throw UsageError(what + ": " + wrong);
   }
+  const auto far = std::ranges::count_if(scan.ranges_m, [](double range_m) {
+    return std::isfinite(range_m) && range_m * 1000 > kFarthestMm;
+  });
+  demand_metres(static_cast<std::size_t>(far), count, what);
   SeenCloud cloud{.time_us = scan.stamp_us};
   cloud.has_times = scan.apart_s > 0 && scan.apart_s * static_cast<double>(count) <= 1;
   cloud.has_wrong_times = scan.apart_s != 0 && count > 0 && !cloud.has_times;

@@ -22,8 +22,8 @@ struct LaserRanges {
 };
 
 // An infinite range, or one beyond the longest, is a beam from which nothing came back (REP 117).
-// UsageError, which begins with `what`, if there are too many, or if the scan's head contradicts
-// itself or describes no scan.
+// UsageError, which begins with `what`, if there are too many, as demand_metres(), or if the scan's
+// head contradicts itself or describes no scan.
 [[nodiscard]] SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what);
 
 }  // namespace iog::tools

@@ -116,6 +116,11 @@ SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
   }
   place_fields(is_ascii, records);
   check_count(records, path);
+  if (!is_ascii && head.is_last && !records.fields.empty() &&
+      records.bytes.size() >= (records.count + 1) * records.fields.front().stride) {
+    throw UsageError(path + ": it has more bytes than its " + std::to_string(records.count) +
+                     " points");
+  }
   std::vector<std::byte> doubles;
   if (is_ascii) {
     doubles = rows_of(head, records, path);

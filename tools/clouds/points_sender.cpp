@@ -38,6 +38,10 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
                      std::string(config_->name) + " is " +
                      std::to_string(sensor_->max_points_per_scan));
   }
+  demand_metres(
+      static_cast<std::size_t>(std::ranges::count_if(
+          cloud.points, [](std::int32_t mm) { return mm > kFarthestMm; }, &WirePoint::third)),
+      cloud.points.size(), "cloud " + std::to_string(sent_.clouds));
   if (cloud.time_us < last_cloud_us_) {
     throw UsageError("cloud " + std::to_string(sent_.clouds) + ": its time goes back by " +
                      std::to_string((last_cloud_us_ - cloud.time_us + 999) / 1000) + " ms");

@@ -31,7 +31,8 @@ class PointsSender {
   PointsSender(const CatalogueEntry& car, std::size_t sensor);
 
   // A scan: in the order of the points' times, or else, of what turns, of their azimuths.
-  // UsageError if the car's file has not as many points for a scan, or if times go back.
+  // UsageError if the car's file has not as many points for a scan, as demand_metres(), or if times
+  // go back.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
 
   [[nodiscard]] const SentClouds& sent() const { return sent_; }

@@ -1,15 +1,18 @@
 // iog odometry: the motion of a car by the scans of its spinning lidars.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/odometry/motion_offset.hpp"
+#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 
@@ -24,7 +27,11 @@ struct OdometryOptions {
 
 void compare(const OdometryOptions& options, const CatalogueEntry& car,
              const std::vector<TurnPose>& turns) {
-  const MotionOffset offset = offset_by_motion(turns, log_of(options.drive, car).samples);
+  const ConvertedLog log = log_of(options.drive, car);
+  for (const std::string& words : words_of(log, {})) {
+    std::cout << options.drive.poses << ": " << words << '\n';
+  }
+  const MotionOffset offset = offset_by_motion(turns, log.samples);
   if (!offset.refusal.empty()) {
     throw CheckFailed(options.drive.poses + ": no clock offset: " + offset.refusal);
   }
@@ -35,6 +42,11 @@ void compare(const OdometryOptions& options, const CatalogueEntry& car,
 void estimate(const OdometryOptions& options) {
   if (options.out.empty() && options.drive.poses.empty()) {
     throw UsageError("give --out FILE, or --poses FILE to compare with");
+  }
+  const std::string suffix = std::filesystem::path(options.out).extension();
+  if (suffix != ".csv" && suffix.size() > 1 &&
+      std::ranges::count(kPoseFormats, std::string_view(suffix).substr(1)) > 0) {
+    throw UsageError(options.out + ": the log is CSV: give a name that ends in .csv");
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   demand_fit(options.drive.captures, car);

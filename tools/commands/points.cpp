@@ -141,6 +141,9 @@ SeenCloud cloud_in(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
   if (path.ends_with(".bin")) {
     return read_kitti_cloud(path, stamp_us);
   }
+  if (!std::filesystem::exists(path)) {
+    throw UsageError(path + ": there is no such file");
+  }
   throw UsageError(
       path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
 }

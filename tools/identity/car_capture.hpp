@@ -93,8 +93,11 @@ class CarCapture {
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
-  // How the clocks of poses and packets differ; empty if they agree. Known when all has been read.
-  [[nodiscard]] std::string clock_words() const { return clocks_.words(); }
+  // How the clocks of poses and packets differ, or of the captures; empty if they agree. Known when
+  // all has been read.
+  [[nodiscard]] std::string clock_words() const {
+    return files_.words().empty() ? clocks_.words() : files_.words();
+  }
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;
 

@@ -6,6 +6,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 namespace {
@@ -70,7 +71,7 @@ Places places_of(const std::string& place_in_file, const std::vector<std::string
     const std::string& name = header[i];
     const auto* const found = std::ranges::find(kNames, name);
     if (found == kNames.end()) {
-      remarks.push_back("column '" + name + "'");
+      remarks.push_back("column '" + printable(name) + "'");
       continue;
     }
     std::size_t& place = places[static_cast<std::size_t>(found - kNames.begin())];
@@ -110,7 +111,7 @@ class Row {
   [[nodiscard]] std::uint64_t time_us() const {
     const std::optional<std::uint64_t> time = time_in(text_of(kTime));
     if (!time) {
-      fail("time_s is '" + text_of(kTime) + "': give seconds, 0 or more");
+      fail("time_s is '" + printable(text_of(kTime)) + "': give seconds, 0 or more");
     }
     return *time;
   }
@@ -118,7 +119,8 @@ class Row {
   [[nodiscard]] double number(Column column) const {
     const std::optional<double> value = decimal_in(text_of(column));
     if (!value) {
-      fail(std::string(kNames[column]) + " is '" + text_of(column) + "', which is no number");
+      fail(std::string(kNames[column]) + " is '" + printable(text_of(column)) +
+           "', which is no number");
     }
     return *value;
   }

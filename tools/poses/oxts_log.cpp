@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "tools/poses/local_plane.hpp"
@@ -6,6 +7,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 namespace {
@@ -28,13 +30,17 @@ std::array<double, kFields> fields_in(const std::string& path) {
     const std::optional<double> value = number_in(part);
     if (!value || count == kFields) {
       throw UsageError(path + ": field " + std::to_string(count + 1) + " of " +
-                       std::to_string(kFields) + " is '" + std::string(part) + "'");
+                       std::to_string(kFields) + " is '" + printable(std::string(part)) + "'");
     }
     fields[count++] = *value;
   }
   if (count != kFields) {
     throw UsageError(path + ": " + std::to_string(count) + " numbers instead of " +
                      std::to_string(kFields));
+  }
+  if (std::abs(fields[kLatitude]) > 90 || std::abs(fields[kLongitude]) > 180) {
+    throw UsageError(path + ": " + std::to_string(fields[kLatitude]) + ", " +
+                     std::to_string(fields[kLongitude]) + " is no place on the earth");
   }
   return fields;
 }
@@ -52,7 +58,7 @@ PoseLog read_oxts_log(const std::string& folder) {
     }
     const std::optional<std::uint64_t> time_us = date_time_in(lines[i]);
     if (!time_us) {
-      throw UsageError(times + ":" + std::to_string(i + 1) + ": '" + lines[i] +
+      throw UsageError(times + ":" + std::to_string(i + 1) + ": '" + printable(lines[i]) +
                        "' is no time as in 2011-09-26 13:02:25.964389445");
     }
     const std::string path = folder + "/data/" + zero_padded(i, 10) + ".txt";
@@ -64,6 +70,7 @@ PoseLog read_oxts_log(const std::string& folder) {
     if (!log.plane) {
       log.plane.emplace(fields[kLatitude], fields[kLongitude]);
     }
+    const double accuracy_mps = fields[kSpeedAccuracy];
     const LocalPlane::Place place = log.plane->place_of(fields[kLatitude], fields[kLongitude]);
     log.poses.push_back({.time_us = *time_us,
                          .x_m = place.east_m,
@@ -72,11 +79,13 @@ PoseLog read_oxts_log(const std::string& folder) {
                          .speed_mps = fields[kForward],
                          .yaw_rate_rps = fields[kTurnUp],
                          // The error of the speed is that of the way in a second.
-                         .sigma_m = fields[kSpeedAccuracy],
+                         .sigma_m = accuracy_mps > 0 ? std::optional(accuracy_mps) : std::nullopt,
                          .sigma_heading_rad = std::nullopt,
                          .place = i + 1});
   }
   remark(missing, "times without a file in data/", log.remarks);
+  remark(files_beside(folder + "/data", ".txt", log.poses.size()), "files in data/ without a time",
+         log.remarks);
   return log;
 }
 

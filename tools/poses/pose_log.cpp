@@ -9,6 +9,7 @@
 #include "pose/limits.hpp"
 #include "tools/poses/outliers.hpp"
 #include "tools/poses/pose_encoder.hpp"
+#include "tools/poses/stated_motion.hpp"
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
@@ -70,7 +71,7 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
     }
   }
   remark(without_heading, "poses without a heading", log.unit, log.remarks);
-  remark(unsayable, "poses beyond what a message can say", log.unit, log.remarks);
+  remark(unsayable, "poses beyond 1000 km, 100 m/s or 10 rad/s", log.unit, log.remarks);
   remark(not_newer, "poses that are not newer than the one before", log.unit, log.remarks);
   remark(too_close, "poses less than 8 ms after the one before", log.unit, log.remarks);
   remark(outliers, "poses that no car reaches from those around them", log.unit, log.remarks);
@@ -145,18 +146,22 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   }
   result.remarks = std::move(log.remarks);
   result.notes = std::move(log.notes);
+  if (std::string words = words_of_misfit(poses, result.samples); !words.empty()) {
+    result.notes.push_back(std::move(words));
+  }
   return result;
 }
 
 void demand_poses(const ConvertedLog& log, const std::string& path) {
-  if (!log.samples.empty()) {
+  if (log.samples.size() > 1) {
     return;
   }
   std::string why;
   for (const std::string& remark : log.remarks) {
     why += (why.empty() ? "; not used: " : ", ") + remark;
   }
-  throw UsageError(path + ": no pose in it" + why);
+  throw UsageError(path + (log.samples.empty() ? ": no pose in it" : ": only one pose in it") +
+                   why);
 }
 
 std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion& conversion) {

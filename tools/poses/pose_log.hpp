@@ -110,7 +110,7 @@ struct PoseConversion {
 struct ConvertedLog {
   std::vector<PoseSample> samples;   // by rising times, as far apart as the target wants
   std::vector<std::string> remarks;  // those of the log, and what else was left out
-  std::vector<std::string> notes;    // those of the log
+  std::vector<std::string> notes;    // those of the log, and what contradicts its positions
   // Samples for which a standard deviation was taken that the log does not say.
   std::size_t taken_sigmas = 0;
   std::size_t taken_sigma_headings = 0;
@@ -123,7 +123,7 @@ struct ConvertedLog {
 // UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
 
-// UsageError, with why, if there is none.
+// UsageError, with why, if there are not the two that a target needs before it believes them.
 void demand_poses(const ConvertedLog& log, const std::string& path);
 
 // A line for each remark and note, and for standard deviations that were taken.

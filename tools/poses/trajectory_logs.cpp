@@ -35,11 +35,19 @@ std::array<double, kCount> numbers_in(std::string_view text, const std::string& 
 
 Rigid rigid_in(std::string_view text, const std::string& where) {
   const Rigid rigid = numbers_in<12>(text, where, "three rows of a pose");
-  // A row of a rotation has length 1.
+  // Rows of a rotation have length 1, and the third is the product of the others.
   for (std::size_t row = 0; row < 3; ++row) {
     const double length = std::hypot(rigid[row * 4], rigid[row * 4 + 1], rigid[row * 4 + 2]);
     if (std::abs(length - 1) > 0.01) {
       throw UsageError(where + ": row " + std::to_string(row + 1) + " is no row of a rotation");
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    const std::size_t last = (i + 2) % 3;
+    const double cross = rigid[next] * rigid[4 + last] - rigid[last] * rigid[4 + next];
+    if (std::abs(cross - rigid[8 + i]) > 0.02) {
+      throw UsageError(where + ": its rows are no rotation");
     }
   }
   return rigid;
@@ -53,6 +61,15 @@ Rigid unit_in_camera(const std::string& path) {
     }
   }
   throw UsageError(path + ": no line Tr: says where the unit is");
+}
+
+// Lines up to the last one that is not blank.
+std::vector<std::string> rows_in(const std::string& path) {
+  std::vector<std::string> lines = read_lines(path);
+  while (!lines.empty() && trimmed(lines.back()).empty()) {
+    lines.pop_back();
+  }
+  return lines;
 }
 
 std::string place_of(const std::string& path, std::size_t line) {
@@ -103,18 +120,18 @@ PoseLog read_tum_log(const std::string& path) {
 
 PoseLog read_kitti_log(const std::string& path) {
   const std::string folder = std::filesystem::absolute(path).parent_path();
-  const std::vector<std::string> lines = read_lines(path);
-  const std::vector<std::string> times = read_lines(folder + "/times.txt");
+  const std::vector<std::string> lines = rows_in(path);
+  const std::vector<std::string> times = rows_in(folder + "/times.txt");
+  if (lines.size() != times.size()) {
+    throw UsageError(path + ": " + std::to_string(lines.size()) + " poses, and times of " +
+                     std::to_string(times.size()));
+  }
   const Rigid unit = unit_in_camera(folder + "/calib.txt");
   const Rigid camera = inverse(unit);
   PoseLog log{.is_of_unit = true};
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (trimmed(times[i]).empty()) {
       continue;
-    }
-    if (i >= lines.size()) {
-      throw UsageError(path + ": " + std::to_string(lines.size()) + " poses, and times of " +
-                       std::to_string(times.size()));
     }
     const Rigid pose = product(camera, product(rigid_in(lines[i], place_of(path, i)), unit));
     log.in_space.push_back(pose);

@@ -15,6 +15,8 @@ constexpr std::uint16_t kNavPvt = 0x0107;  // class and id
 // Of receivers before the M8: without the heading of the vehicle. Later ones may append fields.
 constexpr std::size_t kLeastPvtBytes = 84;
 constexpr std::size_t kVehiclePvtBytes = 92;
+// RXM-RAWX with 255 measurements is the longest. What claims more would be summed at every byte.
+constexpr std::size_t kMostPayloadBytes = 8'176;
 constexpr std::size_t kHeaderBytes = 6;
 constexpr std::size_t kChecksumBytes = 2;
 
@@ -25,7 +27,8 @@ std::span<const std::byte> ubx_message_at(std::span<const std::byte> bytes) {
   const std::uint16_t sync = in.u16_be();
   in.skip(2);
   const std::size_t payload_bytes = in.u16_le();
-  if (!in.ok() || sync != kSync || in.remaining() < payload_bytes + kChecksumBytes) {
+  if (!in.ok() || sync != kSync || payload_bytes > kMostPayloadBytes ||
+      in.remaining() < payload_bytes + kChecksumBytes) {
     return {};
   }
   std::uint8_t a = 0;

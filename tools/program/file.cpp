@@ -65,6 +65,15 @@ std::vector<std::string> read_lines(const std::string& path) {
   return lines;
 }
 
+std::size_t files_beside(const std::string& folder, std::string_view suffix, std::size_t known) {
+  std::error_code error;
+  const std::filesystem::directory_iterator entries(folder, error);
+  const auto files = std::count_if(begin(entries), end(entries), [&](const auto& its) {
+    return its.path().string().ends_with(suffix);
+  });
+  return std::max(static_cast<std::size_t>(files), known) - known;
+}
+
 void make_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

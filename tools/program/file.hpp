@@ -22,6 +22,10 @@ namespace iog::tools {
 [[nodiscard]] std::vector<std::byte> read_file(const std::string& path);
 [[nodiscard]] std::vector<std::string> read_lines(const std::string& path);
 
+// How many files of a folder that end so are left beside those that are known.
+[[nodiscard]] std::size_t files_beside(const std::string& folder, std::string_view suffix,
+                                       std::size_t known);
+
 // Makes the folder and those above it. UsageError if that is not possible.
 void make_folder(const std::string& path);
 

@@ -221,8 +221,11 @@ TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
   expect_error(log(head + "1,nan,0,0,0,0\n"), "log.csv:2: x_m is 'nan'");
   expect_error({.captures = {lidar_}, .poses = lidar_}, "no log of poses");
   expect_error({.captures = {"/dev/null"}, .poses = log_}, "");
-  EXPECT_EQ(read(log(head + row + row + row)).words,
-            "|not used: 2 poses that are not newer than the one before (first: line 3)");
+  expect_error(log(head + row + row + row),
+               "log.csv: only one pose in it; not used: 2 poses that are not newer than the one "
+               "before (first: line 3)");
+  EXPECT_EQ(read(log(head + row + row + "1714564800.13,1,0,0,0.1,0.1\n")).words,
+            "|not used: 1 poses that are not newer than the one before (line 3)");
   EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("two_lux_parking")), UsageError);
 }
 
@@ -238,6 +241,16 @@ TEST_F(BesideALog, CapturesAreMergedByTime) {
   EXPECT_EQ(merged.datagrams.size(), packets_.size());
   const auto time_us = [](const auto& one) { return std::get<0>(one); };
   EXPECT_TRUE(std::ranges::is_sorted(merged.datagrams, {}, time_us));
+  EXPECT_EQ(merged.words, "");
+  Datagrams later = packets_;
+  for (CapturedDatagram& datagram : later) {
+    datagram.time_us += 86'400'000'000;
+  }
+  files.captures.push_back(write(later, folder_ / "later.pcap"));
+  const std::string words = read(files).words;
+  EXPECT_NE(words.find("later.pcap begins 86399 s after the captures before it end"),
+            std::string::npos)
+      << words;
 }
 
 }  // namespace

@@ -366,17 +366,18 @@ TEST_F(Clouds, ThatAreNoneAreRefusedWithTheReason) {
 }
 
 // Its lasers look 0.17 degrees higher, half a ring: to each point there is a laser, but none fits.
-TEST_F(Clouds, OfAnotherUnitAreRefused) {
+// In millimetres a laser fits each point, and none reaches it.
+TEST_F(Clouds, OfAnotherUnitOrLengthAreRefused) {
   write_raw();
-  write_clouds("/velodyne_points/data/", 10, [](const Return& its) {
-    const CloudPoint at = point_of(its);
-    return CloudPoint{at.x, at.y, at.z + 0.003 * std::hypot(at.x, at.y)};
-  });
-  const std::string words = error();
-  EXPECT_NE(words.find("0000000000.bin: only "), std::string::npos) << words;
-  EXPECT_NE(words.find("points are where the lasers of roof look: the car's table is of another"),
-            std::string::npos)
-      << words;
+  const auto expect = [this](double rise, double scale, std::string_view words) {
+    write_clouds("/velodyne_points/data/", 10, [=](const Return& its) {
+      const CloudPoint at = point_of(its);
+      return CloudPoint{at.x * scale, at.y * scale, (at.z + rise * std::hypot(at.x, at.y)) * scale};
+    });
+    EXPECT_NE(error().find(words), std::string::npos) << error();
+  };
+  expect(0.003, 1, "points are where the lasers of roof look: the car's table is of another");
+  expect(0, 1000, "points are beyond the range of roof; coordinates are metres");
 }
 
 TEST_F(Clouds, OfOdometryDataNeedWholePoses) {

@@ -354,6 +354,9 @@ TEST(UbxLog, ReadsShorterAndLongerMessages) {
   EXPECT_NEAR(later.poses.at(0).heading_rad.value_or(1), 0, 1e-12);
   EXPECT_EQ(read_ubx_log(pvt_message({.payload_bytes = 83})).remarks.at(0),
             "1 messages other than NAV-PVT");
+  // As long as RXM-RAWX with 255 measurements, and longer than any.
+  EXPECT_EQ(read_ubx_log(pvt_message({.payload_bytes = 8'176})).poses.size(), 1U);
+  EXPECT_TRUE(read_ubx_log(pvt_message({.payload_bytes = 8'177})).poses.empty());
 }
 
 TEST(UbxLog, WhatIsNotUsedIsCounted) {

@@ -140,6 +140,10 @@ TEST_F(Trajectories, OfKittiAreThoseOfTheUnit) {
     EXPECT_NEAR(log.poses[1].heading_rad.value_or(0), 90 * kRadians, 1e-9);
   }
   expect_error(write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n"), "1 poses, and times of 2");
+  write("times.txt", "0\n\n");
+  EXPECT_EQ(read_pose_log(path).poses.size(), 1U);
+  write("times.txt", "");
+  expect_error(path, "1 poses, and times of 0");
 }
 
 TEST_F(Trajectories, OfOdometryHaveTheErrorsOfTheirTwist) {

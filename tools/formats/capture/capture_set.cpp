@@ -20,7 +20,21 @@ std::optional<CapturedDatagram> CaptureSet::next() {
   const auto first = std::ranges::min_element(files_, {}, [](const File& file) {
     return file.next ? file.next->time_us : ~std::uint64_t{0};
   });
+  if (first->next) {
+    note_gap(*first);
+    last_us_ = first->next->time_us;
+  }
   return std::exchange(first->next, first->next ? first->reader->next() : std::nullopt);
+}
+
+void CaptureSet::note_gap(const File& file) {
+  const bool is_its_first = file.reader->counts().datagrams == 1;
+  if (is_its_first && last_us_ > 0 &&
+      file.next->time_us > last_us_ + CaptureClock::kLongestPauseUs) {
+    words_ += (words_.empty() ? "" : ", ") + file.path + " begins " +
+              std::to_string((file.next->time_us - last_us_) / 1'000'000) +
+              " s after the captures before it end";
+  }
 }
 
 std::optional<PcapReader::Place> CaptureSet::place() const {

@@ -2,6 +2,7 @@
 // named first. Of each file no more than the next datagram is kept.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ class CaptureSet {
   [[nodiscard]] std::optional<CapturedDatagram> next();
   [[nodiscard]] const std::vector<File>& files() const { return files_; }
 
+  // Which file begins after a pause, as one of another drive does; empty: none so far.
+  [[nodiscard]] const std::string& words() const { return words_; }
+
   // As of PcapReader; no place in several files.
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.front().reader->go_to(place); }
@@ -35,7 +39,11 @@ class CaptureSet {
   }
 
  private:
+  void note_gap(const File& file);
+
   std::vector<File> files_;
+  std::uint64_t last_us_ = 0;  // of several files
+  std::string words_;
 };
 
 }  // namespace iog::tools

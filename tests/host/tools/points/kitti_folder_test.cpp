@@ -65,6 +65,34 @@ TEST_F(KittiFolder, PointsOfRawDataHaveTheTimeAtWhichTheHeadLookedThere) {
   }
 }
 
+TEST_F(KittiFolder, FilesWithoutATimeAreRemarkedAndPosesOfAnotherDayAreRefused) {
+  make_folder(folder_ / "velodyne_points/data");
+  make_folder(folder_ / "oxts/data");
+  const std::string times = "2011-09-26 13:00:00.1\n2011-09-26 13:00:00.2\n";
+  write("velodyne_points/timestamps.txt", times);
+  write("oxts/timestamps.txt", times);
+  std::string fields = "49 8.4";
+  for (int field = 2; field < 30; ++field) {
+    fields += " 0";
+  }
+  for (const char* const number : {"0", "1", "2"}) {
+    write("velodyne_points/data/000000000" + std::string(number) + ".bin", points());
+    write("oxts/data/000000000" + std::string(number) + ".txt", fields);
+  }
+  EXPECT_EQ(clouds().size(), 2U);
+  EXPECT_EQ(remarks_, std::vector<std::string>{"1 clouds without a time"});
+  const PoseLog log = read_oxts_log(folder_ / "oxts");
+  EXPECT_EQ(log.remarks, std::vector<std::string>{"1 files in data/ without a time"});
+  EXPECT_FALSE(log.poses[0].sigma_m);  // an accuracy of 0 is none
+  write("oxts/timestamps.txt", std::string("2011-09-27 13:00:00.1\n2011-09-27 13:00:00.2\n"));
+  EXPECT_NE(
+      told_by([this] { static_cast<void>(clouds()); }).find("no pose of oxts is of its times"),
+      std::string::npos);
+  write("oxts/data/0000000000.txt", "91" + fields.substr(2));
+  EXPECT_NE(told_by([this] { static_cast<void>(clouds()); }).find("is no place on the earth"),
+            std::string::npos);
+}
+
 // The unit drives 10 m/s ahead: 25 ms before it looked ahead, it was 0.25 m further back.
 TEST_F(KittiFolder, PointsOfOdometryDataAreWhereTheyWereSeen) {
   make_folder(folder_ / "velodyne");
@@ -86,6 +114,9 @@ TEST_F(KittiFolder, PointsOfOdometryDataAreWhereTheyWereSeen) {
   // And tan a is 10 m/s of (90 + a).
   EXPECT_NEAR(seen[0].points[2].first, 3'200 * (270 - 1.455), 5);
   EXPECT_NEAR(seen[0].points[2].after_us, 75'404, 1);
+  write("calib.txt", std::string("Tr: 1 0 0 0 0 0 1 0 0 1 0 0\n"));  // a mirror
+  EXPECT_NE(told_by([this] { static_cast<void>(clouds()); }).find("its rows are no rotation"),
+            std::string::npos);
 }
 
 TEST_F(KittiFolder, OneCloudAloneHasNoTimes) {

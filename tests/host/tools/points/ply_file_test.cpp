@@ -88,6 +88,9 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
   const std::string flat = "\nproperty float x\nproperty float y\nend_header\n";
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2\n1 2\n"),
             ": it has more rows than its 1 points");
+  EXPECT_EQ(told_of("ply\nformat binary_little_endian 1.0\nelement vertex 1" + flat +
+                    "one pointanother."),
+            ": it has more bytes than its 1 points");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2,5\n"),
             ":7: '2,5' is no number");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1e3" + flat),

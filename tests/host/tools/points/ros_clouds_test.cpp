@@ -334,6 +334,16 @@ TEST(RosClouds, AScanWhoseHeadContradictsItselfIsTold) {
   }
   EXPECT_EQ(told(2, 0.05F),
             "it: by angle_min and angle_increment its last beam is at 0 rad, and angle_max is 0.2");
+  const LaserHead degrees{-135.F, 135.F, 0.1F, 0.F, 0.025F, 0.1F, 20.F};
+  EXPECT_EQ(told_by([&] {
+              static_cast<void>(
+                  cloud_of_laser_scan(laser_scan(std::vector<float>(2'701, 5.F), degrees), "it"));
+            }),
+            "it: its beams go from -135 to 135 rad, which is more than a turn");
+  EXPECT_EQ(told_by([] {
+              static_cast<void>(cloud_of_laser_scan(laser_scan({5000, 5000, 501, 5, 5}), "it"));
+            }),
+            "it: 3 of its 5 points are more than 500 m away; coordinates are metres");
   EXPECT_EQ(told(1, 0.3F), "");  // some drivers name the end of the last step
 }
 

@@ -157,6 +157,23 @@ TEST(PointsSender, MorePointsThanTheCarTakesAreTold) {
   }
 }
 
+// In millimetres, or with bytes in another order; what is far away would be free all around.
+TEST(PointsSender, CoordinatesThatAreNoMetresAreTold) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  SeenCloud cloud{.points = std::vector<WirePoint>(3, {.third = 500'001})};
+  cloud.points.insert(cloud.points.end(), 3, {.third = 500'000});
+  SeenCloud half = cloud;
+  EXPECT_NO_THROW(static_cast<void>(sender.send(std::move(half))));
+  cloud.points.pop_back();
+  try {
+    static_cast<void>(sender.send(std::move(cloud)));
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(),
+                 "cloud 1: 3 of its 5 points are more than 500 m away; coordinates are metres");
+  }
+}
+
 TEST(PointsSender, StampsThatDoNotRiseAreCounted) {
   PointsSender sender(find_vehicle("robot_2d"), 0);
   for (const std::uint64_t time_us : {0U, 0U, 7U, 7U, 8U}) {

@@ -1,0 +1,95 @@
+// Logs whose rows are sound and contradict each other, as those with wrong units or axes do.
+#include "tools/poses/stated_motion.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/simulate/random.hpp"
+
+namespace iog::tools {
+namespace {
+
+// A circle of 50 m to the left at 10 m/s, 10 times a second for half a minute.
+std::vector<LoggedPose> circle() {
+  std::vector<LoggedPose> poses;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const double angle = 0.02 * static_cast<double>(i);
+    poses.push_back({.time_us = 100'000 * (i + 1),
+                     .x_m = 50 * std::sin(angle),
+                     .y_m = 50 * (1 - std::cos(angle)),
+                     .heading_rad = angle,
+                     .speed_mps = 10,
+                     .yaw_rate_rps = 0.2});
+  }
+  return poses;
+}
+
+// The notes of a log whose poses are spoilt so.
+std::vector<std::string> notes_of(const std::function<void(LoggedPose&)>& spoil,
+                                  std::size_t rows = 300) {
+  PoseLog log;
+  log.poses = circle();
+  log.poses.resize(rows);
+  for (LoggedPose& pose : log.poses) {
+    spoil(pose);
+  }
+  return converted(std::move(log), {}).notes;
+}
+
+std::vector<std::string> contradicted(const std::string& what) {
+  return {"the positions contradict the log's " + what + ": check its units, signs and axes"};
+}
+
+TEST(StatedMotion, FitsThePositionsOfASoundLog) {
+  EXPECT_TRUE(notes_of([](LoggedPose& /*pose*/) {}).empty());
+  EXPECT_TRUE(notes_of([](LoggedPose& pose) {
+                pose.speed_mps.reset();
+                pose.yaw_rate_rps.reset();
+              }).empty());
+  // Backwards along the same circle.
+  EXPECT_TRUE(notes_of([](LoggedPose& pose) {
+                pose.heading_rad = *pose.heading_rad + std::numbers::pi;
+                pose.speed_mps = -10;
+              }).empty());
+  Random random(1);  // a receiver's noise
+  EXPECT_TRUE(notes_of([&](LoggedPose& pose) {
+                pose.x_m += random.between(-0.5, 0.5);
+                pose.y_m += random.between(-0.5, 0.5);
+                pose.heading_rad = *pose.heading_rad + random.between(-0.1, 0.1);
+              }).empty());
+}
+
+TEST(StatedMotion, ContradictsPositionsInOtherUnitsOrAxes) {
+  EXPECT_EQ(notes_of([](LoggedPose& pose) { pose.heading_rad = *pose.heading_rad + 1; }),
+            contradicted("headings by 57 degrees"));
+  EXPECT_EQ(notes_of([](LoggedPose& pose) { pose.speed_mps = 36; }),
+            contradicted("speeds by 260 %"));
+  EXPECT_EQ(notes_of([](LoggedPose& pose) { pose.speed_mps = -10; }),
+            contradicted("speeds by 200 %"));
+  EXPECT_EQ(notes_of([](LoggedPose& pose) { pose.yaw_rate_rps = -0.2; }),
+            contradicted("yaw rates by 200 % of the turn"));
+  // Radians in a column of degrees, and degrees in one of radians.
+  const double degree = std::numbers::pi / 180;
+  for (const double wrong : {degree, 1 / degree}) {
+    const auto notes =
+        notes_of([=](LoggedPose& pose) { pose.heading_rad = *pose.heading_rad * wrong; });
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_TRUE(notes[0].starts_with("the positions contradict the log's headings by "))
+        << notes[0];
+  }
+}
+
+TEST(StatedMotion, OfAShortDriveIsNotJudged) {
+  const auto spoil = [](LoggedPose& pose) { pose.heading_rad = *pose.heading_rad + 1; };
+  EXPECT_TRUE(notes_of(spoil, 20).empty());
+  EXPECT_FALSE(notes_of(spoil, 40).empty());
+}
+
+}  // namespace
+}  // namespace iog::tools
