@@ -92,7 +92,7 @@ std::uint64_t Frame::deadline_us() const {
   return opened_us_ + periods * vehicle_->frame_period_us;
 }
 
-void Frame::describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const {
+void Frame::describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) {
   const intake::Surroundings surroundings = watched_.at_end(intake_, now_us);
   end.opened_us = opened_us_;
   end.fates = fusion_.fates();

@@ -119,7 +119,7 @@ class Frame {
   void end_fusion() { fusion_.end_frame(intake_); }
 
   // Fills in the frame's fields in the header and in the end message.
-  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end) const;
+  void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end);
 
   // The same as SharedFusion::release().
   template <typename Visit>

@@ -26,8 +26,8 @@ class MessageSender {
   // Sends a complete message that has room for its protection. Returns false if the network did not
   // accept it. A lost message also uses up a sequence number, so that the receiver notices the
   // loss.
-  [[nodiscard]] bool send(std::span<std::byte> message) {
-    sender_.protect(message);
+  [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
+    sender_.protect(message, tail);
     ++sequence_;
     return platform_->send_message(message);
   }

@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "app/message_sender.hpp"
 #include "geometry/grid.hpp"
@@ -176,8 +177,9 @@ class TileSender {
 
   void send_raw(const Added& added) {
     if (!added.is_left_out()) {
-      hash_.add(added.tile, added.cells);
-      append_or_send(added, stream::Encoding::kRaw, added.cells);
+      const std::uint32_t remainder = stream::GridCrc32::remainder_of(added.cells);
+      hash_.add_remainder(added.tile, remainder);
+      append_or_send(added, stream::Encoding::kRaw, added.cells, remainder);
     }
   }
 
@@ -236,7 +238,7 @@ class TileSender {
     } else {
       references_.note_changes(added.tile, bytes);
     }
-    append_or_send(added, encoding, std::span(found.payload).first(bytes));
+    append_or_send(added, encoding, std::span(found.payload).first(bytes), found.remainder);
   }
 
   void encode_waiting(work::Beside beside) {
@@ -277,19 +279,21 @@ class TileSender {
     }
   }
 
+  // A raw payload is the cells, so the remainder of the cells also serves the message's CRC.
   void append_or_send(const Added& added, stream::Encoding encoding,
-                      std::span<const std::byte> payload) {
-    if (append(added, encoding, payload)) {
-      return;
+                      std::span<const std::byte> payload, std::uint32_t remainder) {
+    if (!append(added, encoding, payload)) {
+      send_tiles(added.tile);
+      require(append(added, encoding, payload));
     }
-    send_tiles(added.tile);
-    require(append(added, encoding, payload));
+    tail_ = encoding == stream::Encoding::kRaw ? std::optional(remainder) : std::nullopt;
   }
 
   void send_tiles(std::size_t end_tile) {
     const std::uint32_t count = tiles_.tile_count();
     const std::size_t end = kIsKept ? end_tile : grid_.tiles_before(end_tile);
-    const bool is_sent = messages_->send(tiles_.finish(end, messages_->sequence()));
+    const bool is_sent =
+        messages_->send(tiles_.finish(end, messages_->sequence()), std::exchange(tail_, {}));
     (is_sent ? sent_.tiles : sent_.tiles_lost) += count;
   }
 
@@ -301,6 +305,7 @@ class TileSender {
   Sent sent_;
   Hash hash_;
   stream::TilesWriter tiles_;
+  protection::TailRemainder tail_;  // of the current message, if its last tile is raw
   bool do_wait_ = false;
   std::size_t waiting_count_ = 0;
   std::size_t encoded_ = 0;  // of the waiting tiles

@@ -26,14 +26,25 @@ class FastCrc32 {
     return crc.state_;
   }
   // Has the same effect as update() with a part that has this remainder.
-  void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_) ^ remainder; }
+  void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_, 0) ^ remainder; }
+  // Has the same effect as update() with `before` and then with such a part.
+  template <std::size_t kBefore>
+  void add_remainder(std::span<const std::byte, kBefore> before, std::uint32_t remainder) {
+    static_assert(kBefore <= kMostBefore);
+    for (std::size_t i = 0; i < kBefore; ++i) {
+      state_ ^= std::to_integer<std::uint32_t>(before[i]) << (8 * i);
+    }
+    state_ = after_zeros(state_, kBefore) ^ remainder;
+  }
 
   // The CRC of all bytes so far. More bytes may follow.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
-  // The state after a part that is all zeros.
-  static std::uint32_t after_zeros(std::uint32_t state);
+  static constexpr std::size_t kMostBefore = 4;
+
+  // The state after `before` zeros and a part that is all zeros.
+  static std::uint32_t after_zeros(std::uint32_t state, std::size_t before);
 
   std::uint32_t state_ = 0xFFFFFFFFU;
 };

@@ -86,8 +86,9 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
 }
 
 template <std::uint32_t kPolynomial>
-std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state) {
-  return ProductCrc32<kPolynomial, NeonProducts>::template after_zeros<kPartBytes>(state);
+std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state, std::size_t before) {
+  using Products = ProductCrc32<kPolynomial, NeonProducts>;
+  return Products::template after_zeros<kPartBytes, kMostBefore>(state, before);
 }
 
 template class FastCrc32<0x04C11DB7>;

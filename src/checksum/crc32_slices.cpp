@@ -14,9 +14,13 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
 }
 
 template <std::uint32_t kPolynomial>
-std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state) {
+std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state, std::size_t before) {
   using Field = ReflectedField<kPolynomial>;
-  return Field::product(state, Field::power_of_x8(kPartBytes));
+  std::uint32_t after = Field::product(state, Field::power_of_x8(kPartBytes));
+  for (; before > 0; --before) {
+    after = Field::times_x8(after);
+  }
+  return after;
 }
 
 template class FastCrc32<0x04C11DB7>;

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "checksum/products.hpp"
 #include "checksum/reflected_crc32.hpp"
@@ -38,11 +39,11 @@ class ProductCrc32 {
   // The CRC of all bytes so far. More bytes may follow.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
-  // The state after kBytes zero bytes; kBytes >= 8.
-  template <std::size_t kBytes>
-  static std::uint32_t after_zeros(std::uint32_t state) {
-    static constexpr Factors kFirst = make_first<kBytes>();
-    return reduced(of_state(state, kFirst));
+  // The state after kBytes + more zero bytes; kBytes >= 8, more <= kMost.
+  template <std::size_t kBytes, std::size_t kMost = 0>
+  static std::uint32_t after_zeros(std::uint32_t state, std::size_t more = 0) {
+    static constexpr auto kFirst = make_first<kBytes>(std::make_index_sequence<kMost + 1>());
+    return reduced(of_state(state, kFirst[more]));
   }
 
   // See ReflectedCrc32.
@@ -96,12 +97,13 @@ class ProductCrc32 {
     return factors;
   }
 
-  // The factors of the first eight of kBytes bytes.
-  template <std::size_t kBytes>
-  static consteval Factors make_first() {
-    Factors first{};
+  // The factors of the first eight of kBytes bytes, and of one, two ... more bytes.
+  template <std::size_t kBytes, std::size_t... kMore>
+  static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
+    std::array<Factors, sizeof...(kMore)> first{};
     for (std::size_t lane = 0; lane < kProductLanes; ++lane) {
-      first.set(lane, Field::power_of_x8(kBytes - lane + sizeof(std::uint32_t) - 1));
+      constexpr std::size_t kState = sizeof(std::uint32_t) - 1;
+      (first[kMore].set(lane, Field::power_of_x8(kBytes + kMore - lane + kState)), ...);
     }
     return first;
   }

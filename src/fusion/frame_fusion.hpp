@@ -77,8 +77,9 @@ class FrameFusion {
       packet.for_each_point(
           [&](const lidar::ScanPoint& point) { count(arcs_.add(sensor, point)); });
     } else {
-      packet.for_each_point(
-          [&](const lidar::ScanPoint& point) { count(azimuths_.add(sensor, point)); });
+      packet.for_each_point([&](const lidar::ScanPoint& point) __attribute__((always_inline)) {
+        count(azimuths_.add(sensor, point));
+      });
     }
   }
 

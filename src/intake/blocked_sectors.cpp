@@ -98,11 +98,7 @@ void BlockedSectors::Sums::add(bool is_beam, bool is_return) {
 void BlockedSectors::add(const Packet& packet) {
   std::size_t sector = 0;
   lidar::Sector decided{};  // no further point in it changes anything
-  const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
   const auto look = [&](const lidar::ScanPoint& point) {
-    if (contains(decided, point.azimuth_ticks, turn)) {
-      return;
-    }
     const bool comes_back = is_return(point);
     frame_returns_ += comes_back ? 1U : 0U;
     const std::size_t its = sector_of(point.azimuth_ticks, sector);
@@ -120,7 +116,14 @@ void BlockedSectors::add(const Packet& packet) {
     const auto layers = std::span(sampled_).first(sampled_count_);
     packet.for_each_sample({.layers = layers, .log2_firings = layers.size() <= 16 ? 2 : 1}, look);
   } else {
-    packet.for_each_point(look);
+    // Inline and with a copy, so that only the azimuth of most points is decoded.
+    const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
+    packet.for_each_point([&](const lidar::ScanPoint& point) __attribute__((always_inline)) {
+      if (!contains(decided, point.azimuth_ticks, turn)) {
+        const lidar::ScanPoint undecided = point;
+        look(undecided);
+      }
+    });
   }
 }
 

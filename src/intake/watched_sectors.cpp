@@ -102,12 +102,13 @@ WatchedSectors::WatchedSectors(std::span<const vehicle::Sensor> sensors) : senso
 }
 
 void WatchedSectors::add(std::size_t sensor, const Packet& packet) {
+  swept_[sensor].reset();
   if (!lidar::facts_of(sensors_[sensor].format).marks_arcs()) {
     blocked_[sensor].add(packet);
   }
 }
 
-std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake) const {
+std::uint64_t WatchedSectors::find_swept(std::size_t sensor, const Intake& intake) const {
   if (intake.swept_ticks(sensor) == 0) {
     return 0;
   }
@@ -123,7 +124,7 @@ std::uint64_t WatchedSectors::swept_by(std::size_t sensor, const Intake& intake)
   return swept;
 }
 
-Surroundings WatchedSectors::at_end(const Intake& intake, std::uint64_t now_us) const {
+Surroundings WatchedSectors::at_end(const Intake& intake, std::uint64_t now_us) {
   Surroundings surroundings{.unwatched = ~std::uint64_t{0}};
   for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
     const std::uint64_t swept = swept_by(sensor, intake);
@@ -147,6 +148,7 @@ void WatchedSectors::end_frame(const Intake& intake, std::uint64_t now_us) {
   for (std::size_t sensor = 0; sensor < sensors_.size(); ++sensor) {
     const std::uint64_t swept = swept_by(sensor, intake);
     const std::uint64_t watched = blocked_[sensor].has_returns() ? swept : 0;
+    swept_[sensor].reset();
     blocked_[sensor].end_frame(intake.swept_ticks(sensor), swept);
     if (!lidar::turns(sensors_[sensor].format)) {
       continue;

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "intake/blocked_sectors.hpp"
@@ -52,7 +53,7 @@ class WatchedSectors {
   void add(std::size_t sensor, const Packet& packet);
 
   // The surroundings at the end of the frame that `intake` has received.
-  [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us) const;
+  [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
   // The silent azimuths of a packet of this sensor, based on earlier frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
@@ -64,11 +65,17 @@ class WatchedSectors {
 
  private:
   // Bit i is set if the sensor has swept sector i in the current frame, with or without returns.
-  [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) const;
+  [[nodiscard]] std::uint64_t find_swept(std::size_t sensor, const Intake& intake) const;
+  // The same, found once after the sensor's last packet.
+  [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) {
+    std::optional<std::uint64_t>& swept = swept_[sensor];
+    return swept ? *swept : swept.emplace(find_swept(sensor, intake));
+  }
 
   std::span<const vehicle::Sensor> sensors_;
   std::array<SectorView, vehicle::kMaxSensors> views_{};
   std::array<BlockedSectors, vehicle::kMaxSensors> blocked_{};
+  std::array<std::optional<std::uint64_t>, vehicle::kMaxSensors> swept_{};
   // Only for spinning units: the time at which each sector was last swept, and whether it was ever
   // swept.
   std::array<std::array<std::uint64_t, kSectors>, vehicle::kMaxSensors> swept_us_{};

@@ -78,7 +78,7 @@ class IbeoLux {
 
   static std::uint32_t range_at(PointBytes bytes) { return wire::load_le16(bytes.subspan<4, 2>()); }
 
-  static ScanPoint point(PointBytes bytes) {
+  [[gnu::always_inline]] static ScanPoint point(PointBytes bytes) {
     constexpr std::uint8_t kRain = 0x02;
     constexpr std::uint8_t kGround = 0x04;
     constexpr std::uint8_t kDirt = 0x08;

@@ -190,11 +190,17 @@ class VelodyneDecoder : public VelodynePacket {
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     Turns turns;
+    std::size_t number = kBlocks;  // of the last sample's block, which many samples share
+    Block its = block(kUnit, 0);
+    const Firing* turned = nullptr;
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
-      const Firing& turned = turns.of(bank, step(first));
-      const Block its = block(kUnit, first + bank);
-      visit(look().is_dual ? point<true>(its, turned, channel)
-                           : point<false>(its, turned, channel));
+      if (first + bank != number) {
+        number = first + bank;
+        its = block(kUnit, number);
+        turned = &turns.of(bank, step(first));
+      }
+      visit(look().is_dual ? point<true>(its, *turned, channel)
+                           : point<false>(its, *turned, channel));
     });
   }
 

@@ -1,6 +1,5 @@
 #include "protection/profile4.hpp"
 
-#include "checksum/crc32.hpp"
 #include "wire/byte_reader.hpp"
 #include "wire/byte_writer.hpp"
 
@@ -9,21 +8,28 @@ namespace {
 
 constexpr std::size_t kCrcOffset = 8;
 
-std::uint32_t crc_of(std::span<const std::byte> data, std::size_t header_offset) {
+std::uint32_t crc_of(std::span<const std::byte> data, std::size_t header_offset,
+                     TailRemainder tail = {}) {
   checksum::Crc32P4 crc;
   crc.update(data.first(header_offset + kCrcOffset));
-  crc.update(data.subspan(header_offset + kProfile4HeaderBytes));
+  const std::span<const std::byte> content = data.subspan(header_offset + kProfile4HeaderBytes);
+  if (tail) {
+    crc.update(content.first(content.size() - checksum::Crc32P4::kPartBytes));
+    crc.add_remainder(*tail);
+  } else {
+    crc.update(content);
+  }
   return crc.value();
 }
 
 }  // namespace
 
-void Profile4Protector::protect(std::span<std::byte> data) {
+void Profile4Protector::protect(std::span<std::byte> data, TailRemainder tail) {
   wire::ByteWriter out(data.subspan(profile_.offset_bytes));
   out.u16_be(static_cast<std::uint16_t>(data.size()));
   out.u16_be(counter_++);
   out.u32_be(profile_.data_id);
-  out.u32_be(crc_of(data, profile_.offset_bytes));
+  out.u32_be(crc_of(data, profile_.offset_bytes, tail));
 }
 
 CheckStatus Profile4Checker::check(std::span<const std::byte> data) {

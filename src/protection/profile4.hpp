@@ -12,7 +12,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+
+#include "checksum/crc32.hpp"
 
 namespace iog::protection {
 
@@ -39,13 +42,17 @@ enum class CheckStatus : std::uint8_t {
   return status == CheckStatus::kOk || status == CheckStatus::kOkSomeLost;
 }
 
+// The CRC remainder of the last Crc32P4::kPartBytes bytes of the data, if the caller knows it
+// already. These bytes are then not read again.
+using TailRemainder = std::optional<std::uint32_t>;
+
 class Profile4Protector {
  public:
   constexpr explicit Profile4Protector(const Profile4& profile) : profile_{profile} {}
 
   // Fills in the header. `data` includes the header at the profile's offset and is at most 0xFFFF
-  // bytes long.
-  void protect(std::span<std::byte> data);
+  // bytes long. A tail must lie behind the header.
+  void protect(std::span<std::byte> data, TailRemainder tail = {});
 
  private:
   Profile4 profile_;

@@ -2,10 +2,10 @@
 
 namespace iog::protection {
 
-void Sender::protect(std::span<std::byte> message) {
+void Sender::protect(std::span<std::byte> message, TailRemainder tail) {
   write_some_ip_header(event_, session_id_, message);
   session_id_ = session_after(session_id_);
-  protector_.protect(message.subspan(kSomeIpLengthOffset));
+  protector_.protect(message.subspan(kSomeIpLengthOffset), tail);
 }
 
 Received Receiver::receive(std::span<const std::byte> datagram) {

@@ -47,9 +47,9 @@ class Sender {
   constexpr explicit Sender(const Channel& channel)
       : event_{channel.event}, protector_{channel.profile()} {}
 
-  // Fills in both headers. The content must already be in place after the headers. Requires
-  // kProtectionBytes <= message.size() <= kMaxMessageBytes.
-  void protect(std::span<std::byte> message);
+  // Fills in both headers. The content must already be in place after the headers. A tail is part
+  // of the content. Requires kProtectionBytes <= message.size() <= kMaxMessageBytes.
+  void protect(std::span<std::byte> message, TailRemainder tail = {});
 
  private:
   Event event_;

@@ -15,19 +15,13 @@ ClassHash::ClassHash(window::TileNumber corner) {
 }
 
 void ClassHash::add(std::size_t number, tile_coding::TileCells cells) {
-  add_place(number);
-  crc_.update(cells);
+  add_remainder(number, GridCrc32::remainder_of(cells));
 }
 
 void ClassHash::add_remainder(std::size_t number, std::uint32_t remainder) {
-  add_place(number);
-  crc_.add_remainder(remainder);
-}
-
-void ClassHash::add_place(std::size_t number) {
   std::array<std::byte, 2> place{};
   wire::store_be16(place, static_cast<std::uint16_t>(number));
-  crc_.update(place);
+  crc_.add_remainder(std::span<const std::byte, 2>(place), remainder);
   is_empty_ = false;
 }
 

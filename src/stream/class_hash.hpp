@@ -25,8 +25,6 @@ class ClassHash {
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }
 
  private:
-  void add_place(std::size_t number);
-
   GridCrc32 crc_;
   bool is_empty_ = true;
 };

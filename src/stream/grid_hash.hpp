@@ -22,8 +22,6 @@ class GridHash {
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
 
  private:
-  void add_place(std::size_t tile);
-
   GridCrc32 crc_;
 };
 

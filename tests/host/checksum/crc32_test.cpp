@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "checksum/reflected_crc32.hpp"
@@ -123,6 +124,29 @@ void expect_the_slow_one_by_a_remainder(std::uint32_t mirrored_polynomial) {
     crc.update(part.subspan(Crc::kPartBytes));
     ASSERT_EQ(crc.value(), BitwiseCrc32(mirrored_polynomial).add(bytes).value()) << before;
   }
+}
+
+// The same, and up to four bytes before it are added with it.
+template <typename Crc, std::size_t kBefore>
+void expect_the_slow_one_by_bytes_and_a_remainder(std::uint32_t mirrored_polynomial) {
+  tests::Random random(53 + kBefore);
+  std::vector<std::byte> bytes(9 + kBefore + Crc::kPartBytes);
+  for (std::byte& byte : bytes) {
+    byte = static_cast<std::byte>(random.next());
+  }
+  const std::span<const std::byte> all = bytes;
+  Crc crc;
+  crc.update(all.first(9));
+  crc.add_remainder(all.subspan<9, kBefore>(), Crc::remainder_of(all.last<Crc::kPartBytes>()));
+  EXPECT_EQ(crc.value(), BitwiseCrc32(mirrored_polynomial).add(bytes).value()) << kBefore;
+}
+
+TEST(Crc32, APartIsAddedWithTheBytesBeforeIt) {
+  [&]<std::size_t... kBefore>(std::index_sequence<kBefore...> /*before*/) {
+    (expect_the_slow_one_by_bytes_and_a_remainder<Crc32, kBefore>(BitwiseCrc32::kIsoHdlc), ...);
+    (expect_the_slow_one_by_bytes_and_a_remainder<Crc32P4, kBefore>(BitwiseCrc32::kP4), ...);
+  }
+  (std::make_index_sequence<5>());
 }
 
 TEST(Crc32, APartIsAddedByItsRemainder) {

@@ -67,7 +67,7 @@ class Watch {
     }
   }
 
-  [[nodiscard]] std::uint64_t unwatched(std::uint64_t now_us = 0) const {
+  [[nodiscard]] std::uint64_t unwatched(std::uint64_t now_us = 0) {
     return watched_.at_end(intake_, now_us).unwatched;
   }
   void end_frame(std::uint64_t now_us = 0) {

@@ -45,6 +45,25 @@ TEST(Profile4, ProtectsThePublishedExamplesBehindAnUpperHeader) {
                       0x0A, 0x0B, 0x0C, 0x0D, 0x4A, 0x72, 0x3D, 0x7F, 0,    0,    0,    0}));
 }
 
+// A tail of which only the remainder is known gives the CRC that is computed from all bytes.
+TEST(Profile4, ProtectsByTheRemainderOfTheTail) {
+  using checksum::Crc32P4;
+  tests::Random random(4);
+  Profile4Protector reading(kExampleWithOffset);
+  Profile4Protector knowing(kExampleWithOffset);
+  for (std::size_t before = 20; before < 64; ++before) {
+    Bytes data(before + Crc32P4::kPartBytes);
+    for (std::byte& byte : data) {
+      byte = static_cast<std::byte>(random.next());
+    }
+    Bytes expected = data;
+    reading.protect(expected);
+    const auto tail = std::span<const std::byte>(data).last<Crc32P4::kPartBytes>();
+    knowing.protect(data, Crc32P4::remainder_of(tail));
+    ASSERT_EQ(data, expected) << before;
+  }
+}
+
 // A message of the example's sender, `count` counters after its first.
 Bytes message_after(int count) {
   Profile4Protector protector(kExampleWithOffset);
