@@ -66,9 +66,18 @@ bool check_grid(const Vehicle& car, const Tell& tell) {
              "with behind_m 32 ... 1024 cells, in steps of 32");
   check_side(grid.rows, grid.origin_row, "grid.left_m",
              "with right_m 32 ... 1024 cells, in steps of 32");
-  if (grid != geometry::Grid{} && vehicle::have_classes(car.grids)) {
+  if (grid == geometry::Grid{}) {
+    return true;
+  }
+  if (vehicle::have_classes(car.grids)) {
     tell({.field = "grids",
           .allowed = "indexes, because classes have 1024 x 1024 cells of 0.1 m around the car"});
+    return true;
+  }
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    if (car.sensors[i].moved.are_given()) {
+      tell({i, "moved", "none, because a grid of this size has no classes"});
+    }
   }
   return true;
 }

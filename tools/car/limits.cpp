@@ -68,8 +68,8 @@ void check_car(const Description& car, const Tell& tell) {
 }
 
 // A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
-// 4 sigma the model does not hold (sensor_model/single_target.hpp).
-// An arc says less than a beam.
+// 4 sigma the model does not hold (sensor_model/single_target.hpp). With a large epsilon, index 1
+// stands for more than the probability of a hit. An arc says less than a beam.
 bool can_mark(const Description& car, const SensorConfig& config) {
   const double ratio = config.precision_mm / (1000 * config.sigma_m);
   if (!is_within(ratio, 0.25, 4.0)) {
@@ -100,8 +100,14 @@ void check_model(const Description& car, const SensorConfig& config, std::size_t
     tell({number, "sigma_m", "0.001 ... 1"});
   } else if (is_within<std::uint32_t>(config.precision_mm, 1, 1000) &&
              is_within(car.epsilon, kLeastEpsilon, kMostEpsilon) && !can_mark(car, config)) {
+    Description usual = car;
+    usual.epsilon = Description{}.epsilon;
+    const bool is_epsilons_fault = can_mark(usual, config);
     tell({number, "precision_mm",
-          "a length near sigma_m: with this one the sensor cannot mark (docs/model.md 4)"});
+          is_epsilons_fault
+              ? "longer, or a smaller epsilon: index 1 means more than a hit of this sensor "
+                "(docs/model.md 4)"
+              : "a length near sigma_m: with this one the sensor cannot mark (docs/model.md 4)"});
   }
 }
 

@@ -61,11 +61,17 @@ TEST(CarLimits, OfTheGrid) {
   EXPECT_EQ(fault_of({.rows = 1023}), "grid.left_m");
   EXPECT_EQ(fault_of({.rows = 992, .origin_row = 993}), "grid.left_m");
   for (const std::uint16_t columns : {std::uint16_t{512}, std::uint16_t{1024}}) {
+    const auto change = [&](Changed& c) {
+      c.car.grid.cell_mm = columns == 512 ? 100 : 200;
+      c.car.grid.columns = columns;
+    };
+    EXPECT_EQ(fault_with(change), "grids");
     EXPECT_EQ(fault_with([&](Changed& c) {
-                c.car.grid.cell_mm = columns == 512 ? 100 : 200;
-                c.car.grid.columns = columns;
+                change(c);
+                c.car.grids = vehicle::Grids::kIndexes;
+                c.sensors[0].moved = {600, 700};
               }),
-              "grids");
+              "0.moved");
   }
 }
 
