@@ -80,7 +80,8 @@ struct Geometry {
       .origin_column = static_cast<std::uint16_t>(-geometry.origin_x_mm / geometry.cell_mm),
       .origin_row = static_cast<std::uint16_t>(-geometry.origin_y_mm / geometry.cell_mm)};
   const bool fits = grid.tile_count() > 0 && grid.columns <= geometry::kCellsPerSide &&
-                    grid.rows <= geometry::kCellsPerSide;
+                    grid.rows <= geometry::kCellsPerSide && grid.origin_column <= grid.columns &&
+                    grid.origin_row <= grid.rows;
   return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 

@@ -48,6 +48,7 @@ struct FrameFacts {
   std::size_t missing_tiles = 0;
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
+  geometry::Grid grid{};
   stream::Header header{};
   std::optional<stream::FrameEnd> end{};
   std::optional<ClassFacts> classes{};
