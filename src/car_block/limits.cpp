@@ -47,6 +47,28 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   }
 }
 
+// Classes need cells in which a window of 1024 x 1024 of them is long enough. In cells of 0.5 m a
+// thing that moves and one that flickers look alike. Objects are tracked in cells of 0.1 m only.
+void check_cells(const Vehicle& car, const Tell& tell) {
+  const std::uint16_t cell_mm = car.grid.cell_mm;
+  const bool has_classes = vehicle::have_classes(car.grids);
+  if (has_classes && cell_mm < geometry::kCellMm) {
+    tell({.field = "grids", .allowed = "indexes, because classes have cells of 0.1, 0.2 or 0.5 m"});
+  } else if (has_classes && car.has_objects && cell_mm != geometry::kCellMm) {
+    tell({.field = "objects", .allowed = "false, because objects are tracked in cells of 0.1 m"});
+  }
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    if (!car.sensors[i].moved.are_given()) {
+      continue;
+    }
+    if (!has_classes && car.grid != geometry::Grid{}) {
+      tell({i, "moved", "none, because this grid has no classes"});
+    } else if (cell_mm > kCoarsestMovedMm) {
+      tell({i, "moved", "none, because cells of 0.5 m do not show what moves"});
+    }
+  }
+}
+
 // The memory has 1024 x 1024 cells, and each side consists of whole tiles.
 // Returns false if lengths cannot be converted to cells.
 bool check_grid(const Vehicle& car, const Tell& tell) {
@@ -66,19 +88,7 @@ bool check_grid(const Vehicle& car, const Tell& tell) {
              "with behind_m 32 ... 1024 cells, in steps of 32");
   check_side(grid.rows, grid.origin_row, "grid.left_m",
              "with right_m 32 ... 1024 cells, in steps of 32");
-  if (grid == geometry::Grid{}) {
-    return true;
-  }
-  if (vehicle::have_classes(car.grids)) {
-    tell({.field = "grids",
-          .allowed = "indexes, because classes have 1024 x 1024 cells of 0.1 m around the car"});
-    return true;
-  }
-  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
-    if (car.sensors[i].moved.are_given()) {
-      tell({i, "moved", "none, because a grid of this size has no classes"});
-    }
-  }
+  check_cells(car, tell);
   return true;
 }
 

@@ -350,7 +350,7 @@ Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
   vehicle.footprint = footprint_of(car.footprint, vehicle.grid);
   vehicle.z_min = subcells(car.z_min_m, vehicle.grid);
   vehicle.z_max = subcells(car.z_max_m, vehicle.grid);
-  vehicle::derive_rules(sensors, vehicle.window);
+  vehicle::derive_rules(sensors, vehicle.window, vehicle.grid.cell_mm);
   vehicle.id = car_block::identity_of(vehicle);
   return vehicle;
 }

@@ -135,7 +135,7 @@ void make_truth_folder(const SimulateOptions& options) {
 
 void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
                  const CatalogueEntry& car) {
-  const CellArea area = cells_around(drive.ego(frame));
+  const CellArea area = cells_around(drive.ego(frame), car.description->grid.cell_m);
   file.write(frame, kDriveStartUs + drive.frame_end_us(frame), area,
              true_cells(drive.scene(), drive.true_at_s(frame), area, *car.description));
 }

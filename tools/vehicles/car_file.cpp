@@ -103,7 +103,9 @@ std::string read_authentication(TomlTable table, const std::string& path) {
 
 // What opens ground is said by default where classes are made of what follows it.
 void add_usual_moved(std::vector<TomlTable>& tables, Car& car) {
-  for (std::size_t i = 0; i < tables.size(); ++i) {
+  const bool shows_motion =
+      description::grid_of(car.description.grid).cell_mm <= car_block::kCoarsestMovedMm;
+  for (std::size_t i = 0; i < tables.size() && shows_motion; ++i) {
     description::SensorConfig& sensor = car.sensors[i];
     if (vehicle::have_classes(car.description.grids) && sensor.ground && !tables[i].has("moved")) {
       sensor.moved = description::usual_moved(sensor.ground);
@@ -144,6 +146,7 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
   description.window = read_window(table.table("window"));
+  description.objects = description::grid_of(description.grid).cell_mm == geometry::kCellMm;
   table.read("objects", description.objects);
   car.network = read_network(table.table("network"));
   car.key_file = read_authentication(table.table("authentication"), path);

@@ -139,7 +139,8 @@ Json classes_json(const FrameFacts& frame) {
   }
   const ClassFacts& classes = *frame.classes;
   const stream::ClassWindow& window = classes.window;
-  return {{"corner_a", window.corner_a},
+  return {{"cell_m", classes.cell_mm / 1000.0},
+          {"corner_a", window.corner_a},
           {"corner_b", window.corner_b},
           {"x_m", window.pose.x_mm / 1000.0},
           {"y_m", window.pose.y_mm / 1000.0},
@@ -267,7 +268,8 @@ ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
                    .is_damaged = frame.is_damaged,
                    .missing_tiles = geometry::kTileCount - frame.valid_tiles.count(),
                    .stale_tiles = classes.stale_tiles(),
-                   .known_tiles = frame.known_tiles.count()};
+                   .known_tiles = frame.known_tiles.count(),
+                   .cell_mm = frame.cell_mm};
   if (!frame.has_end) {
     return facts;
   }

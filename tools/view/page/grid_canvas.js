@@ -58,7 +58,8 @@ export class GridCanvas {
   // As the stream says of what is shown. origin: the cell at whose lowest corner the vehicle is,
   // in its grid of indexes; the window of classes is placed by its corner.
   get shape() {
-    return this.showsClasses ? USUAL_SHAPE : this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE;
+    return this.showsClasses ? { ...USUAL_SHAPE, cell_m: this.grid.classes.cell_m }
+                             : this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE;
   }
 
   get cellM() {
