@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace iog::car_block {
@@ -269,6 +270,29 @@ void check_sources(const Vehicle& car, const net::Config& network, const Tell& t
   }
 }
 
+// Masses and factors must be fractions that do not grow the wrong way.
+void check_tables_of_window(const ageing::Tables& tables, const Tell& tell) {
+  const auto falls = [](const ageing::DecayTable& decay) {
+    return decay.front() < ageing::kUndecayed && std::ranges::is_sorted(decay, std::greater<>());
+  };
+  const ageing::Accumulation& times = tables.accumulation;
+  if (!falls(tables.decays.dynamic) || !falls(tables.decays.fixed) ||
+      !falls(tables.decays.shared)) {
+    tell({.field = "window.moving_half_life_s", .allowed = kHalfLifeWords});
+  }
+  if (!is_within<std::uint16_t>(times.full_ms, 100, 60'000) ||
+      !is_within<std::uint16_t>(times.empty_ms, 10, times.full_ms) ||
+      !is_within<std::uint16_t>(times.specialisations_per_second, 1, 100)) {
+    tell({.field = "window.object_m", .allowed = kAccumulationWords});
+  }
+  if (tables.free.front() <= 0 || !std::ranges::is_sorted(tables.free)) {
+    tell({.field = "window.free_mass", .allowed = kMassWords});
+  }
+  if (!is_within<std::int16_t>(tables.hit_mass, 256, 127 * 256)) {
+    tell({.field = "window.hit_mass", .allowed = kMassWords});
+  }
+}
+
 // Classes need the rule hits_win, the only one that can merge slices of a frame. They need
 // blurring, because `nearest` marks cells behind a hit as occupied. Poses and maps need ports of
 // their own.
@@ -281,6 +305,9 @@ void check_classes(const Vehicle& car, const Tell& tell) {
   }
   if (car.quantisation != index::Quantisation::kBlurring) {
     tell({.field = "quantisation", .allowed = "blurring, because grids have classes"});
+  }
+  if (car.window.tables != nullptr) {
+    check_tables_of_window(*car.window.tables, tell);
   }
   if (car.poses.log2_slice_ms > 6) {
     tell({.field = "poses.log2_slice_ms", .allowed = "0 ... 6: slices of at most 64 ms"});

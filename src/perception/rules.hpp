@@ -54,6 +54,8 @@ static_assert(around_with(geometry::kCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
+  // Of a car with evidential constants of its own, in static storage. Null: the usual ones.
+  const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If it is null, all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;

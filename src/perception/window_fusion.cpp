@@ -14,7 +14,7 @@ WindowFusion::WindowFusion(const Rules& rules, bool is_followed, std::int32_t ce
       rules_(rules),
       is_followed_(is_followed),
       cell_mm_(cell_mm),
-      clock_(rules.discounting, rules.weighing),
+      clock_(rules.discounting, rules.weighing, rules.tables),
       arrivals_(rules),
       opening_(rules) {}
 

@@ -95,6 +95,28 @@ TEST(CarLimits, OfTheCellsOfClasses) {
   }
 }
 
+TEST(CarLimits, OfTheEvidentialConstants) {
+  const auto fault_of = [](auto&& change) {
+    ageing::Tables tables{.decays = ageing::kUsualDecays,
+                          .free = ageing::make_free_masses(0.3),
+                          .hit_mass = 111 * 256};
+    change(tables);
+    return fault_with([&](Changed& c) { c.car.window.tables = &tables; });
+  };
+  using ageing::Tables;
+  EXPECT_EQ(fault_of([](Tables&) {}), "");
+  EXPECT_EQ(fault_of([](Tables& t) { t.decays.fixed[3] = ageing::kUndecayed; }),
+            "window.moving_half_life_s");
+  EXPECT_EQ(fault_of([](Tables& t) { t.decays.shared[0] = ageing::kUndecayed + 1; }),
+            "window.moving_half_life_s");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.full_ms = 99; }), "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.empty_ms = 3'001; }), "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.specialisations_per_second = 101; }),
+            "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.free[50] = -1; }), "window.free_mass");
+  EXPECT_EQ(fault_of([](Tables& t) { t.hit_mass = -256; }), "window.hit_mass");
+}
+
 TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[1].name = c.sensors[0].name; }), "1.name");
   EXPECT_EQ(fault_with([](Changed& c) { c.sensors[2].udp_port = c.sensors[0].udp_port; }),
