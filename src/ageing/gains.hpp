@@ -62,7 +62,8 @@ using FreeMasses = std::array<std::int16_t, kLongestGainMs + 1>;
 constexpr FreeMasses make_free_masses(double doubt_after_100_ms) {
   FreeMasses masses{};
   for (std::size_t ms = 0; ms < masses.size(); ++ms) {
-    masses[ms] = free_mass_after(std::max(static_cast<std::int32_t>(ms), 1), doubt_after_100_ms);
+    masses[ms] = free_mass_after(std::max<std::int32_t>(static_cast<std::int32_t>(ms), 1),
+                                 doubt_after_100_ms);
   }
   return masses;
 }
@@ -74,7 +75,7 @@ constexpr GainsTable make_gains_table(const Accumulation& accumulation, const Fr
                                       std::int16_t hit_mass) {
   GainsTable table{};
   for (std::size_t entry = 0; entry < table.size(); ++entry) {
-    const auto ms = std::max(static_cast<std::int32_t>(entry), 1);
+    const auto ms = std::max<std::int32_t>(static_cast<std::int32_t>(entry), 1);
     evidence::Gains& gains = table[entry];
     gains.persistence = part_after(ms, 1, accumulation.full_ms);
     gains.decline = part_after(ms, 1, accumulation.empty_ms);
