@@ -12,7 +12,7 @@ void Clock::advance(std::uint64_t stamp_us) {
   frames_ = std::max(frames_, now_);
   stamps_ms_[now_] = ms;
   for (std::uint8_t slot = 1; slot <= frames_; ++slot) {
-    left_[slot] = left_after(ms_since(slot), discounting_);
+    left_[slot] = left_after(ms_since(slot), discounting_, *decays_);
   }
 }
 
@@ -25,7 +25,7 @@ std::uint32_t Clock::ms_since(std::uint8_t slot) const {
 }
 
 const evidence::Gains& Clock::gains(std::uint8_t slot) const {
-  return gains_after(ms_since(slot), weighing_);
+  return gains_after(ms_since(slot), *gains_);
 }
 
 }  // namespace iog::ageing

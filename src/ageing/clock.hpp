@@ -26,9 +26,14 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
+  // tables: of a car with constants of its own, which must outlive the clock, or null.
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
-                           Weighing weighing = Weighing::kByTime)
-      : discounting_(discounting), weighing_(weighing) {}
+                           Weighing weighing = Weighing::kByTime, const Tables* tables = nullptr)
+      : discounting_(discounting),
+        decays_(tables != nullptr ? &tables->decays : &kUsualDecays),
+        gains_(tables != nullptr               ? &tables->gains
+               : weighing == Weighing::kByTime ? &kGainsByTime
+                                               : &kGainsOfScan) {}
 
   // Ends a frame. Call it for every frame, even if the frame's evidence could not be registered.
   void advance(std::uint64_t stamp_us);
@@ -64,7 +69,8 @@ class Clock {
   std::uint8_t now_ = kNever;
   std::uint8_t frames_ = 0;  // slots in use
   Discounting discounting_;
-  Weighing weighing_;
+  const Decays* decays_;
+  const GainsTable* gains_;
 };
 
 }  // namespace iog::ageing

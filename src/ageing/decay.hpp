@@ -25,16 +25,16 @@ inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 // Entry j is the factor for bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// Returns 1 / tau, given the fraction that is left after 100 ms. Kurdej 2015, table 7.1, specifies
-// losses of 0.01 and 0.10 per scan for contextual discounting, in which the rates apply to the
-// complement of a set. The two rates are therefore swapped here.
-consteval double rate_per_ms(double left_after_100_ms) {
+// For the PC and the compiler. Returns 1 / tau, given the fraction that is left after 100 ms.
+// Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan for contextual discounting, in
+// which the rates apply to the complement of a set. The two rates are therefore swapped here.
+constexpr double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }
 inline constexpr double kDynamicRate = rate_per_ms(0.90);  // tau = 0.949 s
 inline constexpr double kStaticRate = rate_per_ms(0.99);   // tau = 9.950 s
 
-consteval DecayTable make_decay(double rate) {
+constexpr DecayTable make_decay(double rate) {
   DecayTable table{};
   for (std::size_t j = 0; j < table.size(); ++j) {
     const auto ms = static_cast<double>(std::uint32_t{1} << j);
@@ -57,11 +57,23 @@ constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
   return left;
 }
 
-inline constexpr DecayTable kDynamicDecay = make_decay(kDynamicRate);
-inline constexpr DecayTable kStaticDecay = make_decay(kStaticRate);
+struct Decays {
+  DecayTable dynamic{};
+  DecayTable fixed{};
+  // kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section
+  // 6.3) for small time steps. The product of finite steps would depend on the update rate.
+  DecayTable shared{};
+  friend constexpr bool operator==(const Decays&, const Decays&) = default;
+};
 
-// kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section 6.3)
-// for small time steps. The product of finite steps would depend on the update rate.
-inline constexpr DecayTable kSharedDecay = make_decay(kDynamicRate / 4 + kStaticRate * 3 / 4);
+constexpr Decays make_decays(double dynamic_rate, double static_rate) {
+  return {.dynamic = make_decay(dynamic_rate),
+          .fixed = make_decay(static_rate),
+          .shared = make_decay(dynamic_rate / 4 + static_rate * 3 / 4)};
+}
+inline constexpr Decays kUsualDecays = make_decays(kDynamicRate, kStaticRate);
+inline constexpr const DecayTable& kDynamicDecay = kUsualDecays.dynamic;
+inline constexpr const DecayTable& kStaticDecay = kUsualDecays.fixed;
+inline constexpr const DecayTable& kSharedDecay = kUsualDecays.shared;
 
 }  // namespace iog::ageing

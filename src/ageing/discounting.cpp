@@ -1,7 +1,5 @@
 #include "ageing/discounting.hpp"
 
-#include "ageing/decay.hpp"
-
 namespace iog::ageing {
 namespace {
 
@@ -10,15 +8,15 @@ namespace {
 constexpr std::int16_t factor(std::uint32_t left) { return static_cast<std::int16_t>(left >> 16); }
 static_assert(factor(kUndecayed) == evidence::kWhole);
 
-std::uint32_t left_of_occupied(std::uint32_t ms, Discounting discounting, std::uint32_t dynamic,
-                               std::uint32_t fixed) {
+std::uint32_t left_of_occupied(std::uint32_t ms, Discounting discounting, const Decays& decays,
+                               std::uint32_t dynamic, std::uint32_t fixed) {
   switch (discounting) {
     case Discounting::kOptimistic:
       return kUndecayed;
     case Discounting::kClassical:
       return dynamic;
     case Discounting::kProportional:
-      return decay(kSharedDecay, ms);
+      return decay(decays.shared, ms);
     case Discounting::kConservative:
       break;
   }
@@ -27,15 +25,15 @@ std::uint32_t left_of_occupied(std::uint32_t ms, Discounting discounting, std::u
 
 }  // namespace
 
-evidence::Fading left_after(std::uint32_t ms, Discounting discounting) {
+evidence::Fading left_after(std::uint32_t ms, Discounting discounting, const Decays& decays) {
   if (ms > kLongestMs) {
     return evidence::kForgotten;
   }
-  const std::uint32_t dynamic = decay(kDynamicDecay, ms);
+  const std::uint32_t dynamic = decay(decays.dynamic, ms);
   const std::uint32_t fixed =
-      discounting == Discounting::kClassical ? dynamic : decay(kStaticDecay, ms);
+      discounting == Discounting::kClassical ? dynamic : decay(decays.fixed, ms);
   return {.free = factor(dynamic),
-          .occupied = factor(left_of_occupied(ms, discounting, dynamic, fixed)),
+          .occupied = factor(left_of_occupied(ms, discounting, decays, dynamic, fixed)),
           .moving = factor(dynamic),
           .standing = factor(fixed),
           .persistence = factor(fixed)};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "ageing/decay.hpp"
 #include "evidence/factors.hpp"
 
 namespace iog::ageing {
@@ -21,6 +22,7 @@ enum class Discounting : std::uint8_t {
 inline constexpr std::uint32_t kLongestMs = 65'535;
 
 // Returns the ageing factors after a time. There is no decay after 0 ms.
-evidence::Fading left_after(std::uint32_t ms, Discounting discounting);
+evidence::Fading left_after(std::uint32_t ms, Discounting discounting,
+                            const Decays& decays = kUsualDecays);
 
 }  // namespace iog::ageing

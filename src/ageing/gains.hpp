@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ageing/decay.hpp"
 #include "evidence/factors.hpp"
 #include "numeric/division.hpp"
 #include "numeric/elementary.hpp"
@@ -15,13 +16,16 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// Constants of Kurdej 2015, section 7.3. The accumulator is full after 3 s. This is the time in
-// which an object of 3 m length passes a point at 1 m/s, the slowest speed that is treated as
-// motion. The accumulator decreases 6 times as fast as it increases (gamma). A full accumulator
-// specialises all mass within one scan at the scan rate of the thesis, 15 Hz.
-inline constexpr std::int32_t kPersistenceMs = 3000;
-inline constexpr std::int32_t kDeclineToGain = 6;
-inline constexpr std::int32_t kSpecialisationsPerSecond = 15;
+// Constants of Kurdej 2015, section 7.3, for an object of length L = 3 m, which moves at least as
+// fast as V_min = 1 m/s and d = 0.5 m behind another one. The accumulator is full after L / V_min
+// (delta), and empty again after d / V_min (gamma = L / d = 6). A full accumulator specialises all
+// mass within one scan at the scan rate of the thesis.
+struct Accumulation {
+  std::uint16_t full_ms = 3000;
+  std::uint16_t empty_ms = 500;
+  std::uint16_t specialisations_per_second = 15;
+  friend constexpr bool operator==(const Accumulation&, const Accumulation&) = default;
+};
 
 // The rule by which the free and occupied evidence of a frame is weighted.
 enum class Weighing : std::uint8_t {
@@ -34,52 +38,80 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// ms: 1 ... 100.
-consteval std::int16_t free_mass_after(std::int32_t ms) {
-  constexpr double kDoubtAfter100Ms = 0.3;
-  const double doubt = numeric::exp(numeric::log(kDoubtAfter100Ms) * ms / 100);
+// 1 - 0.7, the mass of crossing beams in 100 ms.
+inline constexpr double kDoubtAfter100Ms = 0.3;
+
+// For the PC and the compiler. ms: 1 ... 100.
+constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_ms) {
+  const double doubt = numeric::exp(numeric::log(doubt_after_100_ms) * ms / 100);
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
 // A fraction that increases linearly by numerator / denominator per millisecond. The result is in
 // units of 2^-15, rounded to nearest, and at most 32767.
-consteval std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
+constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
   return static_cast<std::int16_t>(std::min<std::int32_t>(part, 32767));
 }
 
-// ms: 1 ... 100.
-consteval evidence::Gains make_gains(std::int32_t ms, Weighing weighing) {
-  evidence::Gains gains;
-  gains.persistence = part_after(ms, 1, kPersistenceMs);
-  gains.decline = part_after(ms, kDeclineToGain, kPersistenceMs);
-  gains.specialisation = part_after(ms, kSpecialisationsPerSecond, 1000);
-  gains.free_mass = free_mass_after(ms);
-  if (weighing == Weighing::kEachScan) {
-    gains.free_mass = kFreeMassOfScan;
-    gains.hit_mass = kHitMassOfScan;
+// The mass of crossing beams by time in ms. The entry for 0 ms equals the entry for 1 ms.
+using FreeMasses = std::array<std::int16_t, kLongestGainMs + 1>;
+
+// For the PC and the compiler.
+constexpr FreeMasses make_free_masses(double doubt_after_100_ms) {
+  FreeMasses masses{};
+  for (std::size_t ms = 0; ms < masses.size(); ++ms) {
+    masses[ms] = free_mass_after(std::max<std::int32_t>(static_cast<std::int32_t>(ms), 1),
+                                 doubt_after_100_ms);
   }
-  return gains;
+  return masses;
 }
 
 // Indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
 using GainsTable = std::array<evidence::Gains, kLongestGainMs + 1>;
 
-consteval GainsTable make_gains_table(Weighing weighing) {
-  GainsTable gains{};
-  for (std::size_t ms = 0; ms < gains.size(); ++ms) {
-    gains[ms] = make_gains(std::max<std::int32_t>(static_cast<std::int32_t>(ms), 1), weighing);
+constexpr GainsTable make_gains_table(const Accumulation& accumulation, const FreeMasses& free,
+                                      std::int16_t hit_mass) {
+  GainsTable table{};
+  for (std::size_t entry = 0; entry < table.size(); ++entry) {
+    const auto ms = std::max<std::int32_t>(static_cast<std::int32_t>(entry), 1);
+    evidence::Gains& gains = table[entry];
+    gains.persistence = part_after(ms, 1, accumulation.full_ms);
+    gains.decline = part_after(ms, 1, accumulation.empty_ms);
+    gains.specialisation = part_after(ms, accumulation.specialisations_per_second, 1000);
+    gains.free_mass = free[entry];
+    gains.hit_mass = hit_mass;
   }
-  return gains;
+  return table;
 }
 
-inline constexpr GainsTable kGainsByTime = make_gains_table(Weighing::kByTime);
-inline constexpr GainsTable kGainsOfScan = make_gains_table(Weighing::kEachScan);
+consteval FreeMasses free_mass_of_scan() {
+  FreeMasses masses{};
+  masses.fill(kFreeMassOfScan);
+  return masses;
+}
 
+inline constexpr GainsTable kGainsByTime =
+    make_gains_table({}, make_free_masses(kDoubtAfter100Ms), evidence::kHitMass);
+inline constexpr GainsTable kGainsOfScan =
+    make_gains_table({}, free_mass_of_scan(), kHitMassOfScan);
+
+constexpr const evidence::Gains& gains_after(std::uint32_t ms, const GainsTable& table) {
+  return table[std::min(ms, kLongestGainMs)];
+}
 constexpr const evidence::Gains& gains_after(std::uint32_t ms, Weighing weighing) {
-  const std::size_t entry = std::min(ms, kLongestGainMs);
-  return weighing == Weighing::kByTime ? kGainsByTime[entry] : kGainsOfScan[entry];
+  return gains_after(ms, weighing == Weighing::kByTime ? kGainsByTime : kGainsOfScan);
 }
+
+// The tables of a car whose file has evidential constants of its own (docs/vehicles.md).
+struct Tables {
+  Decays decays{};
+  Accumulation accumulation{};
+  FreeMasses free{};
+  std::int16_t hit_mass = 0;
+  GainsTable gains{};  // made of the three members before it
+  friend constexpr bool operator==(const Tables&, const Tables&) = default;
+};
 
 }  // namespace iog::ageing

@@ -43,7 +43,7 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
 
 PerceptionEngine::PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle,
                                    std::uint32_t replayer_ipv4)
-    : window_(vehicle.window, vehicle.has_objects),
+    : window_(vehicle.window, vehicle.has_objects, vehicle.grid.cell_mm),
       maps_(vehicle.maps, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4, vehicle.depends_on_arrival()),
       receptions_(vehicle.depends_on_arrival()),
@@ -92,7 +92,7 @@ void PerceptionEngine::open_slices(std::uint64_t now_us) {
   if (time_us) {
     time_us = perception::end_of_frame(end_us, *time_us, poses_.newest()->clock_us);
   }
-  if (contradiction_.is_met(poses_.has_moved())) {
+  if (contradiction_.is_met(poses_.has_moved(), vehicle_->grid.cell_mm)) {
     poses_.contradict();
   }
   if (time_us) {
@@ -148,8 +148,9 @@ void PerceptionEngine::place_slices(const work::Crew& crew) {
     std::array<placing::PlacedCells, placing::FrameEvidence::kMostAtOnce> placed;
     for (std::size_t i = 0; i < fused.size(); ++i) {
       const pose::Pose& pose = slices_.placed()[fused[i].group].pose;
-      placed[i] = {
-          .cells = fused[i].cells, .at = placing::placement_of(pose), .number = fused[i].group};
+      placed[i] = {.cells = fused[i].cells,
+                   .at = placing::placement_of(pose, vehicle_->grid),
+                   .number = fused[i].group};
     }
     window_.add(std::span(placed).first(fused.size()), crew);
   }

@@ -155,7 +155,7 @@ class PerceptionEngine {
       join_group(i);
       lap(&stream::StageTicks::mark);
       const placing::PlacedCells slice{.cells = &fused_.one(),
-                                       .at = placing::placement_of(placed[i].pose),
+                                       .at = placing::placement_of(placed[i].pose, vehicle_->grid),
                                        .number = static_cast<std::uint8_t>(i)};
       window_.add(std::span(&slice, 1));
       lap(&stream::StageTicks::perceive);

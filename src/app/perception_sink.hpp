@@ -25,7 +25,7 @@ class PerceptionSink : private NetworkSink<P> {
  public:
   // platform must outlive this object.
   PerceptionSink(P& platform, Coding coding, const geometry::Grid& grid = {})
-      : Indexes(platform, coding, grid), classes_(platform, this->messages(), coding) {}
+      : Indexes(platform, coding, grid), classes_(platform, this->messages(), coding, grid) {}
 
   using Indexes::begin_frame;
   using Indexes::end;

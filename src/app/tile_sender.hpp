@@ -69,7 +69,7 @@ class TileSender {
   void begin(const stream::Header& header, const stream::ClassWindow& window) {
     begin_frame(header);
     hash_ = Hash({.a = window.corner_a, .b = window.corner_b});
-    tiles_.begin_classes(header, window);
+    tiles_.begin_classes(header, window, grid_.cell_mm);
   }
 
   // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have a known cell.
@@ -300,7 +300,7 @@ class TileSender {
   P* platform_;
   MessageSender<P>* messages_;
   Coding coding_;
-  geometry::Grid grid_;  // only for indexes
+  geometry::Grid grid_;
   std::uint32_t frame_number_ = 0;
   Sent sent_;
   Hash hash_;

@@ -74,7 +74,7 @@ Refusal refusal_of_key(Block block) {
 
 // Requires a car within its limits.
 void derive(vehicle::Vehicle& car, SensorMemory& memory) {
-  vehicle::derive_rules(car.sensors, car.window);
+  vehicle::derive_rules(car.sensors, car.window, car.grid.cell_mm);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     vehicle::derive_limits(car.footprint, car.z_min, car.z_max, memory.sensors[i]);
   }

@@ -86,9 +86,21 @@ void visit_sensor(auto& content, auto& sensor) {
 void visit_window(auto& content, auto& rules) {
   content.below(4, rules.discounting);
   content.below(2, rules.weighing);
-  content.below(2, rules.moved);
+  content.moved_and_tables(rules.moved, rules.tables);
   content.numbers(rules.group_budget);
   content.assignment(rules.assignment);
+}
+
+void visit_tables(auto& content, auto& tables) {
+  for (std::size_t bit = 0; bit < tables.decays.dynamic.size(); ++bit) {
+    content.numbers(tables.decays.dynamic[bit], tables.decays.fixed[bit],
+                    tables.decays.shared[bit]);
+  }
+  content.numbers(tables.accumulation.full_ms, tables.accumulation.empty_ms,
+                  tables.accumulation.specialisations_per_second, tables.hit_mass);
+  for (std::size_t ms = 1; ms < tables.free.size(); ++ms) {
+    content.numbers(tables.free[ms]);
+  }
 }
 
 // The grid sizes come first because the tables are in units of the grid's subcells.
@@ -152,6 +164,13 @@ class Writer {
     number(static_cast<std::uint8_t>(static_cast<unsigned>(quantisation) | (is_usual ? 0U : 2U)));
     if (!is_usual) {
       number(epsilon_e5);
+    }
+  }
+  // An extra bit is set if evidential constants follow.
+  void moved_and_tables(perception::Moved moved, const ageing::Tables* tables) {
+    number(static_cast<std::uint8_t>(static_cast<unsigned>(moved) | (tables == nullptr ? 0U : 2U)));
+    if (tables != nullptr) {
+      visit_tables(*this, *tables);
     }
   }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }

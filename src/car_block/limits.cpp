@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace iog::car_block {
@@ -47,6 +48,28 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   }
 }
 
+// Classes need cells in which a window of 1024 x 1024 of them is long enough. In cells of 0.5 m a
+// thing that moves and one that flickers look alike. Objects are tracked in cells of 0.1 m only.
+void check_cells(const Vehicle& car, const Tell& tell) {
+  const std::uint16_t cell_mm = car.grid.cell_mm;
+  const bool has_classes = vehicle::have_classes(car.grids);
+  if (has_classes && cell_mm < geometry::kCellMm) {
+    tell({.field = "grids", .allowed = "indexes, because classes have cells of 0.1, 0.2 or 0.5 m"});
+  } else if (has_classes && car.has_objects && cell_mm != geometry::kCellMm) {
+    tell({.field = "objects", .allowed = "false, because objects are tracked in cells of 0.1 m"});
+  }
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    if (!car.sensors[i].moved.are_given()) {
+      continue;
+    }
+    if (!has_classes && car.grid != geometry::Grid{}) {
+      tell({i, "moved", "none, because this grid has no classes"});
+    } else if (cell_mm > kCoarsestMovedMm) {
+      tell({i, "moved", "none, because cells of 0.5 m do not show what moves"});
+    }
+  }
+}
+
 // The memory has 1024 x 1024 cells, and each side consists of whole tiles.
 // Returns false if lengths cannot be converted to cells.
 bool check_grid(const Vehicle& car, const Tell& tell) {
@@ -66,10 +89,7 @@ bool check_grid(const Vehicle& car, const Tell& tell) {
              "with behind_m 32 ... 1024 cells, in steps of 32");
   check_side(grid.rows, grid.origin_row, "grid.left_m",
              "with right_m 32 ... 1024 cells, in steps of 32");
-  if (grid != geometry::Grid{} && vehicle::have_classes(car.grids)) {
-    tell({.field = "grids",
-          .allowed = "indexes, because classes have 1024 x 1024 cells of 0.1 m around the car"});
-  }
+  check_cells(car, tell);
   return true;
 }
 
@@ -250,6 +270,29 @@ void check_sources(const Vehicle& car, const net::Config& network, const Tell& t
   }
 }
 
+// Masses and factors must be fractions that do not grow the wrong way.
+void check_tables_of_window(const ageing::Tables& tables, const Tell& tell) {
+  const auto falls = [](const ageing::DecayTable& decay) {
+    return decay.front() < ageing::kUndecayed && std::ranges::is_sorted(decay, std::greater<>());
+  };
+  const ageing::Accumulation& times = tables.accumulation;
+  if (!falls(tables.decays.dynamic) || !falls(tables.decays.fixed) ||
+      !falls(tables.decays.shared)) {
+    tell({.field = "window.moving_half_life_s", .allowed = kHalfLifeWords});
+  }
+  if (!is_within<std::uint16_t>(times.full_ms, 100, 60'000) ||
+      !is_within<std::uint16_t>(times.empty_ms, 10, times.full_ms) ||
+      !is_within<std::uint16_t>(times.specialisations_per_second, 1, 100)) {
+    tell({.field = "window.object_m", .allowed = kAccumulationWords});
+  }
+  if (tables.free.front() <= 0 || !std::ranges::is_sorted(tables.free)) {
+    tell({.field = "window.free_mass", .allowed = kMassWords});
+  }
+  if (!is_within<std::int16_t>(tables.hit_mass, 256, 127 * 256)) {
+    tell({.field = "window.hit_mass", .allowed = kMassWords});
+  }
+}
+
 // Classes need the rule hits_win, the only one that can merge slices of a frame. They need
 // blurring, because `nearest` marks cells behind a hit as occupied. Poses and maps need ports of
 // their own.
@@ -262,6 +305,9 @@ void check_classes(const Vehicle& car, const Tell& tell) {
   }
   if (car.quantisation != index::Quantisation::kBlurring) {
     tell({.field = "quantisation", .allowed = "blurring, because grids have classes"});
+  }
+  if (car.window.tables != nullptr) {
+    check_tables_of_window(*car.window.tables, tell);
   }
   if (car.poses.log2_slice_ms > 6) {
     tell({.field = "poses.log2_slice_ms", .allowed = "0 ... 6: slices of at most 64 ms"});

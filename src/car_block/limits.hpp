@@ -31,6 +31,12 @@ inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacl
 
 // The maximum magnitude of coordinates. It keeps products of subcells within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;
+// The largest cells in which `moved` can tell what moves from what flickers.
+inline constexpr std::uint16_t kCoarsestMovedMm = 200;
+inline constexpr std::string_view kHalfLifeWords = "0.05 ... 600";
+inline constexpr std::string_view kMassWords = "0.05 ... 0.99";
+inline constexpr std::string_view kAccumulationWords =
+    "with slowest_m_s an object that passes in 0.1 ... 60 s";
 
 // The maximum distance of a sensor from the footprint of its car, which allows for bumpers and roof
 // racks.

@@ -148,6 +148,23 @@ class Reader {
     is_of_other_grid_ = is_other && ok();
   }
 
+  void moved_and_tables(perception::Moved& moved, const ageing::Tables*& tables) {
+    const auto byte = number<std::uint8_t>();
+    demand(byte < 4);
+    moved = static_cast<perception::Moved>(byte % 2);
+    tables = nullptr;
+    if (byte >= 2 && ok()) {
+      ageing::Tables& read = memory_.tables;
+      content_detail::visit_tables(*this, read);
+      demand(read.accumulation.full_ms > 0 && read.accumulation.empty_ms > 0);
+      if (ok()) {
+        read.free[0] = read.free[1];
+        read.gains = ageing::make_gains_table(read.accumulation, read.free, read.hit_mass);
+        tables = &read;
+      }
+    }
+  }
+
   // Reads one of the firmware's own assignments, or none.
   void assignment(const evidence::Assignment*& assignment) {
     bool is_there = false;

@@ -15,6 +15,7 @@ namespace iog::car_block {
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;
+  ageing::Tables tables;  // only of a car with evidential constants of its own
 };
 
 // Returns kNone, kOtherGrid or kNotACar. The vehicle refers to the bytes and to the memory. Do not

@@ -22,11 +22,15 @@ void Agreement::add(const window::Plane& free, const window::Plane& inside) {
   }
 }
 
-void Agreement::end_round() {
-  if (free_ >= kFewestFree) {
+void Agreement::end_round(std::int32_t cell_mm) {
+  const auto cells = [area = static_cast<std::uint32_t>(cell_mm * cell_mm)](std::uint32_t usual) {
+    constexpr std::uint32_t kUsualArea = geometry::kCellMm * geometry::kCellMm;
+    return (usual * kUsualArea + area - 1) / area;
+  };
+  if (free_ >= cells(kFewestFree)) {
     const bool speaks_against =
         is_contradicted_ ? inside_ * kAgreeingShare <= free_
-                         : inside_ >= kFewestInside && inside_ * kContradictingShare > free_;
+                         : inside_ >= cells(kFewestInside) && inside_ * kContradictingShare > free_;
     rounds_ = speaks_against ? rounds_ + 1 : 0;
     if (rounds_ == (is_contradicted_ ? kAgreeingRounds : kContradictingRounds)) {
       is_contradicted_ = !is_contradicted_;

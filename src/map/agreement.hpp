@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "geometry/sizes.hpp"
 #include "map/tile_mask.hpp"
 #include "window/tile.hpp"
 
@@ -27,8 +28,9 @@ class Agreement {
   // buildings.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  static constexpr std::uint32_t kFewestFree = 5'000;  // rounds with fewer free cells are ignored
-  // 5 m2. This minimum is needed because the map may show a wall too far out.
+  // Areas in cells of 0.1 m: 50 m2, below which a round is ignored, and 5 m2. The latter is needed
+  // because the map may show a wall too far out.
+  static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
   static constexpr std::uint32_t kAgreeingRounds = 16;  // 10 s at 25 frames per second
@@ -36,7 +38,7 @@ class Agreement {
   // Adds the latest state of a tile in this round. `inside` is the result of inside_buildings() for
   // the tile.
   void add(const window::Plane& free, const window::Plane& inside);
-  void end_round();
+  void end_round(std::int32_t cell_mm = geometry::kCellMm);
 
   // Becomes true after kContradictingRounds contradicting rounds in a row, and becomes false after
   // kAgreeingRounds agreeing rounds in a row.

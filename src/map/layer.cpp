@@ -10,7 +10,7 @@ constexpr window::TileRuledOut kAnywhere{};
 void Layer::work(const Block* block, const std::optional<pose::MapTransform>& transform,
                  perception::WindowFusion& window) {
   ++frame_;
-  take_inputs(block, transform);
+  take_inputs(block, transform, window.cell_mm());
   const Cause cause = cause_of(block, window.view().is_centred());
   if (cause == Cause::kNone) {
     find_stale(*block, window);
@@ -29,7 +29,7 @@ void Layer::work(const Block* block, const std::optional<pose::MapTransform>& tr
 
 void Layer::look(const Block* block, const std::optional<pose::MapTransform>& transform,
                  const perception::WindowFusion& window) {
-  take_inputs(block, transform);
+  take_inputs(block, transform, window.cell_mm());
   report_cause(cause_of(block, window.view().is_centred()));
 }
 
@@ -41,7 +41,9 @@ void Layer::report_cause(Cause cause) {
   begin(cause);
 }
 
-void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform) {
+void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform,
+                        std::int32_t cell_mm) {
+  cell_mm_ = cell_mm;
   report_.crc = block == nullptr ? 0 : block->crc();
   report_.origin = block == nullptr ? 0 : block->origin();
   report_.transform = transform;
@@ -50,7 +52,8 @@ void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransfo
   report_.tiles_withdrawn = 0;
   report_.work = 0;
   if (block != nullptr && transform) {
-    const std::uint32_t radius = blur_radius(block->accuracy_mm(), transform->sigma);
+    const std::uint32_t radius =
+        blur_radius(block->accuracy_mm(), transform->sigma, static_cast<std::uint32_t>(cell_mm));
     report_.radius = radius <= kHalo ? static_cast<std::uint8_t>(radius) : 0;
     now_ = {.local_frame = transform->local_frame, .radius = report_.radius};
   }
@@ -120,8 +123,9 @@ void Layer::drop_stale_drawing(const window::Area& area, bool is_of_other_bytes)
 }
 
 bool Layer::is_stale(const Basis& basis, window::TileNumber tile) const {
-  return basis.radius < now_.radius || (basis.local_frame != now_.local_frame &&
-                                        has_moved(tile, basis.local_frame, now_.local_frame));
+  return basis.radius < now_.radius ||
+         (basis.local_frame != now_.local_frame &&
+          has_moved(tile, basis.local_frame, now_.local_frame, cell_mm_));
 }
 
 void Layer::withdraw(std::size_t slot, State next, perception::WindowFusion& window) {
@@ -153,7 +157,7 @@ void Layer::judge(perception::WindowFusion& window) {
     return;
   }
   Agreement next = agreement_;
-  next.end_round();
+  next.end_round(cell_mm_);
   if (next.is_contradicted() != agreement_.is_contradicted()) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (states_[slot] == State::kDrawn) {
@@ -197,7 +201,7 @@ std::uint32_t Layer::oldest() const {
 // An unfinished tile is always the first that waits, because no other tile can overtake it.
 void Layer::draw(const Block& block, std::size_t slot, perception::WindowFusion& window) {
   if (!unfinished_ || unfinished_->slot != slot) {
-    const TilePlace place(now_.local_frame, area_.tile_at(slot));
+    const TilePlace place(now_.local_frame, area_.tile_at(slot), cell_mm_);
     if (TileDrawing::is_outside(block, place, now_.radius)) {
       spend(kWorkPerTileOutside);
       finish(slot, State::kOutside, now_);

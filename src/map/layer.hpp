@@ -42,12 +42,12 @@ inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 // Returns the radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two
 // standard deviations of the transform at 50 m, and the diagonal of a cell. It is at most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
-                                                  const pose::Sigma& sigma) {
-  constexpr std::uint32_t kCell = geometry::kCellMm;
+                                                  const pose::Sigma& sigma,
+                                                  std::uint32_t cell_mm = geometry::kCellMm) {
   // 2 * 50 m * 10 urad equals 1 mm.
   const std::uint32_t mm =
-      accuracy_mm + 2U * sigma.position_mm + sigma.heading_10urad + kCell * 14 / 10;
-  return (mm + kCell - 1) / kCell;
+      accuracy_mm + 2U * sigma.position_mm + sigma.heading_10urad + cell_mm * 14 / 10;
+  return (mm + cell_mm - 1) / cell_mm;
 }
 
 class Layer {
@@ -94,7 +94,8 @@ class Layer {
     TileDrawing drawing;
   };
 
-  void take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform);
+  void take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform,
+                   std::int32_t cell_mm);
   void report_cause(Cause cause);
   [[nodiscard]] Cause cause_of(const Block* block, bool is_centred) const;
   void begin(Cause cause);
@@ -126,6 +127,7 @@ class Layer {
   window::TileRuledOut ruled_out_{};
   LayerReport report_;
   std::uint32_t frame_ = 0;
+  std::int32_t cell_mm_ = geometry::kCellMm;
   std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
   // Basis of the last frame without a cause:

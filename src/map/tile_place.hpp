@@ -1,10 +1,10 @@
 // Transforms between a tile of the window and the plane of a map.
 //
 // Vertices are rounded to fine units. There are kFine units per cell, so a unit is 0.4 mm for cells
-// of 0.1 m. Fine units are counted from the lower corner of the tile's frame, which is the tile
-// with kHalo additional cells on each side. The rounding depends only on the position in the local
-// frame. A vertex therefore has the same position for all tiles and features, and operations on
-// rounded vertices are exact (map/raster.hpp).
+// of 0.1 m. Cells have 50, 100, 200 or 500 mm. Fine units are counted from the lower corner of the
+// tile's frame, which is the tile with kHalo additional cells on each side. The rounding depends
+// only on the position in the local frame. A vertex therefore has the same position for all tiles
+// and features, and operations on rounded vertices are exact (map/raster.hpp).
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,8 @@ class TilePlace {
  public:
   // local_frame is the pose of the local frame in the plane of the map, within
   // pose::kMaxCoordinateMm.
-  TilePlace(const pose::Pose& local_frame, window::TileNumber tile);
+  TilePlace(const pose::Pose& local_frame, window::TileNumber tile,
+            std::int32_t cell_mm = geometry::kCellMm);
 
   // Converts a vertex to fine units. The vertex must lie in the extent of a map, and the tile's box
   // must overlap this extent.
@@ -65,10 +66,12 @@ class TilePlace {
   std::int64_t middle_y_mm_;
   std::int64_t slack_mm_;   // upper bound of the centre's error
   std::int64_t reach_q30_;  // half the width of a rotated square of side 2
+  std::int32_t cell_mm_;
 };
 
 // Whether any corner of the tile has moved by more than a cell in the plane. The result is accurate
 // to 2^-10 mm.
-[[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to);
+[[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to,
+                             std::int32_t cell_mm = geometry::kCellMm);
 
 }  // namespace iog::map

@@ -1,5 +1,6 @@
 #include "perception/arrivals.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "placing/evidence_bits.hpp"
@@ -7,8 +8,7 @@
 namespace iog::perception {
 namespace {
 
-constexpr int kRadius = 3;
-constexpr std::uint64_t kRun = (1U << (2 * kRadius + 1)) - 1;
+constexpr std::size_t kMostRadius = 3;
 constexpr int kEnoughOnWellKnownGround = 2;
 constexpr int kEnough = 7;
 
@@ -23,12 +23,13 @@ bool is_any_on(const window::Plane& hits, const window::Ground& ground) {
 
 // The cells of a tile within reach of a tall hit.
 window::Plane near_tall(const window::NinePlanes& tall, int within) {
-  if (within == kTallWithin) {
-    return window::middle_of(window::dilated<kTallWithin>(window::gather<kTallWithin>(tall)));
+  static_assert(kTallOverGroundWithin <= 8);
+  window::Rows rows =
+      within <= kTallWithin ? window::gather<kTallWithin>(tall) : window::gather<8>(tall);
+  for (int left = within; left > 0; left -= 3) {
+    rows = window::dilated(rows, std::min(left, 3));
   }
-  static_assert(kTallOverGroundWithin == 3 + 3 + 2);
-  return window::middle_of(window::dilated<2>(
-      window::dilated<3>(window::dilated<3>(window::gather<kTallOverGroundWithin>(tall)))));
+  return window::middle_of(rows);
 }
 
 // The hits of a tile that are on ground freed by a low beam and near a tall hit.
@@ -54,13 +55,14 @@ window::Plane arriving(const window::Window& window, const placing::FrameEvidenc
 }
 
 // Counts new hits in the square around cell (x, y) of a tile.
-int count_around(const window::Rows& rows, std::size_t y, int x) {
+int count_around(const window::Rows& rows, std::size_t y, int x, int radius) {
+  const std::uint64_t run = (std::uint64_t{2} << (2 * radius)) - 1;
+  const std::size_t reach = static_cast<std::size_t>(radius);
   int count = 0;
-  for (std::size_t row = window::kRowMargin + y - kRadius; row <= window::kRowMargin + y + kRadius;
+  for (std::size_t row = window::kRowMargin + y - reach; row <= window::kRowMargin + y + reach;
        ++row) {
-    const auto run =
-        static_cast<std::uint32_t>(rows.words[row] >> (window::kColumnMargin - kRadius + x) & kRun);
-    count += std::popcount(run);
+    count += std::popcount(
+        static_cast<std::uint32_t>(rows.words[row] >> (window::kColumnMargin - radius + x) & run));
   }
   return count;
 }
@@ -92,8 +94,8 @@ void Arrivals::find_new(const window::Window& window, const placing::FrameEviden
   if (window::is_empty(arrived)) {
     return;
   }
-  const window::Plane beside = window::middle_of(
-      window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
+  const window::Plane beside = window::middle_of(window::dilated(
+      window::gather<1>(window.around(slot, &window::Found::stands)), around_.beside));
   const window::Tile& tile = window.tile(slot);
   for (std::size_t y = 0; y < hits.size(); ++y) {
     const std::uint32_t candidates = arrived[y] & ~beside[y];
@@ -107,7 +109,7 @@ void Arrivals::find_new(const window::Window& window, const placing::FrameEviden
 }
 
 void Arrivals::count_new(const window::Window& window, std::size_t slot) {
-  const window::Rows rows = window::gather<kRadius>(window.around(
+  const window::Rows rows = window::gather<kMostRadius>(window.around(
       slot, [this](std::size_t at) { return has_new_[at]; },
       [this](std::size_t at) -> const window::Plane& { return new_[at]; }));
   const window::Ground& ground = window.tile(slot).ground;
@@ -117,7 +119,7 @@ void Arrivals::count_new(const window::Window& window, std::size_t slot) {
       const int x = std::countr_zero(left);
       const std::uint32_t cell = left & (~left + 1);
       const int enough = (well_known & cell) != 0 ? kEnoughOnWellKnownGround : kEnough;
-      if (count_around(rows, y, x) >= enough) {
+      if (count_around(rows, y, x, around_.open) >= enough) {
         moved_[slot][y] |= cell;
       }
     }

@@ -1,6 +1,9 @@
 // Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
 // stationary objects.
 //
+// Squares of cells below are those of cells of 0.1 m; of other cells they are as long in metres
+// (Rules::around). The numbers of new hits stay.
+//
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
 // beam has freed its cell and a tall return lies within Rules::tall_within cells. Objects so low
 // that beams pass over them are therefore never classified as moving.
@@ -26,7 +29,9 @@ namespace iog::perception {
 class Arrivals {
  public:
   explicit Arrivals(const Rules& rules = {})
-      : is_from_below_(rules.is_opened_from_below), tall_within_(rules.tall_within) {}
+      : is_from_below_(rules.is_opened_from_below),
+        tall_within_(rules.tall_within),
+        around_(rules.around) {}
 
   // Examines all hits of a frame. Call it before any tile changes.
   void find(const window::Window& window, const placing::FrameEvidence& evidence);
@@ -55,6 +60,7 @@ class Arrivals {
 
   bool is_from_below_;
   int tall_within_;
+  Around around_;
   // The planes are valid only where has_new_ or has_open_ is set. Elsewhere they are from older
   // frames.
   std::array<bool, window::kSlotCount> has_new_{};

@@ -12,42 +12,46 @@ bool is_lacking(const window::Plane& plane, const window::Plane& beside) {
   return bits != 0;
 }
 
-window::Plane cells_beside(const window::Window& window, std::size_t slot) {
-  return window::middle_of(
-      window::dilated<1>(window::gather<1>(window.around(slot, &window::Found::stands))));
+window::Plane cells_beside(const window::Window& window, std::size_t slot, const Around& around) {
+  return window::middle_of(window::dilated(
+      window::gather<1>(window.around(slot, &window::Found::stands)), around.beside));
 }
 
 // A tile without a seen cell has no dense cell. A tile without a freed cell has no shut cell: each
-// of its cells lies in a square of 5 by 5 cells inside the tile, and the closing does not fill an
-// empty square.
-window::Plane cells_seen_around(const window::Window& window, std::size_t slot) {
+// of its cells lies in a square of at most 5 by 5 cells inside the tile, and the closing does not
+// fill an empty square.
+window::Plane cells_seen_around(const window::Window& window, std::size_t slot,
+                                const Around& around) {
   if (window::is_empty(window.tile(slot).found.seen)) {
     return window::Plane{};
   }
   return window::middle_of(
-      window::eroded<2>(window::gather<2>(window.around(slot, &window::Found::seen))));
+      window::eroded(window::gather<2>(window.around(slot, &window::Found::seen)), around.gaps));
 }
 
-window::Plane cells_open_around(const window::Window& window, std::size_t slot) {
+window::Plane cells_open_around(const window::Window& window, std::size_t slot,
+                                const Around& around) {
   if (window::is_empty(window.tile(slot).found.freed)) {
     return window::Plane{};
   }
-  const window::Rows closed = window::eroded<2>(
-      window::dilated<2>(window::gather<7>(window.around(slot, &window::Found::freed))));
+  const window::Rows closed = window::eroded(
+      window::dilated(window::gather<7>(window.around(slot, &window::Found::freed)), around.gaps),
+      around.gaps);
   const window::Rows taken = window::gather<3>(window.around(slot, &window::Found::taken));
-  return window::middle_of(window::eroded<3>(window::joined<window::AndNot>(closed, taken)));
+  return window::middle_of(
+      window::eroded(window::joined<window::AndNot>(closed, taken), around.open));
 }
 
 }  // namespace
 
-void remember(window::Window& window, std::size_t slot, bool is_new_period) {
-  const window::Plane beside = cells_beside(window, slot);
+void remember(window::Window& window, std::size_t slot, bool is_new_period, const Around& around) {
+  const window::Plane beside = cells_beside(window, slot, around);
   // Properties that all cells have already are not computed, because they persist.
   const window::Ground& before = window.tile(slot).ground;
   const window::Plane dense =
-      is_lacking(before.dense, beside) ? cells_seen_around(window, slot) : window::Plane{};
+      is_lacking(before.dense, beside) ? cells_seen_around(window, slot, around) : window::Plane{};
   const window::Plane open = is_new_period || is_lacking(before.open, beside)
-                                 ? cells_open_around(window, slot)
+                                 ? cells_open_around(window, slot, around)
                                  : window::Plane{};
   const std::uint32_t period = is_new_period ? ~0U : 0U;
   window::Ground& ground = window.ground(slot);
@@ -80,7 +84,7 @@ void GroundMemory::end_frame(window::Window& window, placing::FrameEvidence& evi
         for (std::size_t slot = runs[item].first; slot < runs[item].end; ++slot) {
           evidence.clear(slot);
           if (slot % 2 == parity && window.is_known(slot)) {
-            remember(window, slot, is_new_period);
+            remember(window, slot, is_new_period, around_);
           }
         }
       },

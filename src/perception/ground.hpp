@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "perception/rules.hpp"
 #include "placing/frame_evidence.hpp"
 #include "window/window.hpp"
 #include "work/before_images.hpp"
@@ -23,7 +24,8 @@ namespace iog::perception {
 
 // Updates the ground of a known tile. `is_new_period` is true if a new period has begun since the
 // slot was last updated.
-void remember(window::Window& window, std::size_t slot, bool is_new_period);
+void remember(window::Window& window, std::size_t slot, bool is_new_period,
+              const Around& around = {});
 
 // The length of a period. Each period in which a cell is open again adds one tick.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
@@ -32,6 +34,8 @@ inline constexpr std::uint64_t kPeriodUs = 480'000;
 // fused frames is even.
 class GroundMemory {
  public:
+  explicit GroundMemory(const Around& around) : around_(around) {}
+
   // Resets the periods of the last updates.
   void forget() { last_turns_ = {}; }
 
@@ -53,6 +57,7 @@ class GroundMemory {
   void keep_before(window::Window& window, work::Run run, std::size_t item, std::size_t core);
 
   work::BeforeImages<Before> before_;
+  Around around_;
   // The period of the previous update, for even and odd slots.
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
 };

@@ -6,6 +6,7 @@
 #include "ageing/discounting.hpp"
 #include "ageing/gains.hpp"
 #include "evidence/assignment.hpp"
+#include "geometry/sizes.hpp"
 
 namespace iog::perception {
 
@@ -24,15 +25,37 @@ inline constexpr std::uint32_t kGroupCycles = 500;
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
-// A hit is classified as moved only if there is a tall return at most this many cells away along
-// each axis. The larger distance is for sensors whose returns must also be tall relative to the
-// highest ground nearby (ground/ground.hpp), because fewer of their returns are tall.
-inline constexpr int kTallWithin = 3;
-inline constexpr int kTallOverGroundWithin = 8;
+// A length in cells, rounded up.
+[[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
+
+// A hit is classified as moved only if there is a tall return at most this far away along each
+// axis. The larger distance is for sensors whose returns must also be tall relative to the highest
+// ground nearby (ground/ground.hpp), because fewer of their returns are tall.
+inline constexpr int kTallWithinMm = 300;
+inline constexpr int kTallOverGroundWithinMm = 800;
+inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kCellMm);
+inline constexpr int kTallOverGroundWithin = cells_of(kTallOverGroundWithinMm, geometry::kCellMm);
+
+// How far around a cell the rules of motion onset and of open ground look, in cells. The lengths
+// are 0.1, 0.2 and 0.3 m.
+struct Around {
+  int beside = 1;  // a standing cell that near makes a hit one of its own
+  int gaps = 2;    // gaps between beams that are closed, and the seen cells around a dense one
+  int open = 3;    // the free cells around an open one, and the new hits that are counted
+  friend bool operator==(const Around&, const Around&) = default;
+};
+[[nodiscard]] constexpr Around around_with(int cell_mm) {
+  return {.beside = cells_of(100, cell_mm),
+          .gaps = cells_of(200, cell_mm),
+          .open = cells_of(300, cell_mm)};
+}
+static_assert(around_with(geometry::kCellMm) == Around{});
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
+  // Of a car with evidential constants of its own, in static storage. Null: the usual ones.
+  const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If it is null, all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
@@ -42,8 +65,9 @@ struct Rules {
   // Whether only low beams free occupied cells. This applies only if is_opened_from_below is true.
   // The value is true if a sensor is high enough to look over objects.
   bool looks_over_things = true;
-  // kTallWithin or kTallOverGroundWithin.
+  // One of the two distances above, in cells.
   int tall_within = kTallWithin;
+  Around around{};
   std::uint32_t group_budget = kGroupBudget;
 };
 

@@ -6,14 +6,15 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "perception/rules.hpp"
 #include "window/tile.hpp"
 
 namespace iog::perception {
 
 // The numbers of standing cells that have evidence.
 struct StandingCounts {
-  std::uint32_t met = 0;      // confirmed: a hit within two cells
-  std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within two cells
+  std::uint32_t met = 0;      // confirmed: a hit within 0.2 m
+  std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within 0.2 m
   StandingCounts& operator+=(const StandingCounts& other) {
     met += other.met;
     crossed += other.crossed;
@@ -31,7 +32,8 @@ struct StandingCounts {
 // that beams crossed. If only low beams can open a cell (perception/opening.hpp), `crossed`
 // contains only cells that low beams crossed, because other beams pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
-                                             const window::Plane& crossed);
+                                             const window::Plane& crossed,
+                                             const Around& around = {});
 
 // Detects wrong poses. If the poses are wrong, beams pass through standing objects all around.
 // Counts are averaged over about eight frames, and the weight of a frame falls to one half after
@@ -54,10 +56,14 @@ class Contradiction {
   void clear() { *this = {}; }
 
   // has_moved is true if the position or heading has changed since the first pose.
-  [[nodiscard]] bool is_met(bool has_moved) const {
+  // Standing things are edges, so the same edges have fewer cells if cells are larger.
+  [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
-    return (all >= kUnit * kFewest && crossed_ > all / kShare) ||
-           (!has_moved && beyond_ > kShareBeyond * kMostBeyond);
+    const auto cells = [cell_mm](std::uint32_t usual) {
+      return usual * geometry::kCellMm / cell_mm;
+    };
+    return (all >= kUnit * cells(kFewest) && crossed_ > all / kShare) ||
+           (!has_moved && beyond_ > kShareBeyond * cells(kMostBeyond));
   }
 
  private:

@@ -9,17 +9,19 @@
 #include "work/runs.hpp"
 
 namespace iog::perception {
-WindowFusion::WindowFusion(const Rules& rules, bool is_followed)
-    : rules_(rules),
+WindowFusion::WindowFusion(const Rules& rules, bool is_followed, std::int32_t cell_mm)
+    : ground_(rules.around),
+      rules_(rules),
       is_followed_(is_followed),
-      clock_(rules.discounting, rules.weighing),
+      cell_mm_(cell_mm),
+      clock_(rules.discounting, rules.weighing, rules.tables),
       arrivals_(rules),
       opening_(rules) {}
 
 // Evidence is stored by slot. If the window moved, it would belong to other tiles.
 void WindowFusion::follow(const pose::Pose& pose) {
   require(counts_.slices == 0);
-  window_.follow(window::cell_of(pose));
+  window_.follow(window::cell_of(pose, cell_mm_));
 }
 
 void WindowFusion::add(std::span<const placing::PlacedCells> slices, const work::Crew& crew) {
@@ -27,7 +29,7 @@ void WindowFusion::add(std::span<const placing::PlacedCells> slices, const work:
   std::array<placing::PlacedCells, placing::FrameEvidence::kMostAtOnce> inside;
   std::size_t count = 0;
   for (const placing::PlacedCells& slice : slices) {
-    if (window_.is_centred() && window_.area().contains(window::cell_of(slice.at.pose))) {
+    if (window_.is_centred() && window_.area().contains(window::cell_of(slice.at.pose, cell_mm_))) {
       inside[count++] = slice;
     } else {
       ++counts_.slices_outside;
@@ -100,8 +102,9 @@ void WindowFusion::look_at(std::size_t slot) {
   const placing::EvidenceBits bits = placing::bits_of(evidence_.tile(slot));
   arrivals_.find_new(window_, evidence_, slot, bits.hit);
   if (is_standing) {
-    slot_counts_[slot].standing = standing_counts(
-        window_.tile(slot), bits.hit, rules_.is_opened_from_below ? bits.from_below : bits.free);
+    slot_counts_[slot].standing =
+        standing_counts(window_.tile(slot), bits.hit,
+                        rules_.is_opened_from_below ? bits.from_below : bits.free, rules_.around);
   }
   if (rules_.is_opened_from_below) {
     opening_.find(window_, bits, slot);

@@ -70,7 +70,8 @@ class WindowFusion {
   // Not constexpr, so that static objects are initialised at start-up and take up no space in the
   // image. is_followed is true if objects are tracked. The hits of a frame are then listed, and
   // cells can be relabelled.
-  explicit WindowFusion(const Rules& rules = {}, bool is_followed = false);
+  explicit WindowFusion(const Rules& rules = {}, bool is_followed = false,
+                        std::int32_t cell_mm = geometry::kCellMm);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
@@ -148,6 +149,8 @@ class WindowFusion {
   // Forgets all cells and the current frame. The clock is not reset.
   void forget();
 
+  [[nodiscard]] std::int32_t cell_mm() const { return cell_mm_; }
+
   // The view is valid after finish(), until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
@@ -159,7 +162,7 @@ class WindowFusion {
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
-    health::visit_constants(visit, rules_, is_followed_);
+    health::visit_constants(visit, rules_, is_followed_, cell_mm_);
   }
 
  private:
@@ -248,6 +251,7 @@ class WindowFusion {
   MovingNames names_;
   Rules rules_;
   bool is_followed_;
+  std::int32_t cell_mm_;
   ageing::Clock clock_;
   std::uint32_t frames_ = 0;
   std::uint32_t fused_frames_ = 0;

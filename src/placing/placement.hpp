@@ -3,7 +3,8 @@
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
 // tile's other cells are computed by adding steps that are rounded to the nearest 2^-16 cells. The
 // image of a cell is therefore less than 32 * 2^-16 cells below and at most 31 * 2^-16 cells above
-// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm.
+// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window's cells are as
+// large as those of the slice grid.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +18,17 @@
 
 namespace iog::placing {
 
-// The transform of a slice: the pose of the vehicle while the slice was measured.
+// The transform of a slice: the pose of the vehicle while the slice was measured, and where the
+// vehicle is in its grid.
 struct Placement {
   pose::Pose pose{};
   numeric::Rotation rotation{};  // from the heading of the pose
+  geometry::Grid grid{};
 };
 
-[[nodiscard]] inline Placement placement_of(const pose::Pose& pose) {
-  return {.pose = pose, .rotation = numeric::rotation_of(pose.heading)};
+[[nodiscard]] inline Placement placement_of(const pose::Pose& pose,
+                                            const geometry::Grid& grid = {}) {
+  return {.pose = pose, .rotation = numeric::rotation_of(pose.heading), .grid = grid};
 }
 
 inline constexpr int kFineBits = 16;

@@ -59,8 +59,9 @@ void TilesWriter::begin_grid(const Header& header, const Geometry& geometry) {
   begin_message(0);
 }
 
-void TilesWriter::begin_classes(const Header& header, const ClassWindow& window) {
-  write_head(header, geometry_of_classes());
+void TilesWriter::begin_classes(const Header& header, const ClassWindow& window,
+                                std::uint16_t cell_mm) {
+  write_head(header, geometry_of_classes(cell_mm));
   write_class_window(window, std::span(message_).subspan<kRecords, kClassWindowBytes>());
   records_ = kRecords + kClassWindowBytes;
   begin_message(0);

@@ -80,13 +80,14 @@ struct Geometry {
       .origin_column = static_cast<std::uint16_t>(-geometry.origin_x_mm / geometry.cell_mm),
       .origin_row = static_cast<std::uint16_t>(-geometry.origin_y_mm / geometry.cell_mm)};
   const bool fits = grid.tile_count() > 0 && grid.columns <= geometry::kCellsPerSide &&
-                    grid.rows <= geometry::kCellsPerSide;
+                    grid.rows <= geometry::kCellsPerSide && grid.origin_column <= grid.columns &&
+                    grid.origin_row <= grid.rows;
   return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
-// The geometry of the firmware's window. The window has as many cells as the grid.
-[[nodiscard]] constexpr Geometry geometry_of_classes() {
-  Geometry geometry = geometry_of_level(0);
+// The geometry of the firmware's window. The window has as many cells as the memory of the grid.
+[[nodiscard]] constexpr Geometry geometry_of_classes(std::uint16_t cell_mm = geometry::kCellMm) {
+  Geometry geometry = geometry_of_level(0, {.cell_mm = cell_mm});
   geometry.storage = Storage::kClass;
   geometry.origin_x_mm = 0;
   geometry.origin_y_mm = 0;
@@ -116,7 +117,8 @@ class TilesWriter {
   // and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered by window::slot_of().
-  void begin_classes(const Header& header, const ClassWindow& window);
+  void begin_classes(const Header& header, const ClassWindow& window,
+                     std::uint16_t cell_mm = geometry::kCellMm);
   // Discards the tiles of the current message and restarts it at another tile.
   void begin_message(std::size_t first_tile);
 

@@ -94,15 +94,18 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
 // such a sensor is mounted above its limit for low beams. Extends the range of tall hits if a
-// sensor with a limit for tall returns follows the ground.
-constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules) {
+// sensor with a limit for tall returns follows the ground. Lengths become cells.
+constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
+                            int cell_mm = geometry::kCellMm) {
   rules.is_opened_from_below =
       std::ranges::any_of(sensors, [](const Sensor& sensor) { return sensor.moved.are_given(); });
   const bool is_over_ground = std::ranges::any_of(sensors, [](const Sensor& sensor) {
     return sensor.moved.tall_mm != 0 && sensor.ground.is_followed();
   });
   rules.looks_over_things = std::ranges::any_of(sensors, derived_detail::looks_over_things);
-  rules.tall_within = is_over_ground ? perception::kTallOverGroundWithin : perception::kTallWithin;
+  rules.tall_within = perception::cells_of(
+      is_over_ground ? perception::kTallOverGroundWithinMm : perception::kTallWithinMm, cell_mm);
+  rules.around = perception::around_with(cell_mm);
 }
 
 }  // namespace iog::vehicle

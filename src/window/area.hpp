@@ -1,10 +1,10 @@
 // Position of the window: a square of 32 by 32 tiles of the local frame.
 //
-// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of kCellMm. Tile (a, b)
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in sides of a cell. Tile (a, b)
 // contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile (a,
 // b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
 // data is moved when the window moves. Coordinates of the local frame are int32 millimetres, so
-// tile numbers are within +-671,089.
+// tile numbers of cells of 0.1 m are within +-671,089, and of 0.2 and 0.5 m nearer to 0.
 #pragma once
 
 #include <cstddef>
@@ -42,9 +42,9 @@ struct TileNumber {
 }
 
 // Returns the cell of the local frame that contains a pose's origin.
-[[nodiscard]] constexpr geometry::Cell cell_of(const pose::Pose& pose) {
-  return {numeric::div_floor(pose.x_mm, geometry::kCellMm),
-          numeric::div_floor(pose.y_mm, geometry::kCellMm)};
+[[nodiscard]] constexpr geometry::Cell cell_of(const pose::Pose& pose,
+                                               std::int32_t cell_mm = geometry::kCellMm) {
+  return {numeric::div_floor(pose.x_mm, cell_mm), numeric::div_floor(pose.y_mm, cell_mm)};
 }
 
 class Area {

@@ -128,4 +128,12 @@ inline Rows eroded(const Rows& in) {
   return over_squares<And, kRadius>(in);
 }
 
+// The same with a radius of 1 ... 3 that depends on the size of the cells.
+inline Rows dilated(const Rows& in, int radius) {
+  return radius == 1 ? dilated<1>(in) : radius == 2 ? dilated<2>(in) : dilated<3>(in);
+}
+inline Rows eroded(const Rows& in, int radius) {
+  return radius == 1 ? eroded<1>(in) : radius == 2 ? eroded<2>(in) : eroded<3>(in);
+}
+
 }  // namespace iog::window

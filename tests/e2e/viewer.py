@@ -10,8 +10,6 @@ import typing
 
 from browser import Page
 
-SIDE = 1024
-CELL_M = 0.1
 
 
 def free_port() -> int:
@@ -85,8 +83,8 @@ def resident_bytes(process: int) -> int:
 class GridPage:
     """The page, in the words of somebody who looks at it."""
 
-    def __init__(self, page: Page):
-        self.page = page
+    def __init__(self, page: Page, cell_m: float = 0.1, car_cell: tuple[int, int] = (512, 512)):
+        self.page, self.cell_m, self.car_cell = page, cell_m, car_cell
         page.wait_for("window.iogPage && iogPage.status && iogPage.pictures > 0")
 
     def text(self, element: str) -> str:
@@ -130,8 +128,8 @@ class GridPage:
             "(document.getElementById('grid').getBoundingClientRect())")
         scale, centre_x, centre_y = self.page.value(
             "[iogPage.view.pixelsPerMetre, iogPage.view.centre.x, iogPage.view.centre.y]")
-        x_m = (x + 0.5 - SIDE / 2) * CELL_M
-        y_m = (y + 0.5 - SIDE / 2) * CELL_M
+        x_m, y_m = ((cell + 0.5 - of_car) * self.cell_m
+                    for cell, of_car in zip((x, y), self.car_cell, strict=True))
         return (left + width / 2 - (y_m - centre_y) * scale,
                 top + height / 2 - (x_m - centre_x) * scale)
 

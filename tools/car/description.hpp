@@ -19,6 +19,7 @@
 #include "lidar/laser.hpp"
 #include "lidar/unit.hpp"
 #include "map/source_description.hpp"
+#include "numeric/elementary.hpp"
 #include "perception/rules.hpp"
 #include "pose/source_description.hpp"
 #include "sensor_model/profile.hpp"
@@ -98,6 +99,20 @@ struct GridConfig {
   double right_m = geometry::kOriginCell * cell_m;
 };
 
+// The constants of Kurdej 2015, table 7.1 and section 7.3, as far as a car may have its own. The
+// accumulator is of an object of this length that passes at this speed, this far behind another.
+struct EvidenceConfig {
+  double slowest_m_s = 1.0;  // V_min
+  double object_m = 3.0;     // L
+  double gap_m = 0.5;        // d
+  std::uint16_t scans_per_second = 15;
+  double free_mass = 0.7;  // of crossing beams in 100 ms
+  double hit_mass = 0.87;
+  double moving_half_life_s = 0.1 * numeric::log(0.5) / numeric::log(0.90);
+  double static_half_life_s = 0.1 * numeric::log(0.5) / numeric::log(0.99);
+  friend bool operator==(const EvidenceConfig&, const EvidenceConfig&) = default;
+};
+
 struct Description {
   std::string_view name;
   GridConfig grid{};
@@ -113,6 +128,7 @@ struct Description {
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   perception::Rules window{};       // how evidence becomes classes
+  EvidenceConfig evidence{};        // of which the window's tables are made
   bool objects = true;              // things with a speed are followed (docs/objects.md)
 };
 

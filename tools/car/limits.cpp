@@ -49,8 +49,38 @@ void check_grid(const GridConfig& grid, const Tell& tell) {
   check(grid.right_m, "grid.right_m");
 }
 
+// Masses of an assignment or of a scan take the place of those of the file.
+void check_evidence(const Description& car, const Tell& tell) {
+  const EvidenceConfig& evidence = car.evidence;
+  const auto check = [&](double value, double least, double most, std::string_view field,
+                         std::string_view allowed) {
+    if (!is_within(value, least, most)) {
+      tell({.field = field, .allowed = allowed});
+    }
+  };
+  check(evidence.slowest_m_s, 0.1, 10, "window.slowest_m_s", "0.1 ... 10");
+  check(evidence.object_m / evidence.slowest_m_s, 0.1, 60, "window.object_m",
+        car_block::kAccumulationWords);
+  check(evidence.gap_m, 0.01 * evidence.slowest_m_s, evidence.object_m, "window.gap_m",
+        "at most object_m, passed in 0.01 s or more");
+  check(evidence.scans_per_second, 1, 100, "window.scans_per_second", "1 ... 100");
+  check(evidence.free_mass, 0.05, 0.99, "window.free_mass", car_block::kMassWords);
+  check(evidence.hit_mass, 0.05, 0.99, "window.hit_mass", car_block::kMassWords);
+  check(evidence.moving_half_life_s, 0.05, 600, "window.moving_half_life_s",
+        car_block::kHalfLifeWords);
+  check(evidence.static_half_life_s, 0.05, 600, "window.static_half_life_s",
+        car_block::kHalfLifeWords);
+  const bool by_scan = car.window.weighing == ageing::Weighing::kEachScan;
+  if (evidence != EvidenceConfig{} && (by_scan || car.window.assignment != nullptr)) {
+    tell({.field = by_scan ? "window.weighing" : "window.assignment",
+          .allowed = by_scan ? "by_time, because the file has constants of its own"
+                             : "one_mass, because the file has constants of its own"});
+  }
+}
+
 void check_car(const Description& car, const Tell& tell) {
   check_grid(car.grid, tell);
+  check_evidence(car, tell);
   const FootprintConfig& footprint = car.footprint;
   if (!is_within<double>(car.z_min_m, -kFarthestM, kFarthestM) || !(car.z_min_m < car.z_max_m)) {
     tell({.field = "z_min_m", .allowed = "-1000 ... less than z_max_m"});
@@ -68,8 +98,8 @@ void check_car(const Description& car, const Tell& tell) {
 }
 
 // A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
-// 4 sigma the model does not hold (sensor_model/single_target.hpp).
-// An arc says less than a beam.
+// 4 sigma the model does not hold (sensor_model/single_target.hpp). With a large epsilon, index 1
+// stands for more than the probability of a hit. An arc says less than a beam.
 bool can_mark(const Description& car, const SensorConfig& config) {
   const double ratio = config.precision_mm / (1000 * config.sigma_m);
   if (!is_within(ratio, 0.25, 4.0)) {
@@ -100,8 +130,14 @@ void check_model(const Description& car, const SensorConfig& config, std::size_t
     tell({number, "sigma_m", "0.001 ... 1"});
   } else if (is_within<std::uint32_t>(config.precision_mm, 1, 1000) &&
              is_within(car.epsilon, kLeastEpsilon, kMostEpsilon) && !can_mark(car, config)) {
+    Description usual = car;
+    usual.epsilon = Description{}.epsilon;
+    const bool is_epsilons_fault = can_mark(usual, config);
     tell({number, "precision_mm",
-          "a length near sigma_m: with this one the sensor cannot mark (docs/model.md 4)"});
+          is_epsilons_fault
+              ? "longer, or a smaller epsilon: index 1 means more than a hit of this sensor "
+                "(docs/model.md 4)"
+              : "a length near sigma_m: with this one the sensor cannot mark (docs/model.md 4)"});
   }
 }
 

@@ -250,6 +250,27 @@ geometry::Grid grid_of(const GridConfig& config) {
           .origin_row = cells(config.right_m)};
 }
 
+std::optional<ageing::Tables> tables_of(const EvidenceConfig& evidence) {
+  if (evidence == EvidenceConfig{}) {
+    return std::nullopt;
+  }
+  const auto ms = [&](double metres) {
+    const double exact = 1000 * metres / evidence.slowest_m_s;
+    return static_cast<std::uint16_t>(std::clamp<long long>(numeric::round(exact), 1, 0xFFFF));
+  };
+  const auto rate = [](double half_life_s) { return -numeric::log(0.5) / (1000 * half_life_s); };
+  ageing::Tables tables{
+      .decays =
+          ageing::make_decays(rate(evidence.moving_half_life_s), rate(evidence.static_half_life_s)),
+      .accumulation = {.full_ms = ms(evidence.object_m),
+                       .empty_ms = ms(evidence.gap_m),
+                       .specialisations_per_second = evidence.scans_per_second},
+      .free = ageing::make_free_masses(1 - evidence.free_mass),
+      .hit_mass = static_cast<std::int16_t>(static_cast<int>(evidence.hit_mass * 128) * 256)};
+  tables.gains = ageing::make_gains_table(tables.accumulation, tables.free, tables.hit_mass);
+  return tables;
+}
+
 sensor_model::ProfileConfig profile_config(const Description& car, const SensorConfig& config) {
   return {.sigma_m = config.sigma_m,
           .cell_length_m = config.precision_mm / 1000.0,
@@ -350,7 +371,7 @@ Vehicle vehicle_of(const Description& car, std::span<const Sensor> sensors) {
   vehicle.footprint = footprint_of(car.footprint, vehicle.grid);
   vehicle.z_min = subcells(car.z_min_m, vehicle.grid);
   vehicle.z_max = subcells(car.z_max_m, vehicle.grid);
-  vehicle::derive_rules(sensors, vehicle.window);
+  vehicle::derive_rules(sensors, vehicle.window, vehicle.grid.cell_mm);
   vehicle.id = car_block::identity_of(vehicle);
   return vehicle;
 }

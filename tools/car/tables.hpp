@@ -18,6 +18,9 @@ namespace iog::description {
 // 0 instead of a size or a length that no grid has.
 [[nodiscard]] geometry::Grid grid_of(const GridConfig& config);
 
+// Nothing if these are the usual constants.
+[[nodiscard]] std::optional<ageing::Tables> tables_of(const EvidenceConfig& evidence);
+
 // What of a sensor needs no table. Of any description: what is wrong in it is told by check()
 // (tools/car/limits.hpp) and car_block::check_numbers(), and only what passes both may get
 // tables.

@@ -13,7 +13,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_option("--every", options.every, "Draw every Nth frame, not only the last one")
       ->option_text("N")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--scale", options.scale.pixels_per_cell, "Pixels per cell of 0.1 m")
+  command.add_option("--scale", options.scale.pixels_per_cell, "Pixels per cell")
       ->option_text("N  (1 to 8, default 1)")
       ->check(CLI::Range(1, 8));
   command

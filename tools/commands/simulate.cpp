@@ -135,7 +135,7 @@ void make_truth_folder(const SimulateOptions& options) {
 
 void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
                  const CatalogueEntry& car) {
-  const CellArea area = cells_around(drive.ego(frame));
+  const CellArea area = cells_around(drive.ego(frame), car.description->grid.cell_m);
   file.write(frame, kDriveStartUs + drive.frame_end_us(frame), area,
              true_cells(drive.scene(), drive.true_at_s(frame), area, *car.description));
 }
@@ -231,7 +231,8 @@ void simulate(const SimulateOptions& options) {
     recording.write(datagrams);
     if (!options.truth.empty() && is_told) {
       write_truth(numbered(options.truth, "truth", frame, ".pgm"),
-                  true_occupancy(drive.ego(frame), drive.solids(frame), *car.description));
+                  true_occupancy(drive.ego(frame), drive.solids(frame), *car.description),
+                  car.vehicle->grid);
     }
     if (cells && is_told) {
       write_cells(*cells, frame, drive, car);
@@ -357,7 +358,7 @@ void add_simulate(CLI::App& program) {
       "Without --moving, the world stands still during a scan, and all scanners scan at the same "
       "time. With it, each point is measured from the car's position at that time, each scanner "
       "has its own phase, and messages to UDP port 15010 state the car's pose and its uncertainty. "
-      "The true occupancy has 1024 x 1024 cells of 0.1 m around the car, with x to the right and y "
+      "The true occupancy has the cells of the car's grid, with x to the right and y "
       "up. A cell is 0 if something within the car's height band covers its centre, and 255 "
       "otherwise. docs/drives.md explains --truth-cells, --truth-points and the events of the "
       "scene 'street'. The same options give the same bytes on every machine. Spinning scanners "

@@ -15,7 +15,8 @@ namespace iog::tools {
 
 struct ClassGrid {
   stream::ClassWindow window;  // where it is; of any of its messages
-  stream::ClassEnd end;        // only if has_end
+  std::uint16_t cell_mm = geometry::kCellMm;
+  stream::ClassEnd end;  // only if has_end
   bool has_end = false;
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;

@@ -239,7 +239,8 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
   if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
     return &MessageCounts::malformed;
   }
-  if (tiles.geometry == stream::geometry_of_classes()) {
+  const std::uint16_t cell_mm = tiles.geometry.cell_mm;
+  if (cell_mm > 0 && tiles.geometry == stream::geometry_of_classes(cell_mm)) {
     return take_class_tiles(waiting, tiles, body);
   }
   const std::optional<geometry::Grid> grid = stream::grid_of(tiles.geometry);
@@ -259,7 +260,8 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
 FrameAssembler::Fate FrameAssembler::take_class_tiles(WaitingFrame& waiting,
                                                       const stream::TilesHeader& tiles,
                                                       std::span<const std::byte> body) {
-  const bool is_taken = waiting.agree_on(*tiles.window) && waiting.classes.take(tiles, {}, body);
+  const geometry::Grid grid{.cell_mm = tiles.geometry.cell_mm};
+  const bool is_taken = waiting.agree_on(*tiles.window) && waiting.classes.take(tiles, grid, body);
   return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
 }
 
@@ -338,6 +340,7 @@ void FrameAssembler::decode_classes(WaitingFrame& waiting) {
         put_tile(cells, tile_in_window(classes.window, record.tile), classes.cells);
         classes.age_frames.at(record.tile) = record.age_frames;
       });
+  classes.cell_mm = waiting.classes.grid().cell_mm;
   classes.valid_tiles = tiles.valid;
   classes.known_tiles = tiles.known;
   counts_.class_tiles += tiles.known.count();

@@ -28,9 +28,10 @@ void LiveClasses::take(const GridFrame& frame) {
     return;
   }
   const ClassGrid& classes = *frame.classes;
-  if (!is_next || (classes.window.causes & kForgettingCauses) != 0) {
+  if (!is_next || (classes.window.causes & kForgettingCauses) != 0 || classes.cell_mm != cell_mm_) {
     forget();
   }
+  cell_mm_ = classes.cell_mm;
   move_to(classes.window);
   for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
     if (classes.valid_tiles.test(slot)) {

@@ -36,6 +36,8 @@ class LiveClasses {
   // Where the newest frame's window is. Nothing if no classes have arrived since all was forgotten.
   [[nodiscard]] const std::optional<stream::ClassWindow>& window() const { return window_; }
 
+  [[nodiscard]] std::uint16_t cell_mm() const { return cell_mm_; }
+
   // How many frames older than the newest frame the tile's cells are; 0 is fresh. Nothing if none
   // of them is known to be of where the window now is.
   [[nodiscard]] std::optional<std::uint32_t> age_of(std::size_t slot) const;
@@ -63,6 +65,7 @@ class LiveClasses {
   std::vector<Tile> tiles_ = std::vector<Tile>(geometry::kTileCount);
   std::array<std::optional<Kept>, geometry::kTileCount> kept_{};
   std::optional<stream::ClassWindow> window_;
+  std::uint16_t cell_mm_ = geometry::kCellMm;
   std::uint32_t newest_frame_ = 0;
   std::uint32_t run_number_ = 0;
 };

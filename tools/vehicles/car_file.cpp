@@ -65,8 +65,16 @@ map::SourceDescription read_maps(TomlTable table) {
   return maps;
 }
 
-perception::Rules read_window(TomlTable table) {
+perception::Rules read_window(TomlTable table, description::EvidenceConfig& evidence) {
   perception::Rules rules;
+  table.read("slowest_m_s", evidence.slowest_m_s);
+  table.read("object_m", evidence.object_m);
+  table.read("gap_m", evidence.gap_m);
+  table.read("scans_per_second", evidence.scans_per_second);
+  table.read("free_mass", evidence.free_mass);
+  table.read("hit_mass", evidence.hit_mass);
+  table.read("moving_half_life_s", evidence.moving_half_life_s);
+  table.read("static_half_life_s", evidence.static_half_life_s);
   table.read("discounting", rules.discounting, kDiscountingWords);
   table.read("weighing", rules.weighing, kWeighingWords);
   table.read("assignment", rules.assignment, kAssignmentWords);
@@ -103,7 +111,9 @@ std::string read_authentication(TomlTable table, const std::string& path) {
 
 // What opens ground is said by default where classes are made of what follows it.
 void add_usual_moved(std::vector<TomlTable>& tables, Car& car) {
-  for (std::size_t i = 0; i < tables.size(); ++i) {
+  const bool shows_motion =
+      description::grid_of(car.description.grid).cell_mm <= car_block::kCoarsestMovedMm;
+  for (std::size_t i = 0; i < tables.size() && shows_motion; ++i) {
     description::SensorConfig& sensor = car.sensors[i];
     if (vehicle::have_classes(car.description.grids) && sensor.ground && !tables[i].has("moved")) {
       sensor.moved = description::usual_moved(sensor.ground);
@@ -143,7 +153,8 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   table.read("frame_period_us", description.frame_period_us);
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
-  description.window = read_window(table.table("window"));
+  description.window = read_window(table.table("window"), description.evidence);
+  description.objects = description::grid_of(description.grid).cell_mm == geometry::kCellMm;
   table.read("objects", description.objects);
   car.network = read_network(table.table("network"));
   car.key_file = read_authentication(table.table("authentication"), path);
@@ -301,6 +312,9 @@ Car parse_car(std::string_view text, const std::string& path) {
   }
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     car.tables[i] = description::sensor_of(car.sensors[i], car.description);
+  }
+  if (const auto tables = description::tables_of(car.description.evidence)) {
+    car.description.window.tables = &car.window_tables.emplace_back(*tables);
   }
   car.vehicle = description::vehicle_of(car.description, car.tables);
   car_block::check_tables(car.vehicle, tell);

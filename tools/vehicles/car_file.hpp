@@ -17,6 +17,7 @@ namespace iog::tools {
 struct Car {
   std::deque<std::string> names;                 // of the car and of its sensors
   std::deque<std::vector<lidar::Laser>> lasers;  // of its calibrated sensors
+  std::deque<ageing::Tables> window_tables;      // if its file has evidential constants
   description::Description description;
   std::vector<description::SensorConfig> sensors;
   net::Config network{};

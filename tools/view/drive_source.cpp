@@ -44,7 +44,7 @@ class ShownDrive {
     const EgoPose ego = drive_.ego(frame);
     Truth truth{.occupied = true_occupancy(ego, drive_.solids(frame), *car_->description)};
     if (has_classes_) {
-      truth.area = cells_around(ego);
+      truth.area = cells_around(ego, car_->description->grid.cell_m);
       truth.classes =
           true_classes(drive_.scene(), drive_.true_at_s(frame), truth.area, *car_->description);
     }

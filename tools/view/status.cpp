@@ -136,7 +136,8 @@ Json classes_json(const FrameFacts& frame) {
   }
   const ClassFacts& classes = *frame.classes;
   const stream::ClassWindow& window = classes.window;
-  return {{"corner_a", window.corner_a},
+  return {{"cell_m", classes.cell_mm / 1000.0},
+          {"corner_a", window.corner_a},
           {"corner_b", window.corner_b},
           {"x_m", window.pose.x_mm / 1000.0},
           {"y_m", window.pose.y_mm / 1000.0},
@@ -162,6 +163,14 @@ Json objects_json(const FrameFacts& frame) {
   return {{"refused", frame.objects->tracks_refused}, {"hits_left", frame.objects->hits_left}};
 }
 
+Json grid_json(const geometry::Grid& grid) {
+  return {{"cell_m", grid.cell_mm / 1000.0},
+          {"columns", grid.columns},
+          {"rows", grid.rows},
+          {"origin", {grid.origin_column, grid.origin_row}},
+          {"tiles", grid.tile_count()}};
+}
+
 Json frame_json(const FrameFacts& frame) {
   const stream::Header& header = frame.header;
   return {{"number", frame.number},
@@ -176,6 +185,7 @@ Json frame_json(const FrameFacts& frame) {
           {"missing_tiles", frame.missing_tiles},
           {"stale_tiles", frame.stale_tiles},
           {"known_tiles", frame.known_tiles},
+          {"grid", grid_json(frame.grid)},
           {"complete", header.complete_sensors},
           {"partial", header.partial_sensors},
           {"points_used", header.points_used},
@@ -255,7 +265,8 @@ ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
                    .is_damaged = frame.is_damaged,
                    .missing_tiles = geometry::kTileCount - frame.valid_tiles.count(),
                    .stale_tiles = classes.stale_tiles(),
-                   .known_tiles = frame.known_tiles.count()};
+                   .known_tiles = frame.known_tiles.count(),
+                   .cell_mm = frame.cell_mm};
   if (!frame.has_end) {
     return facts;
   }
@@ -282,6 +293,7 @@ FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t 
                    .missing_tiles = has_indexes ? missing : 0,
                    .stale_tiles = grid.stale_tiles(),
                    .known_tiles = frame.tiles,
+                   .grid = frame.shape,
                    .header = frame.header};
   if (frame.has_end) {
     facts.end = frame.end;
@@ -323,13 +335,9 @@ std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon
   const CatalogueEntry* const car = vehicle_of_id(vehicle_id);
   Json sensors = Json::array();
   Json json{{"name", words_of_vehicle(vehicle_id)},
-            {"cell_m", geometry::kCellMm / 1000.0},
             {"footprint", nullptr},
             {"epsilon", epsilon ? Json(*epsilon) : nullptr}};
   if (car != nullptr) {
-    const geometry::Grid& grid = car->vehicle->grid;
-    json["cell_m"] = grid.cell_mm / 1000.0;
-    json["origin_cell"] = {grid.origin_column, grid.origin_row};
     for (const description::SensorConfig& sensor : car->sensors) {
       sensors.push_back(sensor_json(sensor));
     }

@@ -27,6 +27,7 @@ struct ClassFacts {
   std::size_t missing_tiles = 0;
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
+  std::uint16_t cell_mm = geometry::kCellMm;
 };
 
 // before: the facts of the frame before, null if there was none.
@@ -48,6 +49,7 @@ struct FrameFacts {
   std::size_t missing_tiles = 0;
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
+  geometry::Grid grid{};
   stream::Header header{};
   std::optional<stream::FrameEnd> end{};
   std::optional<ClassFacts> classes{};

@@ -109,6 +109,23 @@ TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {
   EXPECT_NE(bytes.car.id, roof.vehicle.id);
 }
 
+TEST(CarBlock, EvidentialConstantsComeBackAsTheyAre) {
+  ageing::Tables tables{.decays = ageing::make_decays(0.001, 0.0001),
+                        .accumulation = {6'000, 2'000, 10},
+                        .free = ageing::make_free_masses(0.2),
+                        .hit_mass = 102 * 256};
+  tables.gains = ageing::make_gains_table(tables.accumulation, tables.free, tables.hit_mass);
+  const vehicles::Car& reference = vehicles::car("reference_car");
+  vehicles::Car car = reference;
+  car.vehicle.window.tables = &tables;
+  CarBytes bytes(car);
+  ASSERT_EQ(bytes.read().refusal, Refusal::kNone);
+  ASSERT_NE(bytes.car.window.tables, nullptr);
+  EXPECT_EQ(*bytes.car.window.tables, tables);
+  EXPECT_EQ(bytes.car.window.moved, reference.vehicle.window.moved);
+  EXPECT_NE(bytes.car.id, reference.vehicle.id);
+}
+
 // An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
 TEST(CarBlock, WithoutACarItIsRefused) {
   const vehicles::Car& car = vehicles::cars()[0];

@@ -40,8 +40,7 @@ TEST(CarLimits, OfTheCarAreToldByTheirField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.network.peer = c.network.address; }), "network.peer");
 }
 
-// Four sizes of cells, sides of whole tiles in a memory of 1024 x 1024 cells; classes have one
-// grid.
+// Four sizes of cells, sides of whole tiles in a memory of 1024 x 1024 cells.
 TEST(CarLimits, OfTheGrid) {
   const auto fault_of = [](const geometry::Grid& grid) {
     return fault_with([&](Changed& c) {
@@ -60,13 +59,62 @@ TEST(CarLimits, OfTheGrid) {
   EXPECT_EQ(fault_of({.columns = 512}), "");
   EXPECT_EQ(fault_of({.rows = 1023}), "grid.left_m");
   EXPECT_EQ(fault_of({.rows = 992, .origin_row = 993}), "grid.left_m");
-  for (const std::uint16_t columns : {std::uint16_t{512}, std::uint16_t{1024}}) {
+}
+
+// Classes have cells of 0.1 m or more, objects 0.1 m, and `moved` needs classes and at most 0.2 m.
+TEST(CarLimits, OfTheCellsOfClasses) {
+  struct Case {
+    geometry::Grid grid;
+    vehicle::Grids grids;
+    bool has_objects;
+    bool has_moved;
+    std::string fault;
+  };
+  constexpr auto kBoth = vehicle::Grids::kBoth;
+  constexpr auto kIndexes = vehicle::Grids::kIndexes;
+  constexpr geometry::Grid kRectangle{.columns = 512};
+  for (const Case& its :
+       {Case{{.cell_mm = 50}, kBoth, false, false, "grids"},
+        Case{{.cell_mm = 200}, kBoth, false, false, ""},
+        Case{{.cell_mm = 200}, kBoth, false, true, ""},
+        Case{{.cell_mm = 200}, kBoth, true, false, "objects"},
+        Case{{.cell_mm = 500}, kBoth, false, false, ""},
+        Case{{.cell_mm = 500}, kBoth, false, true, "0.moved"},
+        Case{kRectangle, kBoth, true, true, ""}, Case{kRectangle, kIndexes, false, true, "0.moved"},
+        Case{{.cell_mm = 200}, kIndexes, false, true, "0.moved"},
+        Case{{}, kIndexes, false, true, ""}}) {
     EXPECT_EQ(fault_with([&](Changed& c) {
-                c.car.grid.cell_mm = columns == 512 ? 100 : 200;
-                c.car.grid.columns = columns;
+                c.car.grid = its.grid;
+                c.car.grids = its.grids;
+                c.car.has_objects = its.has_objects;
+                c.sensors[0].moved =
+                    its.has_moved ? vehicle::MovedLimits{600, 700} : vehicle::MovedLimits{};
               }),
-              "grids");
+              its.fault)
+        << its.grid.cell_mm << ", " << its.grid.columns;
   }
+}
+
+TEST(CarLimits, OfTheEvidentialConstants) {
+  const auto fault_of = [](auto&& change) {
+    ageing::Tables tables{.decays = ageing::kUsualDecays,
+                          .free = ageing::make_free_masses(0.3),
+                          .hit_mass = 111 * 256};
+    change(tables);
+    return fault_with([&](Changed& c) { c.car.window.tables = &tables; });
+  };
+  using ageing::Tables;
+  EXPECT_EQ(fault_of([](Tables&) {}), "");
+  EXPECT_EQ(fault_of([](Tables& t) { t.decays.fixed[3] = ageing::kUndecayed; }),
+            "window.moving_half_life_s");
+  EXPECT_EQ(fault_of([](Tables& t) { t.decays.shared[0] = ageing::kUndecayed + 1; }),
+            "window.moving_half_life_s");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.full_ms = 99; }), "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.empty_ms = 3'001; }), "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.accumulation.specialisations_per_second = 101; }),
+            "window.object_m");
+  EXPECT_EQ(fault_of([](Tables& t) { t.free[50] = -1; }), "window.free_mass");
+  EXPECT_EQ(fault_of([](Tables& t) { t.hit_mass = -256; }), "window.hit_mass");
 }
 
 TEST(CarLimits, OfASensorAreToldByItsNumberAndField) {

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "fakes/cells_of.hpp"
+#include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "fusion/frame_fusion.hpp"
-#include "tools/car/tables.hpp"
 
 namespace iog::fusion {
 namespace {
@@ -23,20 +23,9 @@ namespace {
 using description::Description;
 using description::GridConfig;
 using description::SensorConfig;
+using tests::CompiledCar;
 using tests::Evidence;
 using Cells = std::vector<grid::OccupancyIndex>;
-
-struct CompiledCar {
-  std::vector<vehicle::Sensor> sensors;
-  vehicle::Vehicle vehicle;
-
-  CompiledCar(std::span<const SensorConfig> configs, const Description& car) {
-    for (const SensorConfig& config : configs) {
-      sensors.push_back(description::sensor_of(config, car));
-    }
-    vehicle = description::vehicle_of(car, sensors);
-  }
-};
 
 Cells fuse(const vehicle::Vehicle& car, const std::vector<Evidence>& frame) {
   const auto fusion = std::make_unique<FrameFusion>(car);

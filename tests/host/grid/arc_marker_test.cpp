@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "fakes/cells_of.hpp"
+#include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/evidence.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
+#include "fakes/turning_rule.hpp"
 #include "fusion/frame_fusion.hpp"
 
 namespace iog::grid {
@@ -73,7 +75,7 @@ bool is_on_car(const vehicle::Footprint& car, const Place& place, std::int64_t l
 std::map<std::pair<int, int>, int> arc_of(const Vehicle& car, const Sensor& sensor,
                                           const lidar::ScanPoint& point) {
   std::map<std::pair<int, int>, int> cells;
-  const double ticks_of_a_cell = 11520 * geometry::kCellMm / (kTwoPi * point.range_mm);
+  const double ticks_of_a_cell = 11520 * car.grid.cell_mm / (kTwoPi * point.range_mm);
   const int step = std::max(1, static_cast<int>(std::floor(ticks_of_a_cell)));
   for (int off = -400 * step; off <= 400 * step; off += step) {
     if (index_of(off) == 0) {
@@ -84,7 +86,7 @@ std::map<std::pair<int, int>, int> arc_of(const Vehicle& car, const Sensor& sens
     const Place place = place_of(sensor, line, point.range_mm);
     const Cell cell{cell_on(line.x(), place.x, sensor.range.mm()),
                     cell_on(line.y(), place.y, sensor.range.mm())};
-    if (geometry::kGridArea.contains(cell) && !is_on_car(car.footprint, place, sensor.range.mm())) {
+    if (car.grid.area().contains(cell) && !is_on_car(car.footprint, place, sensor.range.mm())) {
       int& index = cells[{cell.x, cell.y}];
       index = std::max(index, index_of(off));
     }
@@ -238,6 +240,72 @@ std::vector<Evidence> mixed_frame(tests::Random& random, int points) {
     }
   }
   return frame;
+}
+
+// By hits_win, what single points make of each cell.
+class Sums {
+ public:
+  void add(Cell cell, int index) {
+    int& sum =
+        (index > 0 ? occupied_ : free_).at(static_cast<std::size_t>(geometry::number_of(cell)));
+    sum = saturated(sum + index);
+  }
+  [[nodiscard]] std::vector<OccupancyIndex> joined() const {
+    std::vector<OccupancyIndex> cells(geometry::kCellCount);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i] = static_cast<OccupancyIndex>(occupied_[i] > 0 ? occupied_[i] : free_[i]);
+    }
+    return cells;
+  }
+
+ private:
+  std::vector<int> occupied_ = std::vector<int>(geometry::kCellCount);
+  std::vector<int> free_ = std::vector<int>(geometry::kCellCount);
+};
+
+// Adds a point of a level VLP-16. False: rounding might show.
+bool add_lidar(const tests::TurningRule& rule, const Sensor& sensor, const geometry::CellArea& area,
+               const lidar::ScanPoint& point, Sums& sums) {
+  const auto ray = rule.ray(point);
+  if (ray) {
+    const vehicle::Fate fate = rule.fate(*ray, point);
+    tests::for_each_cell_around(*ray, [&](Cell cell) {
+      if (area.contains(cell)) {
+        sums.add(cell, rule.index(sensor.profile, *ray, point, fate, cell));
+      }
+    });
+  }
+  return ray.has_value();
+}
+
+// A lidar and two radars, each cell by the rules themselves.
+TEST(ArcMarker, AFrameOfLidarAndRadarIsAsTheRulesSayOnEachGrid) {
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    const tests::CarOn<RadarCar> its(grid);
+    const Vehicle& car = its.compiled.vehicle;
+    const tests::TurningRule rule(its.configs[0], its.description,
+                                  lidar::VelodyneVlp16::kElevationsDeg);
+    auto fusion = std::make_unique<fusion::FrameFusion>(car);
+    tests::Random random(549);
+    Sums sums;
+    for (const Evidence& each : mixed_frame(random, tests::effort(400, 40))) {
+      const Sensor& sensor = car.sensors[each.sensor];
+      if (each.sensor == 0 && !add_lidar(rule, sensor, car.grid.area(), each.point, sums)) {
+        continue;
+      }
+      const vehicle::Fate fate = fusion->add(sensor, each.point);
+      if (each.sensor != 0 && fate == vehicle::Fate::kUsed) {
+        for (const auto& [cell, index] : arc_of(car, sensor, each.point)) {
+          sums.add({cell.first, cell.second}, index);
+        }
+      }
+    }
+    fusion->finish();
+    const auto expected = sums.joined();
+    EXPECT_LT(std::ranges::min(expected), 0);
+    EXPECT_GT(std::ranges::max(expected), 0);
+    EXPECT_EQ(tests::cells_of(*fusion), expected) << grid.cell_m;
+  }
 }
 
 std::vector<OccupancyIndex> grid_of(const Vehicle& car, const std::vector<Evidence>& frame) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fakes/cells_of.hpp"
+#include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
@@ -36,12 +37,16 @@ constexpr std::array<Unit, 4> kUnits{{{2.23, 0.51, 0, kReachDeg},
                                       {-2.17, 0.33, 131, kReachDeg},
                                       {0.11, -0.97, -93, 959 / 32.0}}};
 
-std::vector<OccupancyIndex> grid_of(std::size_t unit, const lidar::ScanPoint& echo) {
-  auto fusion = std::make_unique<fusion::FrameFusion>(UltrasonicCar::kVehicle);
-  fusion->add(UltrasonicCar::kVehicle.sensors[unit], echo);
+std::vector<OccupancyIndex> grid_of(std::size_t unit, const lidar::ScanPoint& echo,
+                                    const Vehicle& car = UltrasonicCar::kVehicle) {
+  auto fusion = std::make_unique<fusion::FrameFusion>(car);
+  fusion->add(car.sensors[unit], echo);
   fusion->finish();
   return tests::cells_of(*fusion);
 }
+
+// In metres.
+double side_of_cell(const geometry::Grid& shape) { return shape.cell_mm / 1000.0; }
 
 // A corner of a cell, as the unit sees it.
 struct Polar {
@@ -49,25 +54,28 @@ struct Polar {
   double off_deg;
 };
 
-Polar polar_of(const Unit& unit, double x_cell, double y_cell) {
-  const double cell_m = geometry::kCellMm / 1000.0;
-  const double x = (x_cell - geometry::kOriginCell) * cell_m - unit.x_m;
-  const double y = (y_cell - geometry::kOriginCell) * cell_m - unit.y_m;
+Polar polar_of(const Unit& unit, double x_cell, double y_cell, const geometry::Grid& shape) {
+  const double x = (x_cell - shape.origin_column) * side_of_cell(shape) - unit.x_m;
+  const double y = (y_cell - shape.origin_row) * side_of_cell(shape) - unit.y_m;
   return {std::hypot(x, y), std::remainder(std::atan2(y, x) * 180 / kPi - unit.yaw_deg, 360.0)};
 }
 
 // The cells within 5.5 m of the unit, farther than which nothing is known.
-std::vector<std::size_t> cells_around(const Unit& unit, const std::vector<OccupancyIndex>& grid) {
-  const auto cell_at = [](double at_m) {
-    return geometry::kOriginCell +
-           static_cast<std::int32_t>(std::floor(1000 * at_m / geometry::kCellMm));
+std::vector<std::size_t> cells_around(const Unit& unit, const std::vector<OccupancyIndex>& grid,
+                                      const geometry::Grid& shape) {
+  const auto cell_at = [&](double at_m, int origin_cell) {
+    return origin_cell + static_cast<std::int32_t>(std::floor(at_m / side_of_cell(shape)));
   };
   std::vector<std::size_t> near;
   std::ptrdiff_t known = 0;
-  for (std::int32_t y = cell_at(unit.y_m - 5.5); y <= cell_at(unit.y_m + 5.5); ++y) {
-    for (std::int32_t x = cell_at(unit.x_m - 5.5); x <= cell_at(unit.x_m + 5.5); ++x) {
-      near.push_back(static_cast<std::size_t>(geometry::number_of({x, y})));
-      known += grid[near.back()] != 0 ? 1 : 0;
+  for (std::int32_t y = cell_at(unit.y_m - 5.5, shape.origin_row);
+       y <= cell_at(unit.y_m + 5.5, shape.origin_row); ++y) {
+    for (std::int32_t x = cell_at(unit.x_m - 5.5, shape.origin_column);
+         x <= cell_at(unit.x_m + 5.5, shape.origin_column); ++x) {
+      if (shape.area().contains({x, y})) {
+        near.push_back(static_cast<std::size_t>(geometry::number_of({x, y})));
+        known += grid[near.back()] != 0 ? 1 : 0;
+      }
     }
   }
   EXPECT_EQ(known, std::ssize(grid) - std::ranges::count(grid, 0));
@@ -75,12 +83,13 @@ std::vector<std::size_t> cells_around(const Unit& unit, const std::vector<Occupa
 }
 
 // How far inside the cone the worst corner of a cell is, in metres; below 0 outside.
-double depth_of(const Unit& unit, std::size_t number, double free_m) {
+double depth_of(const Unit& unit, std::size_t number, double free_m,
+                const geometry::Grid& shape = {}) {
   const geometry::Cell cell = geometry::cell_of(number);
   double depth = 1e9;
   for (const int dx : {0, 1}) {
     for (const int dy : {0, 1}) {
-      const Polar corner = polar_of(unit, cell.x + dx, cell.y + dy);
+      const Polar corner = polar_of(unit, cell.x + dx, cell.y + dy, shape);
       const double aside =
           corner.range_m *
           std::sin(std::min(90.0, unit.reach_deg - std::abs(corner.off_deg)) * kPi / 180);
@@ -90,18 +99,18 @@ double depth_of(const Unit& unit, std::size_t number, double free_m) {
   return depth;
 }
 
-// 0.05 m and cells of 0.1 m: the 1D cell before that of the echo is not free yet. Ends of lines are
-// rounded to a subcell, and the unit stands on one.
-TEST(Cone, FreesWhatLiesInItWholeAndNothingElse) {
+// 0.05 m and 1D cells of 0.1 m: the 1D cell before that of the echo is not free yet. Ends of lines
+// are rounded to a subcell, and the unit stands on one.
+void expect_what_lies_in_it_is_free(const Vehicle& car) {
   constexpr double kRounding = 0.001;
   for (std::size_t number = 0; number < 4; ++number) {
-    const Sensor& sensor = UltrasonicCar::kVehicle.sensors[number];
+    const Sensor& sensor = car.sensors[number];
     for (const std::uint32_t range_mm : {240U, 1'999U, 4'999U}) {
-      const auto cells = grid_of(number, {.range_mm = range_mm});
+      const auto cells = grid_of(number, {.range_mm = range_mm}, car);
       const double free_m = (range_mm / 100 - sensor.profile.near_before_count) * 0.1;
       int freed = 0;
-      for (const std::size_t cell : cells_around(kUnits.at(number), cells)) {
-        const double depth = depth_of(kUnits.at(number), cell, free_m);
+      for (const std::size_t cell : cells_around(kUnits.at(number), cells, car.grid)) {
+        const double depth = depth_of(kUnits.at(number), cell, free_m, car.grid);
         if (depth > kRounding) {
           ASSERT_EQ(cells[cell], -1) << number << ", " << range_mm << ", " << cell;
           ++freed;
@@ -109,35 +118,58 @@ TEST(Cone, FreesWhatLiesInItWholeAndNothingElse) {
           ASSERT_GE(cells[cell], 0) << number << ", " << range_mm << ", " << cell;
         }
       }
-      EXPECT_GT(freed, range_mm > 700 ? 3 : -1);
+      const bool has_some = car.grid.is_whole() && range_mm > 7U * car.grid.cell_mm;
+      EXPECT_GT(freed, has_some ? 3 : -1) << number << ", " << range_mm;
     }
   }
 }
 
+TEST(Cone, FreesWhatLiesInItWholeAndNothingElse) {
+  expect_what_lies_in_it_is_free(UltrasonicCar::kVehicle);
+}
+TEST(Cone, FreesWhatLiesInItWholeOnEachGrid) {
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    expect_what_lies_in_it_is_free(tests::CarOn<UltrasonicCar>(grid).compiled.vehicle);
+  }
+}
+
 // The middle of the arc by 2, its sides by 1, and nothing behind it.
-TEST(Cone, MarksTheArcAndNothingBehindIt) {
+void expect_the_arc_is_marked(const Vehicle& car) {
+  const double cell_m = side_of_cell(car.grid);
+  const double half_diagonal_m = cell_m / std::sqrt(2.0) + 0.0013;
   for (std::size_t number = 0; number < 4; ++number) {
     const Unit& unit = kUnits.at(number);
     for (const std::uint32_t range_mm : {730U, 4'999U}) {
-      const auto cells = grid_of(number, {.range_mm = range_mm});
+      const auto cells = grid_of(number, {.range_mm = range_mm}, car);
+      const double range_m = range_mm / 1000.0;
       int marked = 0;
-      for (const std::size_t cell : cells_around(unit, cells)) {
+      for (const std::size_t cell : cells_around(unit, cells, car.grid)) {
         const geometry::Cell at = geometry::cell_of(cell);
-        const Polar middle = polar_of(unit, at.x + 0.5, at.y + 0.5);
-        const double off_m = std::abs(middle.range_m - range_mm / 1000.0);
+        const Polar middle = polar_of(unit, at.x + 0.5, at.y + 0.5, car.grid);
+        const double off_m = std::abs(middle.range_m - range_m);
         if (cells[cell] > 0) {
           ++marked;
-          ASSERT_LE(off_m, 0.072) << number << ", " << range_mm;
-          ASSERT_LE(std::abs(middle.off_deg), unit.reach_deg + 8 / (range_mm / 1000.0));
+          ASSERT_LE(off_m, half_diagonal_m) << number << ", " << range_mm;
+          ASSERT_LE(std::abs(middle.off_deg), unit.reach_deg + 80 * cell_m / range_m);
         }
-        if (middle.range_m > range_mm / 1000.0 + 0.072) {
+        if (middle.range_m > range_m + half_diagonal_m) {
           ASSERT_EQ(cells[cell], 0);
         }
       }
-      EXPECT_GE(marked, 2 * unit.reach_deg * kPi / 180 * range_mm / 100 / std::sqrt(2.0));
-      EXPECT_EQ(*std::ranges::max_element(cells), 2);
-      EXPECT_GT(std::ranges::count(cells, 1), 0);
+      if (car.grid.is_whole()) {
+        EXPECT_GE(marked,
+                  std::floor(2 * unit.reach_deg * kPi / 180 * range_m / cell_m / std::sqrt(2.0)));
+        EXPECT_EQ(*std::ranges::max_element(cells), 2);
+        EXPECT_GT(std::ranges::count(cells, 1), range_m > 10 * cell_m ? 0 : -1);
+      }
     }
+  }
+}
+
+TEST(Cone, MarksTheArcAndNothingBehindIt) { expect_the_arc_is_marked(UltrasonicCar::kVehicle); }
+TEST(Cone, MarksTheArcOnEachGrid) {
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    expect_the_arc_is_marked(tests::CarOn<UltrasonicCar>(grid).compiled.vehicle);
   }
 }
 

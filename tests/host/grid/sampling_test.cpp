@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
@@ -168,7 +169,7 @@ void expect_every_cell_as_the_rule_says(const Vehicle& vehicle, std::uint64_t se
       const Cell first = line.cell({});
       for (int y = std::min(first.y, last.y) - 2; y <= std::max(first.y, last.y) + 2; ++y) {
         for (int x = std::min(first.x, last.x) - 2; x <= std::max(first.x, last.x) + 2; ++x) {
-          if (geometry::kGridArea.contains({x, y})) {
+          if (vehicle.grid.area().contains({x, y})) {
             ASSERT_EQ(index_at(*fusion, {x, y}),
                       expected_index(sensor, end, {x, y}, point.range_mm))
                 << "cell " << x << ", " << y << ", range " << point.range_mm << ", tick "
@@ -186,6 +187,12 @@ TEST(Sampling, EveryCellIsAsTheRuleSaysBlurring) {
 }
 TEST(Sampling, EveryCellIsAsTheRuleSaysNearest) {
   expect_every_cell_as_the_rule_says(OneLuxNearest::kVehicle, 32, tests::effort(300, 4));
+}
+TEST(Sampling, EveryCellIsAsTheRuleSaysOnEachGrid) {
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    const tests::CarOn<OneLux> car(grid);
+    expect_every_cell_as_the_rule_says(car.compiled.vehicle, 33, tests::effort(100, 2));
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fakes/cells_of.hpp"
+#include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
 #include "fakes/fake_packet.hpp"
 #include "fakes/ground_car.hpp"
@@ -120,23 +121,14 @@ TEST(Turning, EveryCellIsAsTheRuleSaysAtTheLimits) {
                                                  tests::effort(60, 8));
 }
 
-// The four sizes of a cell, and a rectangle ahead: 51.2 x 32 m.
 TEST(Turning, EveryCellIsAsTheRuleSaysOnEachGrid) {
-  const auto square = [](double cell_m) { return description::GridConfig{.cell_m = cell_m}; };
-  const std::vector<description::GridConfig> grids{
-      square(0.05),
-      square(0.2),
-      square(0.5),
-      {.ahead_m = 51.2, .behind_m = 0, .left_m = 16, .right_m = 16}};
-  for (std::size_t i = 0; i < grids.size(); ++i) {
-    description::Description car = LevelVlp16::kDescription;
-    car.grid = grids[i];
-    auto config = LevelVlp16::kConfigs[0];
-    config.range_max_mm = 60'000;
-    const std::vector sensors{description::sensor_of(config, car)};
-    AlonePoints alone(TurningRule(config, car, lidar::VelodyneVlp16::kElevationsDeg),
-                      description::vehicle_of(car, sensors));
-    expect_every_cell_as_the_rule_says(alone, 16, 67'500, 55 + i, tests::effort(60, 8));
+  std::uint64_t seed = 55;
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    const tests::CarOn<LevelVlp16> car(grid);
+    AlonePoints alone(
+        TurningRule(car.configs[0], car.description, lidar::VelodyneVlp16::kElevationsDeg),
+        car.compiled.vehicle);
+    expect_every_cell_as_the_rule_says(alone, 16, 67'500, seed++, tests::effort(60, 8));
   }
 }
 

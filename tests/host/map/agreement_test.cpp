@@ -18,14 +18,14 @@ window::Plane first_cells(std::uint32_t count) {
 
 // Rounds of so many free cells, of which so many are inside of buildings.
 bool is_contradicted_after(Agreement& agreement, std::uint32_t rounds, std::uint32_t free,
-                           std::uint32_t inside) {
+                           std::uint32_t inside, std::int32_t cell_mm = 100) {
   for (std::uint32_t round = 0; round < rounds; ++round) {
     for (std::uint32_t cells = 0; cells < free; cells += kCellsOfTile) {
       const std::uint32_t of_tile = cells < inside ? inside - cells : 0;
       agreement.add(first_cells(free - cells < kCellsOfTile ? free - cells : kCellsOfTile),
                     first_cells(of_tile < kCellsOfTile ? of_tile : kCellsOfTile));
     }
-    agreement.end_round();
+    agreement.end_round(cell_mm);
   }
   return agreement.is_contradicted();
 }
@@ -53,6 +53,10 @@ TEST(Agreement, NeedsEnoughCells) {
   EXPECT_FALSE(is_contradicted_after(agreement, 9, 4'999, 4'999)) << "free";
   EXPECT_FALSE(is_contradicted_after(agreement, 9, 20'000, 499)) << "inside";
   EXPECT_TRUE(is_contradicted_after(agreement, 2, 5'000, 500));
+  Agreement larger;  // 50 and 5 m2 in cells of 0.2 m
+  EXPECT_FALSE(is_contradicted_after(larger, 9, 1'249, 1'249, 200));
+  EXPECT_FALSE(is_contradicted_after(larger, 9, 5'000, 124, 200));
+  EXPECT_TRUE(is_contradicted_after(larger, 2, 1'250, 125, 200));
 }
 
 TEST(Agreement, ComesBackAfterSixteenRoundsThatAgree) {

@@ -17,6 +17,8 @@ TEST(BlurRadius, IsTheSumOfAllThatIsUncertainInCellsRoundedUp) {
   EXPECT_EQ(blur_radius(340, {30, 60}), 6U);  // 600 mm
   EXPECT_EQ(blur_radius(341, {30, 60}), 7U);
   EXPECT_EQ(blur_radius(65'535, {65'535, 65'535}), 2623U);  // 262,280 mm
+  EXPECT_EQ(blur_radius(300, {30, 60}, 200), 4U);           // 700 mm
+  EXPECT_EQ(blur_radius(300, {30, 60}, 500), 3U);           // 1,120 mm
 }
 
 TEST(Layer, DrawsEachTileAsLoopsOverCellsAndEdgesDo) {

@@ -28,10 +28,18 @@ struct GroundCell {
   friend bool operator==(const GroundCell&, const GroundCell&) = default;
 };
 
+// How far the rule looks, in cells: at a standing thing, over gaps, and around open ground.
+struct Looks {
+  std::int32_t beside = 1;
+  std::int32_t gaps = 2;
+  std::int32_t open = 3;
+};
+
 class FlatGround {
  public:
-  FlatGround(std::int32_t width, std::int32_t height)
+  FlatGround(std::int32_t width, std::int32_t height, const Looks& looks = {})
       : area_{width, height},
+        looks_(looks),
         cells_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
   [[nodiscard]] const geometry::CellArea& area() const { return area_; }
@@ -42,7 +50,7 @@ class FlatGround {
 
   // Asked of the state before a frame.
   [[nodiscard]] bool is_beside(Cell cell) const {
-    return count(cell, 1, [](const GroundCell& near) { return near.stands; }) > 0;
+    return count(cell, looks_.beside, [](const GroundCell& near) { return near.stands; }) > 0;
   }
   [[nodiscard]] bool is_new(Cell cell) const {
     const GroundCell is = at(cell);
@@ -60,13 +68,13 @@ class FlatGround {
   // reaches beyond the grid.
   void find_shut() {
     const auto is_grown = [this](Cell cell) {
-      return count(cell, 2, [](const GroundCell& near) { return near.freed; }) > 0;
+      return count(cell, looks_.gaps, [](const GroundCell& near) { return near.freed; }) > 0;
     };
     std::vector<bool> grown(cells_.size());
     for_each([&](Cell cell) { grown[number(cell)] = is_grown(cell); });
     shut_.assign(cells_.size(), false);
     for_each([&](Cell cell) {
-      shut_[number(cell)] = !at(cell).taken && everywhere(cell, 2, [&](Cell near) {
+      shut_[number(cell)] = !at(cell).taken && everywhere(cell, looks_.gaps, [&](Cell near) {
         return area_.contains(near) ? grown[number(near)] : is_grown(near);
       });
     });
@@ -80,7 +88,9 @@ class FlatGround {
       next.ticks = 0;
       return next;
     }
-    next.dense |= count(cell, 2, [](const GroundCell& near) { return near.seen; }) == 25;
+    const std::int32_t side = 2 * looks_.gaps + 1;
+    next.dense |=
+        count(cell, looks_.gaps, [](const GroundCell& near) { return near.seen; }) == side * side;
     if (is_shut_all_around(cell)) {
       next.open = true;
       next.ticks = std::min(next.ticks + (is_new_period ? 1 : 0), 3);
@@ -118,7 +128,7 @@ class FlatGround {
   }
   [[nodiscard]] int count_new(Cell cell) const {
     int count = 0;
-    everywhere(cell, 3, [&](Cell near) {
+    everywhere(cell, looks_.open, [&](Cell near) {
       count += is_new(near) ? 1 : 0;
       return true;
     });
@@ -126,7 +136,7 @@ class FlatGround {
   }
 
   [[nodiscard]] bool is_shut_all_around(Cell cell) const {
-    return everywhere(cell, 3,
+    return everywhere(cell, looks_.open,
                       [this](Cell near) { return area_.contains(near) && shut_[number(near)]; });
   }
   template <typename Visit>
@@ -139,6 +149,7 @@ class FlatGround {
   }
 
   geometry::CellArea area_;
+  Looks looks_;
   std::vector<GroundCell> cells_;
   std::vector<bool> shut_;
 };

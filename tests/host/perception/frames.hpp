@@ -21,8 +21,10 @@ using ClassBytes = std::array<std::int8_t, geometry::kTileCells>;
 
 inline constexpr std::uint64_t kFrameUs = 40'000;
 
-inline placing::Placement at_cell(Cell vehicle) {
-  return tests::placed(vehicle.x * geometry::kCellMm, vehicle.y * geometry::kCellMm);
+inline placing::Placement at_cell(Cell vehicle, std::uint16_t cell_mm = geometry::kCellMm) {
+  placing::Placement at = tests::placed(vehicle.x * cell_mm, vehicle.y * cell_mm);
+  at.grid.cell_mm = cell_mm;
+  return at;
 }
 
 inline decision::Class class_of(std::int8_t byte) { return static_cast<decision::Class>(byte / 8); }

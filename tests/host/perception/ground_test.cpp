@@ -117,6 +117,8 @@ GroundCell random_cell(tests::Random& random, Cell cell) {
 struct Patch {
   Cell low;  // in cells of the window
   std::int32_t side;
+  int cell_mm = 100;
+  tests::Looks looks{};  // that the rules have in such cells
 };
 
 // The window's lowest corner is at some tile, so that slots of neighbours are far apart; patches
@@ -126,12 +128,14 @@ class GroundNear : public GroundOf, public testing::WithParamInterface<Patch> {}
 TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
   const Cell low = GetParam().low;
   const std::int32_t side = GetParam().side;
+  const Around around = around_with(GetParam().cell_mm);
+  arrivals_ = std::make_unique<Arrivals>(Rules{.around = around});
   for (int round = 0; round < tests::effort(4, 1); ++round) {
     window_->forget();
     hits_ = {};
     follow({-4000 * (round + 1), 977 * (round + 3)});
     tests::Random random(static_cast<std::uint64_t>(round) + 31);
-    FlatGround flat(side, side);
+    FlatGround flat(side, side, GetParam().looks);
     const auto in_window = [&](Cell cell) { return Cell{low.x + cell.x, low.y + cell.y}; };
     const auto for_each_cell = [&](auto&& visit) {
       for (std::int32_t i = 0; i < side * side; ++i) {
@@ -152,7 +156,7 @@ TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
     EXPECT_GT(moved, 20);
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       if (window_->is_known(slot)) {
-        remember(*window_, slot, round % 2 == 0);
+        remember(*window_, slot, round % 2 == 0, around);
       }
     }
     flat.find_shut();
@@ -167,14 +171,14 @@ TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, GroundNear,
-                         testing::Values(Patch{{480, 480}, 80}, Patch{{0, 0}, 70},
-                                         Patch{{954, 954}, 70}, Patch{{0, 954}, 70},
-                                         Patch{{954, 0}, 70}, Patch{{150, 600}, 72}),
-                         [](const auto& patch) {
-                           return "Cell" + std::to_string(patch.param.low.x) + "And" +
-                                  std::to_string(patch.param.low.y);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Places, GroundNear,
+    testing::Values(Patch{{480, 480}, 80}, Patch{{0, 0}, 70}, Patch{{954, 954}, 70},
+                    Patch{{0, 954}, 70}, Patch{{954, 0}, 70}, Patch{{150, 600}, 72},
+                    Patch{{480, 512}, 112, 200, {1, 1, 2}}, Patch{{490, 470}, 80, 500, {1, 1, 1}}),
+    [](const auto& patch) {
+      return "Cell" + std::to_string(patch.param.low.x) + "And" + std::to_string(patch.param.low.y);
+    });
 
 // A square of open ground, freed and seen; in it a letter is what the case says.
 class OpenGround : public GroundOf {

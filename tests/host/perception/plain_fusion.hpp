@@ -48,10 +48,11 @@ class PlainFusion {
   // Whether ground is opened only from below, and how far away a tall hit is at most then, in cells
   // along either axis. What is taken gives way to low beams alone then if sensors look over things.
   explicit PlainFusion(bool is_opened_from_below = false, std::int32_t tall_within = 3,
-                       bool looks_over_things = true)
+                       bool looks_over_things = true, const Looks& looks = {})
       : is_from_below_(is_opened_from_below),
         tall_within_(tall_within),
-        looks_over_things_(looks_over_things) {}
+        looks_over_things_(looks_over_things),
+        looks_(looks) {}
 
   using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, PlainTile>;  // by b, a
 
@@ -137,7 +138,7 @@ class PlainFusion {
       high = is_first ? first : Cell{std::max(high.x, first.x), std::max(high.y, first.y)};
       is_first = false;
     }
-    Copy copy{low, FlatGround(high.x - low.x + kSide, high.y - low.y + kSide)};
+    Copy copy{low, FlatGround(high.x - low.x + kSide, high.y - low.y + kSide, looks_)};
     for (const auto& [number, tile] : tiles_) {
       for (std::int32_t i = 0; i < kSide * kSide; ++i) {
         copy.flat.at(
@@ -321,6 +322,7 @@ class PlainFusion {
   bool is_from_below_;
   std::int32_t tall_within_;
   bool looks_over_things_;
+  Looks looks_;
   window::Area area_;
   bool is_placed_ = false;
   Tiles tiles_;

@@ -18,15 +18,17 @@ struct Frame {
     const int place = y * static_cast<int>(geometry::kTileSide) + x;
     indexes.at(static_cast<std::size_t>(place)) = value;
   }
-  [[nodiscard]] StandingCounts counts(bool from_below = false) const {
+  [[nodiscard]] StandingCounts counts(bool from_below = false, int cell_mm = 100) const {
     const placing::EvidenceBits bits = placing::bits_of(indexes);
-    return standing_counts(*tile, bits.hit, from_below ? bits.from_below : bits.free);
+    return standing_counts(*tile, bits.hit, from_below ? bits.from_below : bits.free,
+                           around_with(cell_mm));
   }
 
   std::unique_ptr<window::Tile> tile = std::make_unique<window::Tile>();
   placing::FrameEvidence::TileIndexes indexes{};
 };
 
+// 0.2 m, rounded up to cells.
 TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
   for (int dx = -3; dx <= 3; ++dx) {
     for (int dy = -3; dy <= 3; ++dy) {
@@ -34,10 +36,13 @@ TEST(Standing, IsMetIfSomethingIsHitWithinTwoCells) {
       frame.stand(16, 9);
       frame.index(16, 9, -5);
       frame.index(16 + dx, 9 + dy, 4);
-      const bool is_near = std::abs(dx) <= 2 && std::abs(dy) <= 2;
-      EXPECT_EQ(frame.counts(), (is_near ? StandingCounts{.met = 1, .crossed = 0}
-                                         : StandingCounts{.met = 0, .crossed = 1}))
-          << dx << " " << dy;
+      for (const int cell_mm : {100, 200, 500}) {
+        const int reach = cell_mm == 100 ? 2 : 1;
+        const bool is_near = std::abs(dx) <= reach && std::abs(dy) <= reach;
+        EXPECT_EQ(frame.counts(false, cell_mm), (is_near ? StandingCounts{.met = 1, .crossed = 0}
+                                                         : StandingCounts{.met = 0, .crossed = 1}))
+            << dx << " " << dy;
+      }
     }
   }
 }
@@ -79,10 +84,11 @@ TEST(Standing, AtTheBorderOfATileIsLeftOut) {
 }
 
 // Frames until the poses are contradicted, at most 100.
-int frames_until_met(const StandingCounts& frame, bool has_moved = true) {
+int frames_until_met(const StandingCounts& frame, bool has_moved = true,
+                     std::uint32_t cell_mm = 100) {
   Contradiction contradiction;
   int frames = 0;
-  while (!contradiction.is_met(has_moved) && frames < 100) {
+  while (!contradiction.is_met(has_moved, cell_mm) && frames < 100) {
     contradiction.add(frame);
     ++frames;
   }
@@ -95,6 +101,14 @@ TEST(Contradiction, IsAShareOfASixteenthOfFiveHundredCells) {
   EXPECT_LE(frames_until_met({.met = 0, .crossed = 70}), 20);
   EXPECT_EQ(frames_until_met({.met = 0, .crossed = 60}), 100) << "fewer than 500 in eight frames";
   EXPECT_EQ(frames_until_met({}), 100);
+}
+
+// The same edges in cells twice as large.
+TEST(Contradiction, NeedsFewerOfLargerCells) {
+  EXPECT_EQ(frames_until_met({.met = 230, .crossed = 20}, true, 200), 1);
+  EXPECT_EQ(frames_until_met({.met = 0, .crossed = 30}, true, 200), 100);
+  EXPECT_LE(frames_until_met({.met = 0, .crossed = 35}, true, 200), 20);
+  EXPECT_LE(frames_until_met({.met = 9, .crossed = 3}, false, 200), 50);
 }
 
 // As poses were that said from the first on that the car stands, while it drove (city, 10 s).

@@ -85,23 +85,27 @@ constexpr Cell kStart{-3'000'017, 2'000'039};
 // below 0: by low beams of sensors that do not look over things.
 class DriveIn : public testing::TestWithParam<int> {};
 
-TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
-  const bool is_opened_from_below = GetParam() != 0;
-  const bool looks_over_things = GetParam() >= 0;
-  const int tall_within = is_opened_from_below ? std::abs(GetParam()) : kTallWithin;
+// The drive is in cells, so larger cells are a larger world, in which the rules look as far in
+// metres.
+void expect_what_plain_loops_make(int within, std::uint16_t cell_mm, const tests::Looks& looks) {
+  const bool is_opened_from_below = within != 0;
+  const bool looks_over_things = within >= 0;
+  const int tall_within = is_opened_from_below ? std::abs(within) : kTallWithin;
   const auto fusion =
       std::make_unique<WindowFusion>(Rules{.is_opened_from_below = is_opened_from_below,
                                            .looks_over_things = looks_over_things,
-                                           .tall_within = tall_within});
-  tests::PlainFusion plain(is_opened_from_below, tall_within, looks_over_things);
+                                           .tall_within = tall_within,
+                                           .around = around_with(cell_mm)},
+                                     false, cell_mm);
+  tests::PlainFusion plain(is_opened_from_below, tall_within, looks_over_things, looks);
   KeptVersions versions;
   int moving = 0;
   int standing = 0;
   for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
-    fusion->follow(at_cell(frame.vehicle).pose);
+    fusion->follow(at_cell(frame.vehicle, cell_mm).pose);
     plain.follow(frame.vehicle);
     for (const auto& [slice, vehicle] : frame.slices) {
-      add_slice(slice, at_cell(vehicle), *fusion);
+      add_slice(slice, at_cell(vehicle, cell_mm), *fusion);
     }
     fusion->finish(frame.stamp_us);
     plain.frame(frame.slices, frame.stamp_us);
@@ -130,7 +134,19 @@ TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
+TEST_P(DriveIn, AWindowIsWhatPlainLoopsMakeOfIt) {
+  expect_what_plain_loops_make(GetParam(), 100, {.beside = 1, .gaps = 2, .open = 3});
+}
+
 INSTANTIATE_TEST_SUITE_P(TallWithin, DriveIn, testing::Values(0, 3, 8, -3));
+
+// 0.1, 0.2 and 0.3 m, and 0.3 and 0.8 m to a tall hit, rounded up to cells.
+TEST(DriveInLargerCells, AWindowIsWhatPlainLoopsMakeOfIt) {
+  expect_what_plain_loops_make(0, 200, {.beside = 1, .gaps = 1, .open = 2});
+  expect_what_plain_loops_make(2, 200, {.beside = 1, .gaps = 1, .open = 2});
+  expect_what_plain_loops_make(4, 200, {.beside = 1, .gaps = 1, .open = 2});
+  expect_what_plain_loops_make(0, 500, {.beside = 1, .gaps = 1, .open = 1});
+}
 
 TEST(WindowFusion, NoOrderOfSlicesShows) {
   Fusion forward(Rules{.is_opened_from_below = true});

@@ -43,28 +43,27 @@ struct ExactPoint {
 // The centre of a cell of the local frame, in cells of the vehicle's grid. Within 100 m, the
 // products are below 2^30 * 2^18 mm.
 inline ExactPoint exact_in_grid(geometry::Cell cell, const placing::Placement& at) {
-  constexpr std::int64_t kMm = geometry::kCellMm;
-  constexpr std::int64_t kDenominator = kMm << 30;
-  constexpr std::int64_t kOrigin = geometry::kOriginCell * kDenominator;
-  const std::int64_t x_mm = cell.x * kMm + kMm / 2 - at.pose.x_mm;
-  const std::int64_t y_mm = cell.y * kMm + kMm / 2 - at.pose.y_mm;
+  const std::int64_t mm = at.grid.cell_mm;
+  const std::int64_t denominator = mm << 30;
+  const std::int64_t x_mm = cell.x * mm + mm / 2 - at.pose.x_mm;
+  const std::int64_t y_mm = cell.y * mm + mm / 2 - at.pose.y_mm;
   const std::int64_t cos = at.rotation.cos_q30;
   const std::int64_t sin = at.rotation.sin_q30;
-  return {{kOrigin + cos * x_mm + sin * y_mm, kDenominator},
-          {kOrigin + cos * y_mm - sin * x_mm, kDenominator}};
+  return {{at.grid.origin_column * denominator + cos * x_mm + sin * y_mm, denominator},
+          {at.grid.origin_row * denominator + cos * y_mm - sin * x_mm, denominator}};
 }
 
 // The centre of a cell of the vehicle's grid, in cells of the local frame. Coordinates of 10^9 mm
 // are below 2^30 * 2^31.
 inline ExactPoint exact_in_frame(geometry::Cell cell, const placing::Placement& at) {
-  constexpr std::int64_t kMm = geometry::kCellMm;
+  const std::int64_t mm = at.grid.cell_mm;
   constexpr std::int64_t kOne = std::int64_t{1} << 30;
-  const std::int64_t x_mm = (cell.x - geometry::kOriginCell) * kMm + kMm / 2;
-  const std::int64_t y_mm = (cell.y - geometry::kOriginCell) * kMm + kMm / 2;
+  const std::int64_t x_mm = (cell.x - at.grid.origin_column) * mm + mm / 2;
+  const std::int64_t y_mm = (cell.y - at.grid.origin_row) * mm + mm / 2;
   const std::int64_t cos = at.rotation.cos_q30;
   const std::int64_t sin = at.rotation.sin_q30;
-  return {{at.pose.x_mm * kOne + cos * x_mm - sin * y_mm, kMm * kOne},
-          {at.pose.y_mm * kOne + sin * x_mm + cos * y_mm, kMm * kOne}};
+  return {{at.pose.x_mm * kOne + cos * x_mm - sin * y_mm, mm * kOne},
+          {at.pose.y_mm * kOne + sin * x_mm + cos * y_mm, mm * kOne}};
 }
 
 }  // namespace iog::tests

@@ -2,6 +2,7 @@
 #include "placing/placement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"
@@ -18,13 +19,24 @@ using tests::placed;
 
 constexpr double kFine = 1 << kFineBits;
 
+// The usual grid, other sizes of cells, and a rectangle ahead.
+constexpr std::array<geometry::Grid, 4> kGrids{
+    {{},
+     {.cell_mm = 200},
+     {.cell_mm = 500},
+     {.columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160}}};
+
 Placement somewhere(tests::Random& random) {
   constexpr std::int32_t kFar = 1'000'000'000;  // mm
   const int degrees_e4 = random.between(0, 3'599'999);
-  return placed(random.between(-kFar, kFar), random.between(-kFar, kFar), degrees_e4 / 1e4);
+  Placement at = placed(random.between(-kFar, kFar), random.between(-kFar, kFar), degrees_e4 / 1e4);
+  at.grid = kGrids[random.below(kGrids.size())];
+  return at;
 }
 
-window::Area around(const Placement& at) { return window::Area::around(window::cell_of(at.pose)); }
+window::Area around(const Placement& at) {
+  return window::Area::around(window::cell_of(at.pose, at.grid.cell_mm));
+}
 
 // Where the additions within a tile bring a cell of it, `in_tile` from its first.
 FinePoint stepped(const CellMap& map, Cell first, Cell in_tile) {

@@ -69,6 +69,7 @@ TEST(ClassTiles, AreReadAsTheSpecificationSays) {
   TileRecords records;
   ASSERT_EQ(read_tiles(body, header, records), ReadStatus::kOk);
   EXPECT_EQ(header.geometry, geometry_of_classes());
+  EXPECT_EQ(header.geometry.cell_mm, 100);
   ASSERT_TRUE(header.window.has_value());
   EXPECT_EQ(*header.window, kWindow);
   TileRecord record;
@@ -80,6 +81,17 @@ TEST(ClassTiles, AreReadAsTheSpecificationSays) {
   EXPECT_EQ(record.encoding, Encoding::kRunStartsSince);
   EXPECT_EQ(record.age_frames, 0);
   EXPECT_FALSE(records.next(record));
+}
+
+TEST(ClassTiles, SayTheSizeOfTheirCells) {
+  TilesWriter writer;
+  writer.begin_classes({}, kWindow, 500);
+  TilesHeader header;
+  TileRecords records;
+  ASSERT_EQ(read_tiles(writer.finish(1024, 1).subspan(kBodyOffset), header, records),
+            ReadStatus::kOk);
+  EXPECT_EQ(header.geometry.cell_mm, 500);
+  EXPECT_EQ(header.geometry.width, 1024);
 }
 
 TEST(ClassTiles, EveryMessageOfAFrameHasTheWindow) {

@@ -35,7 +35,10 @@ struct Wire {
 
 class Target {
  public:
-  explicit Target(std::uint32_t run_number = 1) : run_number_{run_number} {}
+  explicit Target(std::uint32_t run_number = 1, const geometry::Grid& grid = {})
+      : run_number_{run_number} {
+    sender_->describe(grid);
+  }
 
   // Sends frames of these known tiles for a while, and returns the bytes on the line.
   std::vector<std::byte> send(const Grid& grid, int frames) {
@@ -105,6 +108,27 @@ TEST(SerialLink, HasAStillSceneCellByCell) {
   const SerialCounts counts = link.counts();
   EXPECT_GT(counts.messages, 20u);
   EXPECT_EQ(counts.lost + counts.damaged + counts.malformed + counts.not_understood, 0u);
+}
+
+// 25.6 x 16 m ahead in cells of 5 cm: the cells, and where the car is.
+TEST(SerialLink, TakesEachGrid) {
+  constexpr geometry::Grid kAhead{
+      .cell_mm = 50, .columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
+  Grid grid = street(60);
+  std::erase_if(grid, [&](const auto& tile) {
+    return tile.first != kAhead.tile_in_memory(kAhead.tiles_before(tile.first)) ||
+           kAhead.tiles_before(tile.first) == kAhead.tile_count();
+  });
+  ASSERT_GT(grid.size(), 5U);
+  Target target(1, kAhead);
+  SerialLink link;
+  link.take(target.send(grid, 60));
+  const GridFrame frame = link.grid().composed(kEver);
+  expect_cells(frame, grid);
+  EXPECT_EQ(link.counts().not_understood, 0U);
+  EXPECT_EQ(frame.shape.cell_mm, 50);
+  EXPECT_EQ(frame.shape.origin_column, 0);
+  EXPECT_EQ(frame.shape.origin_row, 160);
 }
 
 TEST(SerialLink, ForgetsWhatIsTakenBack) {
@@ -217,7 +241,7 @@ class Layers : public testing::Test {
  protected:
   void take(unsigned level, std::size_t tile, std::uint64_t closed_us, int value) {
     const std::array<std::optional<ToldTile>, 1> tiles{told(closed_us, value)};
-    grid_.take(level, tile, tiles, {.closed_us = closed_us, .complete_sensors = 1});
+    grid_.take(level, {}, tile, tiles, {.closed_us = closed_us, .complete_sensors = 1});
   }
   LayeredGrid grid_;
 };
@@ -248,7 +272,7 @@ TEST_F(Layers, AnUnknownTileHidesWhatIsBelow) {
   take(5, 0, 1000, 7);
   const std::array<std::optional<ToldTile>, 2> tiles{ToldTile{.frame_number = 1, .closed_us = 1000},
                                                      std::nullopt};
-  grid_.take(0, 0, tiles, {.closed_us = 1000, .complete_sensors = 1});
+  grid_.take(0, {}, 0, tiles, {.closed_us = 1000, .complete_sensors = 1});
   EXPECT_EQ(at(grid_.composed(kEver), 0, 0), 0);
   EXPECT_EQ(at(grid_.composed(kEver), kTileSide, 0), 7);
 }
@@ -256,7 +280,7 @@ TEST_F(Layers, AnUnknownTileHidesWhatIsBelow) {
 TEST_F(Layers, AFrameInWhichNoSensorTookPartSaysNothingOfAnyCell) {
   take(0, 0, 1000, -3);
   const std::array<std::optional<ToldTile>, 1> nothing{ToldTile{.closed_us = 9000}};
-  grid_.take(5, 0, nothing, {.closed_us = 9000});
+  grid_.take(5, {}, 0, nothing, {.closed_us = 9000});
   EXPECT_EQ(at(grid_.composed(0), 0, 0), -3);
   EXPECT_EQ(grid_.newest_seen()->closed_us, 1000u);
   EXPECT_EQ(grid_.age_us(*grid_.cells_of(0)), 8000u);

@@ -2,6 +2,7 @@
 #include "tools/vehicles/car_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -71,6 +72,47 @@ max_points_per_scan = 2412
 }
 
 // A byte of the description more or less is another car.
+Car car_with_window(const std::string& window) {
+  return parse_car(
+      "name = \"constants\"\nfootprint = { x_min_m = -2, x_max_m = 2, y_min_m = -1, "
+      "y_max_m = 1 }\nwindow = {" +
+          window +
+          "}\n[[sensors]]\nname = \"roof\"\ntype = \"velodyne_vlp16\"\n"
+          "mount = { x_m = 0, y_m = 0, z_m = 1.5 }\n",
+      "constants.toml");
+}
+
+// Kurdej 2015, table 7.1 and section 7.3, are the usual ones, whether the file says so or not.
+TEST(CarFile, EvidentialConstantsAreTheUsualOnes) {
+  const Car car = car_with_window(
+      " slowest_m_s = 1.0, object_m = 3.0, gap_m = 0.5, scans_per_second = 15, free_mass = 0.7, "
+      "hit_mass = 0.87 ");
+  EXPECT_EQ(car.vehicle.window.tables, nullptr);
+  EXPECT_EQ(car.vehicle.id, car_with_window("").vehicle.id);
+}
+
+// Half-lives of 1 and 4 s: after 4 s 0.0625 and 0.5 are left (table 6.3). delta = V_min / L and
+// gamma = L / d of section 7.3: full after 6 s, empty after 2 s.
+TEST(CarFile, EvidentialConstantsAreAsTheFileSays) {
+  const Car car = car_with_window(
+      " moving_half_life_s = 1.0, static_half_life_s = 4.0, slowest_m_s = 0.5, gap_m = 1.0, "
+      "scans_per_second = 10, free_mass = 0.8, hit_mass = 0.8 ");
+  ASSERT_NE(car.vehicle.window.tables, nullptr);
+  EXPECT_NE(car.vehicle.id, car_with_window("").vehicle.id);
+  const ageing::Tables& tables = *car.vehicle.window.tables;
+  EXPECT_NEAR(ageing::decay(tables.decays.dynamic, 4000) * 0x1p-31, 0.0625, 2e-8);
+  EXPECT_NEAR(ageing::decay(tables.decays.fixed, 4000) * 0x1p-31, 0.5, 2e-8);
+  EXPECT_NEAR(ageing::decay(tables.decays.shared, 4000) * 0x1p-31,
+              std::pow(0.0625, 0.25) * std::pow(0.5, 0.75), 2e-8);
+  const evidence::Gains& gains = tables.gains[40];
+  EXPECT_EQ(gains.persistence, 218);        // 32768 * 0.04 / 6 = 218.5
+  EXPECT_EQ(gains.decline, 655);            // 32768 * 0.04 / 2 = 655.4
+  EXPECT_EQ(gains.specialisation, 13'107);  // 32768 * 0.04 * 10
+  EXPECT_EQ(gains.hit_mass, 102 * 256);     // 0.8, down to 1/128
+  EXPECT_EQ(gains.free_mass, static_cast<std::int16_t>(32'768 * (1 - std::pow(0.2, 0.4))));
+  EXPECT_EQ(tables.gains[100].free_mass, 26'214);  // 32768 * 0.8 = 26214.4
+}
+
 TEST(CarFile, AnyChangeIsAnotherIdentity) {
   const Car car = read_car(IOG_SOURCE_DIR "/vehicles/reference_car.toml");
   const auto changed = [&](auto&& change) {

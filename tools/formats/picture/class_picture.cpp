@@ -36,7 +36,6 @@ constexpr std::array<Colour, stream::kClassCount> kClassColours{{
 }};
 
 constexpr auto kSides = static_cast<int>(geometry::kCellsPerSide);
-constexpr int kCellsInMetre = 1000 / geometry::kCellMm;
 constexpr int kSmallestThing = 3;  // pixels; a smaller one is not seen among free cells
 
 // What is painted over what.
@@ -68,7 +67,8 @@ class ClassPainter {
       : classes_(&classes),
         title_(title),
         scale_(scale.pixels_per_cell),
-        side_(std::min(kSides, 2 * scale.radius_m * kCellsInMetre)),
+        cells_in_metre_(1000 / classes.cell_mm),
+        side_(std::min(kSides, 2 * scale.radius_m * cells_in_metre_)),
         canvas_(side_ * scale_, side_ * scale_, kNothing) {
     if (has_car()) {
       x_ = first_around(car_x());
@@ -96,11 +96,11 @@ class ClassPainter {
   [[nodiscard]] const pose::Pose& pose() const { return classes_->window.pose; }
   // In cells of the window.
   [[nodiscard]] double car_x() const {
-    return static_cast<double>(pose().x_mm) / geometry::kCellMm -
+    return static_cast<double>(pose().x_mm) / classes_->cell_mm -
            classes_->window.corner_a * double{geometry::kTileSide};
   }
   [[nodiscard]] double car_y() const {
-    return static_cast<double>(pose().y_mm) / geometry::kCellMm -
+    return static_cast<double>(pose().y_mm) / classes_->cell_mm -
            classes_->window.corner_b * double{geometry::kTileSide};
   }
   [[nodiscard]] int first_around(double middle) const {
@@ -127,8 +127,8 @@ class ClassPainter {
   // A place in the vehicle frame, in pixels.
   [[nodiscard]] std::pair<double, double> seen_from_above(double x_m, double y_m) const {
     const double angle = pose().heading * std::numbers::pi / 0x1p31;
-    const double forward = x_m * kCellsInMetre;
-    const double left = y_m * kCellsInMetre;
+    const double forward = x_m * cells_in_metre_;
+    const double left = y_m * cells_in_metre_;
     return {column(car_x() + forward * std::cos(angle) - left * std::sin(angle)),
             row(car_y() + forward * std::sin(angle) + left * std::cos(angle))};
   }
@@ -148,7 +148,7 @@ class ClassPainter {
 
   // Every pixel in it, by steps of less than one; the arrow shows where its front is.
   void paint_body(const description::FootprintConfig& body) {
-    const double step_m = 0.5 / (kCellsInMetre * scale_);
+    const double step_m = 0.5 / (cells_in_metre_ * scale_);
     for (double x = body.x_min_m; x <= body.x_max_m; x += step_m) {
       draw(seen_from_above(x, body.y_min_m), seen_from_above(x, body.y_max_m), kBody);
     }
@@ -162,7 +162,7 @@ class ClassPainter {
     } else {
       paint_arrow({.x_min_m = -2, .x_max_m = 2, .y_min_m = -0.9, .y_max_m = 0.9}, kBody);
     }
-    canvas_.circle(column(car_x()), row(car_y()), 10.0 * kCellsInMetre * scale_, kFrame, 0.45);
+    canvas_.circle(column(car_x()), row(car_y()), 10.0 * cells_in_metre_ * scale_, kFrame, 0.45);
   }
 
   [[nodiscard]] int letter_scale() const { return canvas_.width() >= 700 ? 2 : 1; }
@@ -201,10 +201,10 @@ class ClassPainter {
   void paint_bar() {
     int metres = 1;
     for (const int longer : {2, 5, 10, 20}) {
-      metres = longer * kCellsInMetre * 4 <= side_ ? longer : metres;
+      metres = longer * cells_in_metre_ * 4 <= side_ ? longer : metres;
     }
     const int scale = letter_scale();
-    const int length = metres * kCellsInMetre * scale_;
+    const int length = metres * cells_in_metre_ * scale_;
     const int right = canvas_.width() - 10;
     const int bottom = canvas_.height() - 10;
     canvas_.fill(right - length, bottom - 2 * scale, length, 2 * scale, kWords);
@@ -219,6 +219,7 @@ class ClassPainter {
   const ClassGrid* classes_;
   FrameTitle title_;
   int scale_;
+  int cells_in_metre_;
   int side_;   // cells on a side of the picture
   int x_ = 0;  // the first of them
   int y_ = 0;

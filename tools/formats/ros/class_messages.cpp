@@ -9,8 +9,6 @@
 namespace iog::tools::ros {
 namespace {
 
-constexpr double kTileM = geometry::kTileSide * geometry::kCellMm / 1000.0;
-
 constexpr std::array kClassFields{Field{"class", FieldType::kUint8},
                                   Field{"sureness", FieldType::kUint8},
                                   Field{"age_frames", FieldType::kUint8}};
@@ -20,11 +18,13 @@ constexpr std::size_t kBytesPerClassCell = kClassFields.size();
 // infrastructure; occupied.
 constexpr std::array<std::int8_t, stream::kClassCount> kPercents{-1, 0, 10, 5, 90, 85, 80, 100, 70};
 
-Place place_of(const stream::ClassWindow& window, std::uint64_t stamp_us) {
+Place place_of(const stream::ClassWindow& window, std::uint16_t cell_mm, std::uint64_t stamp_us) {
+  const double tile_m = geometry::kTileSide * cell_mm / 1000.0;
   return {.time_us = stamp_us,
           .frame_id = kLocalFrameId,
-          .x_m = window.corner_a * kTileM,
-          .y_m = window.corner_b * kTileM};
+          .x_m = window.corner_a * tile_m,
+          .y_m = window.corner_b * tile_m,
+          .grid = {.cell_mm = cell_mm}};
 }
 
 std::byte age_of(const LiveClasses& classes, std::size_t slot) {
@@ -44,7 +44,7 @@ std::vector<std::byte> class_occupancy_grid(const ClassGrid& classes, std::uint6
     return static_cast<std::byte>(percent_of_class(byte));
   });
   CdrWriter out;
-  put_occupancy_head(out, place_of(classes.window, stamp_us));
+  put_occupancy_head(out, place_of(classes.window, classes.cell_mm, stamp_us));
   out.put(cells);
   return out.take();
 }
@@ -64,7 +64,7 @@ std::vector<std::byte> foxglove_class_grid(const LiveClasses& classes, std::uint
     }
   }
   CdrWriter out;
-  put_foxglove_head(out, place_of(window, stamp_us), kClassFields);
+  put_foxglove_head(out, place_of(window, classes.cell_mm(), stamp_us), kClassFields);
   out.put(cells);
   return out.take();
 }

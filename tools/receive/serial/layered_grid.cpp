@@ -17,9 +17,13 @@ LayeredGrid::Layer& LayeredGrid::layer(unsigned level) {
   return layer;
 }
 
-void LayeredGrid::take(unsigned level, std::size_t first,
+void LayeredGrid::take(unsigned level, const geometry::Grid& grid, std::size_t first,
                        std::span<const std::optional<ToldTile>> tiles,
                        const stream::Header& header) {
+  if (grid != grid_) {
+    forget();
+    grid_ = grid;
+  }
   newest_ = header;
   if (!header.has_evidence()) {
     return;
@@ -50,6 +54,7 @@ GridFrame LayeredGrid::composed(std::uint64_t max_age_us) const {
     return frame;
   }
   frame.header = *newest_seen_;
+  frame.shape = grid_;
   frame.evidence_number = newest_seen_->frame_number;
   // From the roughest to the finest, each over what is there.
   for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {

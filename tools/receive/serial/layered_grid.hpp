@@ -25,9 +25,10 @@ struct ToldTile {
 class LayeredGrid {
  public:
   // What a message of tiles has told: of tile `first` and those behind it, but for those that could
-  // not be read. level: 0 cells, else the quadtree's (stream::geometry_of_level).
-  void take(unsigned level, std::size_t first, std::span<const std::optional<ToldTile>> tiles,
-            const stream::Header& header);
+  // not be read. level: 0 cells, else the quadtree's (stream::geometry_of_level). Of another grid
+  // nothing is kept.
+  void take(unsigned level, const geometry::Grid& grid, std::size_t first,
+            std::span<const std::optional<ToldTile>> tiles, const stream::Header& header);
 
   // The target runs anew: nothing that is known is of now.
   void forget();
@@ -55,6 +56,7 @@ class LayeredGrid {
   [[nodiscard]] Layer& layer(unsigned level);
 
   std::map<unsigned, Layer> layers_;  // by level, the finest first
+  geometry::Grid grid_;
   std::optional<stream::Header> newest_;
   std::optional<stream::Header> newest_seen_;
 };

@@ -12,11 +12,21 @@ namespace {
 
 constexpr unsigned kLevels = std::countr_zero(geometry::kTilesPerSide) + 1;
 
+struct Level {
+  unsigned number;
+  geometry::Grid grid;  // as large as the memory, whichever part of it the car's is
+};
+
 // The level of this firmware's quadtree that the geometry is of.
-std::optional<unsigned> level_of(const stream::Geometry& geometry) {
+std::optional<Level> level_of(const stream::Geometry& geometry) {
   for (unsigned level = 0; level < kLevels; ++level) {
-    if (geometry == stream::geometry_of_level(level)) {
-      return level;
+    stream::Geometry cells = stream::geometry_of_level(0);
+    cells.cell_mm = static_cast<std::uint16_t>(geometry.cell_mm >> level);
+    cells.origin_x_mm = geometry.origin_x_mm;
+    cells.origin_y_mm = geometry.origin_y_mm;
+    const auto grid = stream::grid_of(cells);
+    if (grid && geometry == stream::geometry_of_level(level, *grid)) {
+      return Level{.number = level, .grid = *grid};
     }
   }
   return std::nullopt;
@@ -127,11 +137,11 @@ void SerialLink::take_tiles(const stream::Header& header, std::span<const std::b
   }
   const Told told = told_by(header, tiles, records);
   ++counts_.messages;
-  (*level == 0 ? counts_.tiles : counts_.coarse_tiles) += tiles.tile_count;
+  (level->number == 0 ? counts_.tiles : counts_.coarse_tiles) += tiles.tile_count;
   counts_.unreadable_tiles += static_cast<std::uint64_t>(
       std::ranges::count_if(told, [](const auto& tile) { return !tile; }));
-  grid_.take(*level, tiles.first_tile, told, header);
-  for (std::size_t i = 0; i < told.size() && *level == 0 && on_tile_; ++i) {
+  grid_.take(level->number, level->grid, tiles.first_tile, told, header);
+  for (std::size_t i = 0; i < told.size() && level->number == 0 && on_tile_; ++i) {
     if (told[i]) {
       on_tile_(tiles.first_tile + i, *told[i]);
     }

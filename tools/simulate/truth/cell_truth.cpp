@@ -11,11 +11,10 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kCellM = geometry::kCellMm / 1000.0;
 constexpr double kMoment = 0.001;  // seconds in which a speed is measured
 
-std::int32_t cell_of(double metres) {
-  return static_cast<std::int32_t>(std::floor(metres / kCellM));
+std::int32_t cell_of(double metres, double cell_m) {
+  return static_cast<std::int32_t>(std::floor(metres / cell_m));
 }
 
 bool can_move(Material material) {
@@ -43,17 +42,19 @@ template <typename Cell>
 void draw(const Solid& solid, const Cell& truth, const CellArea& area, std::vector<Cell>& cells) {
   const double reach =
       std::sqrt(solid.half_length * solid.half_length + solid.half_width * solid.half_width);
-  const std::int32_t first_x = std::max(cell_of(solid.at.x - reach), area.x);
-  const std::int32_t first_y = std::max(cell_of(solid.at.y - reach), area.y);
-  const std::int32_t last_x = std::min(cell_of(solid.at.x + reach), area.x + area.width - 1);
-  const std::int32_t last_y = std::min(cell_of(solid.at.y + reach), area.y + area.height - 1);
+  const std::int32_t first_x = std::max(cell_of(solid.at.x - reach, area.cell_m), area.x);
+  const std::int32_t first_y = std::max(cell_of(solid.at.y - reach, area.cell_m), area.y);
+  const std::int32_t last_x =
+      std::min(cell_of(solid.at.x + reach, area.cell_m), area.x + area.width - 1);
+  const std::int32_t last_y =
+      std::min(cell_of(solid.at.y + reach, area.cell_m), area.y + area.height - 1);
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
       const auto index =
           static_cast<std::size_t>(y - area.y) * static_cast<std::size_t>(area.width) +
           static_cast<std::size_t>(x - area.x);
       if (goes_before(class_of(truth), class_of(cells[index])) &&
-          covers(solid, (x + 0.5) * kCellM, (y + 0.5) * kCellM)) {
+          covers(solid, (x + 0.5) * area.cell_m, (y + 0.5) * area.cell_m)) {
         cells[index] = truth;
       }
     }
@@ -80,9 +81,10 @@ constexpr std::array<std::string_view, 4> kClassNames{"free", "moving", "movable
 
 }  // namespace
 
-CellArea cells_around(const EgoPose& ego) {
+CellArea cells_around(const EgoPose& ego, double cell_m) {
   constexpr std::int32_t kSide = geometry::kCellsPerSide;
-  return {cell_of(ego.at.x) - kSide / 2, cell_of(ego.at.y) - kSide / 2, kSide, kSide};
+  return {cell_of(ego.at.x, cell_m) - kSide / 2, cell_of(ego.at.y, cell_m) - kSide / 2, kSide,
+          kSide, cell_m};
 }
 
 std::vector<TrueCell> true_cells(const Scene& scene, double time_s, const CellArea& area,

@@ -36,11 +36,12 @@ struct CellArea {
   std::int32_t y = 0;
   std::int32_t width = 0;
   std::int32_t height = 0;
+  double cell_m = geometry::kCellMm / 1000.0;
 };
 
 // The square of 1024 x 1024 cells in whose middle the car is: its middle cell holds the origin of
 // the vehicle frame.
-[[nodiscard]] CellArea cells_around(const EgoPose& ego);
+[[nodiscard]] CellArea cells_around(const EgoPose& ego, double cell_m = geometry::kCellMm / 1000.0);
 
 // Row by row from the lowest y, cells that something covers in the vehicle's height band: at least
 // the cell's centre lies in its outline. Where several do, what moves is named before what can

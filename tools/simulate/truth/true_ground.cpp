@@ -108,12 +108,11 @@ Ground TrueGround::at(double x, double y) const {
 }
 
 std::vector<Ground> true_ground(const TrueGround& ground, const CellArea& area) {
-  constexpr double kSideM = geometry::kCellMm / 1000.0;
   std::vector<Ground> cells;
   cells.reserve(static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
   for (std::int32_t y = area.y; y < area.y + area.height; ++y) {
     for (std::int32_t x = area.x; x < area.x + area.width; ++x) {
-      cells.push_back(ground.at((x + 0.5) * kSideM, (y + 0.5) * kSideM));
+      cells.push_back(ground.at((x + 0.5) * area.cell_m, (y + 0.5) * area.cell_m));
     }
   }
   return cells;

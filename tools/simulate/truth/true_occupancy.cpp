@@ -3,21 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/grid.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/formats/picture/pgm.hpp"
 
 namespace iog::tools {
 namespace {
 
-constexpr std::int32_t kSide = geometry::kCellsPerSide;
-constexpr double kGridCellM = geometry::kCellMm / 1000.0;
+// The cells of a grid along x or y.
+struct Axis {
+  double cell_m;
+  std::int32_t cells;
+  std::int32_t origin;
 
-double centre_of(std::int32_t cell) { return (cell - geometry::kOriginCell + 0.5) * kGridCellM; }
-
-std::int32_t grid_cell_of(double metres) {
-  const double cell = std::floor(metres / kGridCellM) + geometry::kOriginCell;
-  return static_cast<std::int32_t>(std::clamp(cell, 0.0, double{kSide - 1}));
-}
+  [[nodiscard]] double centre_of(std::int32_t cell) const { return (cell - origin + 0.5) * cell_m; }
+  [[nodiscard]] std::int32_t first_of(double metres) const {
+    return static_cast<std::int32_t>(std::max(std::floor(metres / cell_m) + origin, 0.0));
+  }
+  [[nodiscard]] std::int32_t last_of(double metres) const {
+    return static_cast<std::int32_t>(std::min(std::floor(metres / cell_m) + origin, cells - 1.0));
+  }
+};
 
 // The solid in the vehicle frame, pitch left aside.
 Solid seen_from(const Placement& ego, Solid solid) {
@@ -31,19 +36,18 @@ Solid seen_from(const Placement& ego, Solid solid) {
   return solid;
 }
 
-void draw(const Solid& solid, std::vector<bool>& occupied) {
+void draw(const Solid& solid, const geometry::Grid& grid, std::vector<bool>& occupied) {
+  const double cell_m = grid.cell_mm / 1000.0;
+  const Axis along_x{cell_m, grid.columns, grid.origin_column};
+  const Axis along_y{cell_m, grid.rows, grid.origin_row};
   const double reach =
       std::sqrt(solid.half_length * solid.half_length + solid.half_width * solid.half_width);
-  const double edge = kSide * kGridCellM / 2;
-  if (std::abs(solid.at.x) - reach > edge || std::abs(solid.at.y) - reach > edge) {
-    return;
-  }
-  for (std::int32_t y = grid_cell_of(solid.at.y - reach); y <= grid_cell_of(solid.at.y + reach);
-       ++y) {
-    for (std::int32_t x = grid_cell_of(solid.at.x - reach); x <= grid_cell_of(solid.at.x + reach);
-         ++x) {
-      if (covers(solid, centre_of(x), centre_of(y))) {
-        occupied[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)] = true;
+  for (std::int32_t y = along_y.first_of(solid.at.y - reach);
+       y <= along_y.last_of(solid.at.y + reach); ++y) {
+    for (std::int32_t x = along_x.first_of(solid.at.x - reach);
+         x <= along_x.last_of(solid.at.x + reach); ++x) {
+      if (covers(solid, along_x.centre_of(x), along_y.centre_of(y))) {
+        occupied[static_cast<std::size_t>(geometry::number_of({x, y}))] = true;
       }
     }
   }
@@ -53,24 +57,26 @@ void draw(const Solid& solid, std::vector<bool>& occupied) {
 
 std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> solids,
                                  const description::Description& description) {
-  std::vector<bool> occupied(static_cast<std::size_t>(kSide) * kSide, false);
+  const geometry::Grid grid = description::grid_of(description.grid);
+  std::vector<bool> occupied(geometry::kCellCount, false);
   for (const Solid& solid : solids) {
     if (solid.z_low <= description.z_max_m && solid.z_high >= description.z_min_m) {
-      draw(seen_from(ego.at, solid), occupied);
+      draw(seen_from(ego.at, solid), grid, occupied);
     }
   }
   return occupied;
 }
 
-void write_truth(const std::string& path, const std::vector<bool>& occupied) {
+void write_truth(const std::string& path, const std::vector<bool>& occupied,
+                 const geometry::Grid& grid) {
   std::vector<std::uint8_t> pixels;
-  pixels.reserve(occupied.size());
-  for (std::size_t row = kSide; row-- > 0;) {
-    for (std::size_t x = 0; x < kSide; ++x) {
-      pixels.push_back(occupied[row * kSide + x] ? 0 : 255);
+  pixels.reserve(std::size_t{grid.columns} * grid.rows);
+  for (std::int32_t y = grid.rows; y-- > 0;) {
+    for (std::int32_t x = 0; x < grid.columns; ++x) {
+      pixels.push_back(occupied[static_cast<std::size_t>(geometry::number_of({x, y}))] ? 0 : 255);
     }
   }
-  write_pgm(path, kSide, kSide, pixels);
+  write_pgm(path, grid.columns, grid.rows, pixels);
 }
 
 }  // namespace iog::tools

@@ -12,9 +12,10 @@ import { CLASS_COUNT, MOVING, classOf, classTable, colourOfClass, css, isSomethi
 import * as overlays from "./overlays.js";
 import { TileImage } from "./tile_image.js";
 
-const MIN_SCALE = 3; // pixels a metre
-const MAX_SCALE = 400;
-const START_HEIGHT_M = 62;
+const MIN_SCALE = 0.3; // pixels a cell
+const MAX_SCALE = 40;
+const START_HEIGHT = 620; // cells
+const USUAL_SHAPE = { cell_m: 0.1, columns: SIDE, rows: SIDE, origin: [SIDE / 2, SIDE / 2] };
 
 const coloursOfMarks = () =>
   Array.from({ length: 8 * CLASS_COUNT }, (_, byte) => css(colourOfClass(byte)));
@@ -44,6 +45,7 @@ export class GridCanvas {
     this.centre = { x: 0, y: 0 }; // metres of the view
     this.turn = 0;
     this.pixelsPerMetre = 0;
+    this.startedWith = 0; // metres of a cell
     this.isFollowing = true;
     this.names = []; // left, top, right and bottom of each name of an object
     this.mark = null; // the place of the page that a finger has tapped
@@ -53,13 +55,15 @@ export class GridCanvas {
     this.restyle();
   }
 
-  get cellM() {
-    return this.vehicle ? this.vehicle.cell_m : 0.1;
+  // As the stream says of what is shown. origin: the cell at whose lowest corner the vehicle is,
+  // in its grid of indexes; the window of classes is placed by its corner.
+  get shape() {
+    return this.showsClasses ? { ...USUAL_SHAPE, cell_m: this.grid.classes.cell_m }
+                             : this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE;
   }
 
-  // The cell at whose lowest corner the vehicle's origin is, in its grid of indexes.
-  get originCell() {
-    return this.vehicle?.origin_cell ?? [SIDE / 2, SIDE / 2];
+  get cellM() {
+    return this.shape.cell_m;
   }
 
   // Of the stream. Null: no indexes have come.
@@ -118,8 +122,9 @@ export class GridCanvas {
     this.ratio = ratio;
     this.width = clientWidth;
     this.height = clientHeight;
-    if (this.pixelsPerMetre === 0 && clientHeight > 0) {
-      this.pixelsPerMetre = clientHeight / START_HEIGHT_M;
+    if (this.startedWith !== this.cellM && clientHeight > 0) {
+      this.startedWith = this.cellM;
+      this.pixelsPerMetre = clientHeight / (START_HEIGHT * this.cellM);
     }
   }
 
@@ -174,8 +179,8 @@ export class GridCanvas {
     return this.showsClasses
         ? this.groundToScreen((classes.corner_a * TILE_SIDE + x) * this.cellM,
                               (classes.corner_b * TILE_SIDE + y) * this.cellM)
-        : this.toScreen((x - this.originCell[0]) * this.cellM,
-                        (y - this.originCell[1]) * this.cellM);
+        : this.toScreen((x - this.shape.origin[0]) * this.cellM,
+                        (y - this.shape.origin[1]) * this.cellM);
   }
 
   // What is at a place of the page: its place in metres of the vehicle, x and y of its cell in the
@@ -184,9 +189,10 @@ export class GridCanvas {
     const { x, y } = this.toMetres(column, row);
     const vehicle = rotated(x, y, -this.turn);
     const place = this.showsClasses ? this.windowPlaceOf(vehicle) : vehicle.map(
-        (metres, axis) => metres / this.cellM + this.originCell[axis]);
+        (metres, axis) => metres / this.cellM + this.shape.origin[axis]);
     const [cellX, cellY] = place.map(Math.floor);
-    const isInside = cellX >= 0 && cellX < SIDE && cellY >= 0 && cellY < SIDE;
+    const { columns, rows } = this.shape;
+    const isInside = cellX >= 0 && cellX < columns && cellY >= 0 && cellY < rows;
     return isInside ? { x: cellX, y: cellY, vehicle, number: this.numberOf(cellX, cellY) } : null;
   }
 
@@ -211,7 +217,7 @@ export class GridCanvas {
     const { corner_a: a, corner_b: b } = this.grid.classes ?? {};
     const metres = (first, cell) => (first + cell + 0.5) * this.cellM;
     return this.showsClasses ? this.fromGround([metres(a * TILE_SIDE, x), metres(b * TILE_SIDE, y)])
-                             : [metres(-this.originCell[0], x), metres(-this.originCell[1], y)];
+                             : [metres(-this.shape.origin[0], x), metres(-this.shape.origin[1], y)];
   }
 
   // Of a cell of the picture its number in the layer, where tiles of the window lie by slot.
@@ -245,7 +251,8 @@ export class GridCanvas {
   zoom(factor, column = this.width / 2, row = this.height / 2) {
     const before = this.toMetres(column, row);
     this.pixelsPerMetre =
-        Math.min(MAX_SCALE, Math.max(MIN_SCALE, this.pixelsPerMetre * factor));
+        Math.min(MAX_SCALE / this.cellM,
+                 Math.max(MIN_SCALE / this.cellM, this.pixelsPerMetre * factor));
     if (!this.isFollowing) {
       const after = this.toMetres(column, row);
       this.centre.x += before.x - after.x;
@@ -255,9 +262,11 @@ export class GridCanvas {
   }
 
   keepInSight() {
-    const reach = SIDE / 2 * this.cellM;
-    this.centre.x = Math.min(reach, Math.max(-reach, this.centre.x));
-    this.centre.y = Math.min(reach, Math.max(-reach, this.centre.y));
+    const { origin, columns, rows } = this.shape;
+    const clamped = (metres, first, cells) =>
+      Math.min((cells - first) * this.cellM, Math.max(-first * this.cellM, metres));
+    this.centre.x = clamped(this.centre.x, origin[0], columns);
+    this.centre.y = clamped(this.centre.y, origin[1], rows);
   }
 
   follow() {
@@ -266,13 +275,17 @@ export class GridCanvas {
   }
 
   showAll() {
+    const { origin, columns, rows } = this.shape;
     this.follow();
-    this.pixelsPerMetre = Math.min(this.width, this.height) / (SIDE * this.cellM + 1);
+    this.centre = { x: (columns / 2 - origin[0]) * this.cellM,
+                    y: (rows / 2 - origin[1]) * this.cellM };
+    this.pixelsPerMetre = Math.min(this.width / (rows * this.cellM + 1),
+                                   this.height / (columns * this.cellM + 1));
   }
 
   showStreet() {
     this.follow();
-    this.pixelsPerMetre = this.height / START_HEIGHT_M;
+    this.pixelsPerMetre = this.height / (START_HEIGHT * this.cellM);
   }
 
   // A name of the frame that is shown and of where its tiles lie: what has the same name looks alike.
@@ -311,21 +324,23 @@ export class GridCanvas {
     context.fillStyle = palette.outside;
     context.fillRect(0, 0, this.width, this.height);
     this.drawImage(this.shown);
-    this.inPicture((side) => {
+    this.inPicture((width, height) => {
       context.strokeStyle = palette.gridEdge;
       context.lineWidth = 1;
-      context.strokeRect(0, 0, side, side);
+      context.strokeRect(0, 0, width, height);
     });
     overlays.draw(this);
   }
 
-  // Calls paint with the picture's upper left corner as the origin and its edges along the axes.
+  // Calls paint(width, height) with the picture's upper left corner as the origin and its edges
+  // along the axes.
   inPicture(paint) {
     const { context } = this;
+    const { columns, rows, cell_m: cellM } = this.shape;
     context.save();
-    context.translate(...this.cellToScreen(SIDE, SIDE));
+    context.translate(...this.cellToScreen(columns, rows));
     context.rotate(-this.pictureTurn);
-    paint(SIDE * this.cellM * this.pixelsPerMetre);
+    paint(rows * cellM * this.pixelsPerMetre, columns * cellM * this.pixelsPerMetre);
     context.restore();
   }
 
@@ -342,10 +357,11 @@ export class GridCanvas {
   // An image of the whole grid. A cell that is turned has ragged edges, unless it is large.
   drawImage({ canvas }) {
     const { context } = this;
-    this.inPicture((side) => {
-      context.imageSmoothingEnabled = side / SIDE < (this.pictureTurn === 0 ? 1 : 2.5);
+    const { columns, rows } = this.shape;
+    this.inPicture((width, height) => {
+      context.imageSmoothingEnabled = width / rows < (this.pictureTurn === 0 ? 1 : 2.5);
       context.imageSmoothingQuality = "medium";
-      context.drawImage(canvas, 0, 0, side, side);
+      context.drawImage(canvas, SIDE - rows, SIDE - columns, rows, columns, 0, 0, width, height);
     });
   }
 

@@ -160,14 +160,14 @@ let leaves = [];
 let shownLeaves = "";
 
 // x, y and side of each, in cells of the layer that is shown.
-export function quadtreeLeaves({ grid, showsClasses }) {
+export function quadtreeLeaves({ grid, shape, showsClasses }) {
   const name = `${grid.version} ${showsClasses}`;
   if (shownLeaves !== name) {
     const cells = grid.layers[showsClasses ? LAYERS.CLASSES : LAYERS.INDEXES];
     shownLeaves = name;
     leaves = [];
-    for (let y = 0; y < SIDE; y += TILE_SIDE) {
-      for (let x = 0; x < SIDE; x += TILE_SIDE) {
+    for (let y = 0; y < shape.rows; y += TILE_SIDE) {
+      for (let x = 0; x < shape.columns; x += TILE_SIDE) {
         leavesOf(cells, x, y, TILE_SIDE, leaves);
       }
     }
@@ -177,6 +177,7 @@ export function quadtreeLeaves({ grid, showsClasses }) {
 
 function drawLeaves(view) {
   const { context } = view;
+  const { columns, rows } = view.shape;
   const pixelsPerCell = view.pixelsPerMetre * view.cellM;
   const found = quadtreeLeaves(view);
   view.inPicture(() => {
@@ -188,7 +189,7 @@ function drawLeaves(view) {
       const x = (place % TILES_PER_SIDE) * TILE_SIDE + (found[i] & (TILE_SIDE - 1));
       const y = (place >> 5) * TILE_SIDE + (found[i + 1] & (TILE_SIDE - 1));
       if (side * pixelsPerCell >= 4 && isSeen(view, x + side / 2, y + side / 2, side)) {
-        context.rect((SIDE - y - side) * pixelsPerCell, (SIDE - x - side) * pixelsPerCell,
+        context.rect((rows - y - side) * pixelsPerCell, (columns - x - side) * pixelsPerCell,
                      side * pixelsPerCell, side * pixelsPerCell);
       }
     }
@@ -206,7 +207,12 @@ function isSeen(view, x, y, side) {
          row < view.height + reach;
 }
 
-const ringStep = (view) => (view.pixelsPerMetre > 60 ? 1 : view.pixelsPerMetre > 24 ? 5 : 10);
+const ringStep = ({ pixelsPerMetre: scale }) =>
+  (scale > 60 ? 1 : scale > 24 ? 5 : scale > 2.4 ? 10 : 50);
+
+// To the farthest edge of the grid.
+const ringReach = ({ shape: { origin: [x, y], columns, rows, cell_m: cellM } }) =>
+  Math.max(x, columns - x, y, rows - y) * cellM;
 
 function drawRings(view) {
   const { context, palette } = view;
@@ -214,7 +220,7 @@ function drawRings(view) {
   const [column, row] = view.toScreen(0, 0);
   context.strokeStyle = palette.ring;
   context.lineWidth = 1;
-  for (let radius = step; radius <= 50; radius += step) {
+  for (let radius = step; radius <= ringReach(view); radius += step) {
     context.beginPath();
     context.arc(column, row, radius * view.pixelsPerMetre, 0, 2 * Math.PI);
     context.stroke();
@@ -230,7 +236,7 @@ function drawDistances(view) {
   const step = ringStep(view);
   const [column, row] = view.toScreen(0, 0);
   context.font = FONT;
-  for (let radius = step; radius <= 50; radius += step) {
+  for (let radius = step; radius <= ringReach(view); radius += step) {
     const words = `${radius} m`;
     const width = context.measureText(words).width + 8;
     const reach = radius * view.pixelsPerMetre;
@@ -259,12 +265,15 @@ function drawPoints(view) {
 
 // Calls paint(column, row, side, tile) for each tile of the picture, in its own coordinates.
 function forEachTileOf(view, paint) {
-  view.inPicture((all) => {
-    const side = all / TILES_PER_SIDE;
+  const [across, up] = [view.shape.columns / TILE_SIDE, view.shape.rows / TILE_SIDE];
+  view.inPicture((width) => {
+    const side = width / up;
     for (let tile = 0; tile < view.ages.length; ++tile) {
       const place = view.placeOf(tile);
-      paint((TILES_PER_SIDE - 1 - Math.floor(place / TILES_PER_SIDE)) * side,
-            (TILES_PER_SIDE - 1 - (place % TILES_PER_SIDE)) * side, side, tile);
+      const [x, y] = [place % TILES_PER_SIDE, Math.floor(place / TILES_PER_SIDE)];
+      if (x < across && y < up) {
+        paint((up - 1 - y) * side, (across - 1 - x) * side, side, tile);
+      }
     }
   });
 }

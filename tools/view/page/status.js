@@ -1,6 +1,7 @@
 // The state of things in words: what the banner says, and what the pill says. A picture that is not
 // of now never looks as if it were.
 
+import { TILE_COUNT } from "./messages.js";
 import { describePlace } from "./place.js";
 
 const SERVER_SILENT_MS = 2500;
@@ -153,7 +154,7 @@ function factsOfClasses(classes) {
   const [used, , ...dropped] = classes.end ? classes.end.poses : [0, 0];
   return [
     ["class grid CRC", crcWords(classes)],
-    ["class tiles known", `${classes.known_tiles} of 1024`],
+    ["class tiles known", `${classes.known_tiles} of ${TILE_COUNT}`],
     ["class tiles missing, stale", `${classes.missing_tiles}, ${classes.stale_tiles}`],
     ["poses used, dropped", `${used.toLocaleString("en")}, ${dropped.reduce((a, b) => a + b, 0)}`],
   ];
@@ -167,7 +168,7 @@ export function factsOf(status) {
   const end = frame && frame.end;
   const rows = [
     ["grid CRC", crcWords(frame)],
-    ["tiles known", frame ? `${frame.known_tiles} of 1024` : "–"],
+    ["tiles known", frame ? `${frame.known_tiles} of ${frame.grid.tiles}` : "–"],
     ["tiles missing, stale", frame ? `${frame.missing_tiles}, ${frame.stale_tiles}` : "–"],
     ...(frame && frame.classes ? factsOfClasses(frame.classes) : []),
     ...(frame && frame.objects ? factsOfObjects(frame.objects) : []),

@@ -120,12 +120,12 @@ TEST_F(PointsOfBag, EachScanIsAFrameThatSeesTheWall) {
   constexpr std::size_t kMiddle = geometry::kOriginCell;
   for (const GridFrame& frame : frames) {
     EXPECT_EQ(frame.header.packets_fused, 13U);
-    // The wall is 6.2 m ahead of the car's origin, of cells of 10 cm; what lies before it is free.
-    for (std::size_t y = kMiddle - 20; y < kMiddle + 20; ++y) {
+    // The wall is 6.2 m ahead of the car's origin, of cells of 5 cm; what lies before it is free.
+    for (std::size_t y = kMiddle - 40; y < kMiddle + 40; ++y) {
       const auto row = frame.grid().subspan(y * geometry::kCellsPerSide + kMiddle);
-      EXPECT_GT(std::max({row[61], row[62]}), 0) << y;
-      EXPECT_LT(row[50], 0) << y;
-      EXPECT_EQ(row[70], 0) << y;
+      EXPECT_GT(std::max({row[123], row[124]}), 0) << y;
+      EXPECT_LT(row[100], 0) << y;
+      EXPECT_EQ(row[140], 0) << y;
     }
   }
 }

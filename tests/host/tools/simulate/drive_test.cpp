@@ -1,5 +1,6 @@
 #include "tools/simulate/drives/drive.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -123,6 +124,18 @@ TEST(Truth, MarksTheCellsWhoseCentresAreCovered) {
   EXPECT_EQ(count, 8U);
   EXPECT_TRUE(occupied[512 * 1024 + 512]);
   EXPECT_TRUE(occupied[515 * 1024 + 513]);
+}
+
+// The same wall on a grid of 51.2 x 32 m ahead in cells of 5 cm, and one behind the car.
+TEST(Truth, HasTheGridOfTheCar) {
+  const std::vector<Solid> solids{box(Material::kWall, {.x = 0.1, .y = 0.2}, 0.2, 0.4, 0, 1),
+                                  box(Material::kWall, {.x = -3, .y = 0}, 1, 1, 0, 1)};
+  description::Description car = *reference_car().description;
+  car.grid = {.cell_m = 0.05, .ahead_m = 51.2, .behind_m = 0, .left_m = 16, .right_m = 16};
+  const auto occupied = true_occupancy({}, solids, car);
+  EXPECT_EQ(std::ranges::count(occupied, true), 32);
+  EXPECT_TRUE(occupied[320 * 1024]);
+  EXPECT_TRUE(occupied[327 * 1024 + 3]);
 }
 
 }  // namespace
