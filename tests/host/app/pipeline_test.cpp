@@ -369,8 +369,7 @@ TEST(Pipeline, EverySinkIsGivenEveryFrame) {
   }
 }
 
-// Raw or as short as can be, what arrives is the same. The shared cache keeps what it holds only
-// while references are read, too.
+// Both codings carry the same cells. The shared cache keeps its content only for the short one.
 TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   tests::Random random(82);
   Bench shortest;
@@ -395,32 +394,6 @@ TEST(Pipeline, TheCodingChangesNothingButTheBytes) {
   EXPECT_EQ(platform.kept_messages, 0);
   EXPECT_FALSE(shortest.platform.is_cache_kept);
   EXPECT_EQ(shortest.platform.unreadable() + platform.unreadable(), 0);
-}
-
-// Only a raw tile at the end of a message lends the message its CRC.
-TEST(NetworkSink, MessagesAreSoundWhereverTheirRawTilesLie) {
-  using Cells = std::array<std::byte, tile_coding::kTileBytes>;
-  tests::Random random(83);
-  Cells plain{};
-  plain[40] = std::byte{5};
-  Cells noise{};
-  for (std::byte& cell : noise) {
-    cell = static_cast<std::byte>(random.between(1, 127));
-  }
-  FakePlatform platform;
-  const auto sink = std::make_unique<NetworkSink<FakePlatform>>(platform, Coding::kShortest);
-  const std::vector<std::vector<const Cells*>> frames{
-      {&plain, &noise, &plain}, {&plain, &noise}, {&noise}};
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    sink->begin_frame({.frame_number = static_cast<std::uint32_t>(100 * i)});
-    for (std::size_t tile = 0; tile < frames[i].size(); ++tile) {
-      sink->take_tile(tile, *frames[i][tile]);
-    }
-    sink->end_frame();
-  }
-  ASSERT_EQ(platform.frames.size(), frames.size());
-  EXPECT_EQ(platform.tile_messages(), 3);
-  EXPECT_EQ(platform.unreadable(), 0);
 }
 
 }  // namespace
