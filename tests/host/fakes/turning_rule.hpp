@@ -132,7 +132,13 @@ class TurningRule {
     if (fate == vehicle::Fate::kTooNear || (is_missing && at == 0)) {
       return 0;
     }
-    const auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);
+    auto crossing = lab::reference::cross(ray.start, ray.end, cell, geometry::kResolution);
+    const geometry::Cell first{numeric::div_floor(ray.start.x, geometry::kResolution),
+                               numeric::div_floor(ray.start.y, geometry::kResolution)};
+    if (!crossing && cell == first) {
+      // It contains the start, even if the line only touches it at a corner.
+      crossing = {.enter = {0, 1}, .leave = {1, 1'000'000}};
+    }
     if (ends && cell == cell_at(ray, at)) {
       return fate == vehicle::Fate::kUsed ? profile.hit : 0;
     }

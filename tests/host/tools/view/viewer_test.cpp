@@ -67,7 +67,7 @@ TEST_F(ViewerTest, AnotherGridIsIncompatibleThoughFramesEnd) {
   protection::Sender sender(stream::kNetworkChannel);
   for (auto& message : messages) {
     if (!is_end(message)) {
-      message[kBody + 13] = std::byte{51};  // mm of a cell: the corner is no multiple
+      message[kBody + 9] = std::byte{32};  // 1,056 columns, more than any grid has
     }
     sender.protect(message);
   }
