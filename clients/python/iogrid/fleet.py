@@ -145,8 +145,8 @@ class Table:
 
 
 def checked(client: distributed.Client, job: dict, patience_s: float) -> tuple[dict, str, list[str]]:
-    """Returns the job with the version of `iog` on all workers, and the settings and columns of the table. To get these,
-    each worker runs `iog batch` on a recording that does not exist."""
+    """Returns the job with the version of `iog` on all workers, and the settings and columns of the table. To get
+    these, each worker runs `iog batch` on a recording that does not exist."""
     futures: dict[str, distributed.Future] = {}
     with contextlib.suppress(TimeoutError):
         client.wait_for_workers(1, timeout=patience_s)
@@ -222,7 +222,7 @@ class Run:
         self.answers.add(future)
 
     def outcome(self, future: distributed.Future, answer) -> dict:
-        """The worker's answer, or a failure. If a worker dies, Dask retries on another one a limited number of times."""
+        """The worker's answer, or a failure. If a worker dies, Dask retries elsewhere a limited number of times."""
         if future.status == "finished":
             return answer
         error = answer[1]
