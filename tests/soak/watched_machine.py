@@ -22,7 +22,7 @@ class WatchedMachine(Machine):
         super().__init__(image, folder)
         symbols = debugger.symbols_of(image)
         self.frame_end = symbols[
-            "iog::app::Frame::describe(unsigned long long, iog::stream::Header&, iog::stream::FrameEnd&) const"]
+            "iog::app::Frame::describe(unsigned long long, iog::stream::Header&, iog::stream::FrameEnd&)"]
         self._pass, = (address for name, address in symbols.items() if name.startswith("bool iog::app::pass<"))
         self._busy = 0  # address of the byte
         self._store: tuple[int, int] | None = None  # that it is stopped before: where, and of what

@@ -73,8 +73,9 @@ class TurningRule {
                                 radians(config_.mount.yaw_deg);
     const long double length_m = config_.range_max_mm / 1000.0L;
     const description::GridConfig& grid = description_.grid;
-    const auto exact = [&](double mount_m, long double corner_m, long double way_m) {
-      return (static_cast<long double>(mount_m) + corner_m + way_m) * scale();
+    const auto exact = [&](double mount_m, double corner_m, long double way_m) {
+      return (static_cast<long double>(mount_m) + static_cast<long double>(corner_m) + way_m) *
+             scale();
     };
     const auto x = clearly(exact(config_.mount.x_m, grid.behind_m, length_m * std::cos(azimuth)));
     const auto y = clearly(exact(config_.mount.y_m, grid.right_m, length_m * std::sin(azimuth)));
