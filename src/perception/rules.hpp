@@ -49,7 +49,7 @@ struct Around {
           .gaps = cells_of(200, cell_mm),
           .open = cells_of(300, cell_mm)};
 }
-static_assert(around_with(geometry::kCellMm) == Around{});
+static_assert(around_with(100) == Around{});
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
