@@ -8,7 +8,7 @@
 namespace iog::board {
 namespace {
 
-// Of the linker script; startup.S has painted what lies between.
+// Defined by the linker script. startup.S has painted the stack between them.
 extern "C" {
 extern std::uint32_t main_stack_bottom, main_stack_top;
 }

@@ -1,5 +1,5 @@
-// The base of each board's Board: the number of the run, how the run before it ended, how this one
-// ends, and the main stack.
+// The base class of each board's Board. It manages the run number, the end of the previous run, the
+// end of this run, and the main stack.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 #include "hal/end_of_run.hpp"
 #include "text_line.hpp"
 
-// What startup.S calls when memory is up. In freestanding C++ main() is a function like any other,
-// so it needs a declaration and the name that the assembler knows. It must not return.
+// startup.S calls main() when memory is set up. In freestanding C++, main() is an ordinary
+// function, so it needs a declaration with C linkage. It must not return.
 extern "C" int main();
 
 namespace iog::board {
@@ -23,14 +23,14 @@ class BoardRun {
 
   const MacAddress& mac_address() const { return mac_address_; }
 
-  // Of this run, as hal::RunNumber.
+  // The number of this run, as hal::RunNumber requires.
   std::uint32_t run_number() const { return run_number_; }
 
-  // As hal::EndsRuns: by a last word, and a reset.
+  // Ends the run with a last word and a reset, as hal::EndsRuns requires.
   void end_run(hal::End end, std::string_view words);
   hal::RunBefore run_before() const { return boot_.before; }
 
-  // The deepest the main stack has been since start, and how deep it may be.
+  // The largest use of the main stack since start, and its size.
   std::uint32_t stack_used_bytes() const;
   std::uint32_t stack_bytes() const;
 
@@ -39,7 +39,7 @@ class BoardRun {
   void open_record(Memory& memory) {
     boot_ = open_boot_record(boot_record, memory);
   }
-  // Called last, when the ticks have run beside clocks that they do not depend on.
+  // Called last in start-up, when the ticks have run beside independent clocks.
   template <typename Memory>
   void number_run(std::uint32_t ticks, Memory& memory) {
     run_number_ =

@@ -1,4 +1,5 @@
-// Which interrupts the GIC passes to core 0 (ARM IHI 0048), as every board sets it up.
+// Selects the interrupts that the GIC passes to core 0 (ARM IHI 0048). All boards use these
+// functions.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 
 namespace iog::board {
 
-// Anything above the mask of 0xff in urgency.
+// Any priority that is more urgent than the mask 0xff.
 inline constexpr std::uint8_t kInterruptPriority = 0xa0;
 
 // Switches the GIC off, disables all lines and makes them level-sensitive. A loader may have left

@@ -37,7 +37,8 @@ extern Helpers all_helpers;
 // that what it has stored stays visible.
 [[noreturn]] void end_helper(hal::CoreState state, const TextLine& last_word);
 
-// The interrupt controller passes wake and stop to this core (of each board), or nothing any more.
+// Configures the interrupt controller to pass wake and stop to this core, or to pass nothing. Each
+// board implements hear_core_0().
 void hear_core_0();
 void hear_nobody();
 

@@ -1,5 +1,5 @@
-// What machine.hpp of every board has: one load or store of a device register or a DMA descriptor,
-// the barrier, sleep. The instructions have the same names in A32 and A64.
+// The parts that machine.hpp has on every board: single loads and stores of device registers and
+// DMA descriptors, the barrier, and sleep. The instructions have the same names in A32 and A64.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ inline void store(T& location, T value) {
 }
 
 // Makes everything that this core has stored visible to every DMA engine before anything after it
-// happens. It is a DSB and not a DMB, because a store to a device that starts the engine mostly
-// follows.
+// happens. It is a DSB and not a DMB, because the next store usually goes to a device register that
+// starts the engine.
 inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.

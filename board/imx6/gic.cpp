@@ -7,7 +7,7 @@
 namespace iog::imx6 {
 namespace {
 
-// More urgent than the others, which are mostly pending and would be all that a core is told.
+// More urgent than the other interrupts, which are usually pending and would hide this one.
 constexpr std::uint8_t kWatchdogPriority = 0x20;
 
 }  // namespace

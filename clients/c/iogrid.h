@@ -57,12 +57,12 @@ static inline int iogrid_index_at(const iogrid_receiver* r, double x_m, double y
   return (int8_t)grid->cells[tile][row % 32 * 32 + column % 32];
 }
 
-// How probably a cell of this index is occupied, by the epsilon of the stream (3.3).
+// The probability that a cell with this index is occupied, from the epsilon of the stream (3.3).
 static inline double iogrid_probability(const iogrid_receiver* r, int index) {
   return 1 / (1 + pow((0.5 - r->indexes.epsilon) / (0.5 + r->indexes.epsilon), index));
 }
 
-// The remainder that is not negative.
+// The non-negative remainder.
 static inline uint32_t iogrid_modulo(int64_t number, uint32_t by) {
   return (uint32_t)((number % by + by) % by);
 }

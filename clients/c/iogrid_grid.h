@@ -66,7 +66,8 @@ static inline size_t iogrid_window(iogrid_grid* grid, const uint8_t* body, size_
   return at + size;
 }
 
-// How many tiles a grid of this geometry has; 0 if that is none, or not the one of the frame.
+// The number of tiles of a grid with this geometry. 0 if the geometry is invalid or differs from
+// that of the frame.
 static inline uint32_t iogrid_tiles_of(const iogrid_grid* grid, const uint8_t* geometry) {
   const uint32_t columns = iogrid_be16(geometry + 2), rows = iogrid_be16(geometry + 4);
   const uint32_t tiles = columns / 32 * (rows / 32), epsilon_e5 = iogrid_be16(geometry + 8);
@@ -171,8 +172,8 @@ static inline void iogrid_close_grid(iogrid_grid* grid, const uint32_t* table, u
   }
 }
 
-// Where the fields behind counters and sensors begin in the end of a frame (3.5); 0: it is too
-// short.
+// The offset in a frame end of the fields behind counters and sensors (3.5). 0 if the frame end is
+// too short.
 static inline size_t iogrid_end_tail(uint32_t sensors, const uint8_t* body, size_t bytes) {
   if (bytes < 32) return 0;
   size_t at = 32 + 4 * ((size_t)body[28] + body[29] + body[30] + body[31]);

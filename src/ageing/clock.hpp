@@ -26,7 +26,8 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
-  // tables: of a car with constants of its own, which must outlive the clock, or null.
+  // `tables` are those of a car with its own constants and must outlive the clock. They are null
+  // for the default constants.
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime, const Tables* tables = nullptr)
       : discounting_(discounting),

@@ -25,9 +25,10 @@ inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 // Entry j is the factor for bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// For the PC and the compiler. Returns 1 / tau, given the fraction that is left after 100 ms.
-// Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan for contextual discounting, in
-// which the rates apply to the complement of a set. The two rates are therefore swapped here.
+// Runs only on a PC or at compile time. Returns 1 / tau, given the fraction that is left after 100
+// ms. Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan for contextual
+// discounting, in which the rates apply to the complement of a set. The two rates are therefore
+// swapped here.
 constexpr double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }

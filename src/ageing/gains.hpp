@@ -41,7 +41,7 @@ inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 // 1 - 0.7, the mass of crossing beams in 100 ms.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
-// For the PC and the compiler. ms: 1 ... 100.
+// The mass of crossing beams after 1 ... 100 ms. Runs only on a PC or at compile time.
 constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_ms) {
   const double doubt = numeric::exp(numeric::log(doubt_after_100_ms) * ms / 100);
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
@@ -58,7 +58,7 @@ constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
 // The mass of crossing beams by time in ms. The entry for 0 ms equals the entry for 1 ms.
 using FreeMasses = std::array<std::int16_t, kLongestGainMs + 1>;
 
-// For the PC and the compiler.
+// Runs only on a PC or at compile time.
 constexpr FreeMasses make_free_masses(double doubt_after_100_ms) {
   FreeMasses masses{};
   for (std::size_t ms = 0; ms < masses.size(); ++ms) {
@@ -104,7 +104,7 @@ constexpr const evidence::Gains& gains_after(std::uint32_t ms, Weighing weighing
   return gains_after(ms, weighing == Weighing::kByTime ? kGainsByTime : kGainsOfScan);
 }
 
-// The tables of a car whose file has evidential constants of its own (docs/vehicles.md).
+// The tables of a car file with its own evidential constants (docs/vehicles.md).
 struct Tables {
   Decays decays{};
   Accumulation accumulation{};

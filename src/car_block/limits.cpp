@@ -48,8 +48,9 @@ void check_frames(const Vehicle& car, const Tell& tell) {
   }
 }
 
-// Classes need cells in which a window of 1024 x 1024 of them is long enough. In cells of 0.5 m a
-// thing that moves and one that flickers look alike. Objects are tracked in cells of 0.1 m only.
+// Classes need cells that are large enough for a useful window of 1024 x 1024 cells. In cells of
+// 0.5 m, moving objects cannot be distinguished from flickering ones. Objects are tracked only in
+// cells of 0.1 m.
 void check_cells(const Vehicle& car, const Tell& tell) {
   const std::uint16_t cell_mm = car.grid.cell_mm;
   const bool has_classes = vehicle::have_classes(car.grids);
@@ -270,7 +271,7 @@ void check_sources(const Vehicle& car, const net::Config& network, const Tell& t
   }
 }
 
-// Masses and factors must be fractions that do not grow the wrong way.
+// Masses and factors must be fractions and must rise or fall monotonically with time.
 void check_tables_of_window(const ageing::Tables& tables, const Tell& tell) {
   const auto falls = [](const ageing::DecayTable& decay) {
     return decay.front() < ageing::kUndecayed && std::ranges::is_sorted(decay, std::greater<>());

@@ -31,7 +31,7 @@ inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacl
 
 // The maximum magnitude of coordinates. It keeps products of subcells within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;
-// The largest cells in which `moved` can tell what moves from what flickers.
+// The largest cells in which `moved` can distinguish moving objects from flickering ones.
 inline constexpr std::uint16_t kCoarsestMovedMm = 200;
 inline constexpr std::string_view kHalfLifeWords = "0.05 ... 600";
 inline constexpr std::string_view kMassWords = "0.05 ... 0.99";

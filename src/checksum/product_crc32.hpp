@@ -97,7 +97,8 @@ class ProductCrc32 {
     return factors;
   }
 
-  // The factors of the first eight of kBytes bytes, and of one, two ... more bytes.
+  // The factors of the first eight bytes of a part of kBytes bytes, and of parts that are one, two,
+  // ... bytes longer.
   template <std::size_t kBytes, std::size_t... kMore>
   static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
     std::array<Factors, sizeof...(kMore)> first{};

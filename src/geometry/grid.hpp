@@ -43,8 +43,8 @@ inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;
 
-// The grid that a car file asks for. Memory has kCellsPerSide cells per row in any case, so cells
-// and tiles keep the numbers above. A smaller grid is the part of the memory at cell (0, 0).
+// The grid that a car file specifies. Memory always has kCellsPerSide cells per row, so the numbers
+// of cells and tiles above do not change. A smaller grid is the part of the memory at cell (0, 0).
 struct Grid {
   std::uint16_t cell_mm = kCellMm;
   std::uint16_t columns = kCellsPerSide;
@@ -54,7 +54,7 @@ struct Grid {
   std::uint16_t origin_row = kOriginCell;
 
   [[nodiscard]] constexpr CellArea area() const { return {columns, rows}; }
-  // Whether it is as large as the memory, with the car in the middle.
+  // True if the grid is as large as the memory and the car is in the middle.
   [[nodiscard]] constexpr bool is_whole() const { return Grid{.cell_mm = cell_mm} == *this; }
   // Converts a length to subcells, rounded down. The length must be below 2^21 mm.
   [[nodiscard]] constexpr std::int32_t subcells(std::int32_t mm) const {
@@ -64,8 +64,8 @@ struct Grid {
   [[nodiscard]] constexpr std::size_t tile_count() const {
     return columns / kTileSide * (rows / kTileSide);
   }
-  // The number of tiles of the grid that come before this tile of the memory. It numbers the tiles
-  // on the wire, row by row.
+  // The number of grid tiles before this tile of the memory, row by row. For a tile of the grid, it
+  // is the tile number on the wire.
   [[nodiscard]] constexpr std::size_t tiles_before(std::size_t tile) const {
     const std::size_t across = columns / kTileSide;
     const std::size_t up = rows / kTileSide;

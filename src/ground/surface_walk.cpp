@@ -245,7 +245,8 @@ void SurfaceWalk::catch_up(Bins bins, std::size_t bin, std::size_t sector) {
   }
 }
 
-// Begins the doubt at a far and high first ground, and lessens it at ground of the sector's own.
+// Starts the doubt at a far and high first ground, and reduces it at each ground of the sector's
+// own.
 void SurfaceWalk::doubt(std::size_t bin) {
   const std::int16_t begin = bin < kNearBins ? std::int16_t{0} : kProofs;
   for (std::size_t sector = 0; sector < kSectors; ++sector) {

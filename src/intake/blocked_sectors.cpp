@@ -116,7 +116,7 @@ void BlockedSectors::add(const Packet& packet) {
     const auto layers = std::span(sampled_).first(sampled_count_);
     packet.for_each_sample({.layers = layers, .log2_firings = layers.size() <= 16 ? 2 : 1}, look);
   } else {
-    // Inline and with a copy, so that only the azimuth of most points is decoded.
+    // This is inlined so that, for most points, only the azimuth is decoded.
     const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
     packet.for_each_point([&](const lidar::ScanPoint& point) __attribute__((always_inline)) {
       if (!contains(decided, point.azimuth_ticks, turn)) {

@@ -66,7 +66,7 @@ class WatchedSectors {
  private:
   // Bit i is set if the sensor has swept sector i in the current frame, with or without returns.
   [[nodiscard]] std::uint64_t find_swept(std::size_t sensor, const Intake& intake) const;
-  // The same, found once after the sensor's last packet.
+  // The same as find_swept(), but cached after the sensor's last packet.
   [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) {
     std::optional<std::uint64_t>& swept = swept_[sensor];
     return swept ? *swept : swept.emplace(find_swept(sensor, intake));

@@ -1,8 +1,8 @@
 // Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
 // stationary objects.
 //
-// Squares of cells below are those of cells of 0.1 m; of other cells they are as long in metres
-// (Rules::around). The numbers of new hits stay.
+// The squares below are stated in cells of 0.1 m. Squares of larger cells have the same length in
+// metres (Rules::around). The numbers of new hits do not change.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
 // beam has freed its cell and a tall return lies within Rules::tall_within cells. Objects so low

@@ -36,8 +36,8 @@ inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kCellMm);
 inline constexpr int kTallOverGroundWithin = cells_of(kTallOverGroundWithinMm, geometry::kCellMm);
 
-// How far around a cell the rules of motion onset and of open ground look, in cells. The lengths
-// are 0.1, 0.2 and 0.3 m.
+// The distances, in cells, at which the rules of motion onset and open ground examine a cell's
+// surroundings. They correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
   int beside = 1;  // a standing cell that near makes a hit one of its own
   int gaps = 2;    // gaps between beams that are closed, and the seen cells around a dense one
@@ -49,12 +49,13 @@ struct Around {
           .gaps = cells_of(200, cell_mm),
           .open = cells_of(300, cell_mm)};
 }
-static_assert(around_with(geometry::kCellMm) == Around{});
+static_assert(around_with(100) == Around{});
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // Of a car with evidential constants of its own, in static storage. Null: the usual ones.
+  // The tables of a car with its own evidential constants, in static storage. Null selects the
+  // default constants.
   const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If it is null, all hits have the same mass.
   const evidence::Assignment* assignment = nullptr;

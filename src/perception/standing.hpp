@@ -55,8 +55,8 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved is true if the position or heading has changed since the first pose.
-  // Standing things are edges, so the same edges have fewer cells if cells are larger.
+  // has_moved is true if the position or heading has changed since the first pose. Static objects
+  // are seen as edges, and an edge covers fewer cells if cells are larger.
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {

@@ -68,7 +68,7 @@ struct Geometry {
   return geometry;
 }
 
-// The grid that has this geometry; nothing if no car has it.
+// Returns the grid with this geometry, or nothing if no car can have it.
 [[nodiscard]] constexpr std::optional<geometry::Grid> grid_of(const Geometry& geometry) {
   if (geometry.cell_mm == 0) {
     return std::nullopt;

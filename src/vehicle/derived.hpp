@@ -75,8 +75,8 @@ constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   }
 }
 
-// footprint and height band: the values of the car in subcells. Sensor::grid must be that of the
-// car.
+// The footprint and the height band are those of the car, in subcells. Sensor::grid must be the
+// car's grid.
 constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std::int32_t z_max,
                              Sensor& sensor) {
   using derived_detail::range_products;
@@ -94,7 +94,7 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
 // such a sensor is mounted above its limit for low beams. Extends the range of tall hits if a
-// sensor with a limit for tall returns follows the ground. Lengths become cells.
+// sensor with a limit for tall returns follows the ground. Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {
   rules.is_opened_from_below =

@@ -90,7 +90,7 @@ struct FootprintConfig {
   double y_max_m = 0;
 };
 
-// Cells, and how far they reach from the vehicle's origin.
+// The cell size and the distances of the grid's edges from the vehicle's origin.
 struct GridConfig {
   double cell_m = geometry::kCellMm / 1000.0;
   double ahead_m = geometry::kOriginCell * cell_m;
@@ -99,8 +99,8 @@ struct GridConfig {
   double right_m = geometry::kOriginCell * cell_m;
 };
 
-// The constants of Kurdej 2015, table 7.1 and section 7.3, as far as a car may have its own. The
-// accumulator is of an object of this length that passes at this speed, this far behind another.
+// The constants of Kurdej 2015, table 7.1 and section 7.3, that a car file can set. The accumulator
+// is designed for an object of length L that moves at V_min at a distance d behind another object.
 struct EvidenceConfig {
   double slowest_m_s = 1.0;  // V_min
   double object_m = 3.0;     // L

@@ -33,7 +33,7 @@ void check_span(double least, double most, std::string_view field, std::string_v
   }
 }
 
-// Which rectangles there are is asked of the cells (car_block/limits.hpp).
+// car_block/limits.hpp checks the rectangle, which is given in cells.
 void check_grid(const GridConfig& grid, const Tell& tell) {
   if (grid_of(grid).cell_mm == 0) {
     return;
@@ -49,7 +49,8 @@ void check_grid(const GridConfig& grid, const Tell& tell) {
   check(grid.right_m, "grid.right_m");
 }
 
-// Masses of an assignment or of a scan take the place of those of the file.
+// An assignment, or weighing by scan, has its own masses, which would replace those of the car
+// file.
 void check_evidence(const Description& car, const Tell& tell) {
   const EvidenceConfig& evidence = car.evidence;
   const auto check = [&](double value, double least, double most, std::string_view field,
@@ -97,9 +98,9 @@ void check_car(const Description& car, const Tell& tell) {
   }
 }
 
-// A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d); of one above
-// 4 sigma the model does not hold (sensor_model/single_target.hpp). With a large epsilon, index 1
-// stands for more than the probability of a hit. An arc says less than a beam.
+// A 1D cell much shorter than sigma cannot mark (thesis section 4.2.1.2, figure 4.6d). Above 4
+// sigma, the model does not hold (sensor_model/single_target.hpp). With a large epsilon, index 1
+// exceeds the probability of a hit. An arc provides less evidence than a beam.
 bool can_mark(const Description& car, const SensorConfig& config) {
   const double ratio = config.precision_mm / (1000 * config.sigma_m);
   if (!is_within(ratio, 0.25, 4.0)) {

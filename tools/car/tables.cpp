@@ -23,8 +23,7 @@ using vehicle::Layer;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
-// The whole numbers of a length: the scale is exact, as cells are whole millimetres of a divisor of
-// a metre.
+// Converts lengths to subcells. The scale is exact, because the cell size in mm divides 1000.
 double subcells_per_metre(const geometry::Grid& grid) {
   return 1000.0 / grid.cell_mm * geometry::kResolution;
 }
@@ -41,7 +40,7 @@ std::uint16_t millimetres(double metres) {
                                    : std::uint16_t{0};
 }
 
-// 0, which is refused, of what is no epsilon.
+// Returns 0, which is refused, if the value is not a valid epsilon.
 std::uint16_t hundred_thousandths(double epsilon) {
   return epsilon > 0 && epsilon < 0.5 ? static_cast<std::uint16_t>(numeric::round(epsilon * 1e5))
                                       : std::uint16_t{0};
@@ -81,11 +80,12 @@ struct Place {
   double length_m = 0;
   geometry::Grid grid{};
 
-  // Of an EndCoordinate.
+  // The unit of an EndCoordinate.
   [[nodiscard]] double units_per_metre() const {
     return subcells_per_metre(grid) * (1 << vehicle::kAxisFractionBits);
   }
-  // Each axis with its origin, measured as in the grid.
+  // Calls along() for each axis with the mount's position, measured from the grid's corner in x and
+  // y.
   [[nodiscard]] Layer with_ends(auto&& along) const {
     return {.x = along(grid_x(mount.x_m, grid), 0),
             .y = along(grid_y(mount.y_m, grid), 1),

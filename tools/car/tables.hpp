@@ -12,13 +12,13 @@
 
 namespace iog::description {
 
-// Whether a quotient of lengths is meant as a whole number.
+// True if a quotient of lengths is a whole number, apart from rounding errors.
 [[nodiscard]] bool is_whole(double number);
 
-// 0 instead of a size or a length that no grid has.
+// Sizes and lengths that no grid can have become 0.
 [[nodiscard]] geometry::Grid grid_of(const GridConfig& config);
 
-// Nothing if these are the usual constants.
+// Returns nothing if the constants are the defaults.
 [[nodiscard]] std::optional<ageing::Tables> tables_of(const EvidenceConfig& evidence);
 
 // What of a sensor needs no table. Of any description: what is wrong in it is told by check()

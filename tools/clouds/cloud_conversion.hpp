@@ -30,9 +30,9 @@ class CloudConversion {
   // Is told where each point goes, before its datagram is returned.
   void tell(UnitPackets::OnSent on_sent) { packets_.tell(std::move(on_sent)); }
 
-  // The next datagrams in order of time, those of a turn; none: that was all. UsageError for a
-  // cloud that cannot be read, or if half of the points so far are beyond the unit's range or
-  // not where the car's lasers look.
+  // Returns the datagrams of the next turn, in order of time, or none at the end. UsageError if a
+  // cloud cannot be read, or if half of the points so far are beyond the unit's range or away from
+  // the directions of the car's lasers.
   [[nodiscard]] std::vector<CapturedDatagram> next();
 
   [[nodiscard]] const CloudSet& set() const { return set_; }

@@ -55,11 +55,12 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
-// Further than any unit sees.
+// Farther than any unit can measure.
 inline constexpr std::int32_t kFarthestMm = 500'000;
 
-// Coordinates in another unit or byte order; what is far away would be free all around. UsageError,
-// which begins with `what`, if more than half of the points are further away than kFarthestMm.
+// Detects coordinates in another unit or byte order, which would free everything around the car.
+// Throws a UsageError that begins with `what` if more than half of the points are farther away than
+// kFarthestMm.
 void demand_metres(std::size_t far, std::size_t points, const std::string& what);
 
 // UsageError, which begins with `what`, for more points than a unit sees in a scan.

@@ -51,7 +51,7 @@ void read_times(CloudSet& set, const TimeIn& its_time_in, const CloudAt& cloud_a
          set.remarks);
 }
 
-// Of another drive, they would be anywhere.
+// Poses of another drive would place the clouds anywhere.
 void demand_same_time(const CloudSet& set) {
   const std::vector<LoggedPose>& poses = set.poses.poses;
   if (!poses.empty() && (poses.back().time_us < set.forward.front().time_us ||

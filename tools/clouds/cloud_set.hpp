@@ -29,8 +29,8 @@ struct CloudSet {
   std::vector<std::string> remarks{};  // what is not there
 };
 
-// UsageError if the folder has neither form, a file of it cannot be read or is not what it has to
-// be, there is no cloud, or the poses are of another time.
+// UsageError if the folder has neither form, if a file cannot be read or has the wrong content, if
+// there is no cloud, or if the poses are from another time.
 [[nodiscard]] CloudSet read_cloud_set(const std::string& folder);
 
 // Where a point of a cloud was in the unit's frame at a time, in microseconds since 1970.

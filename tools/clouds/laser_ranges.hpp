@@ -21,9 +21,9 @@ struct LaserRanges {
   std::vector<double> ranges_m{};
 };
 
-// An infinite range, or one beyond the longest, is a beam from which nothing came back (REP 117).
-// UsageError, which begins with `what`, if there are too many, as demand_metres(), or if the scan's
-// head contradicts itself or describes no scan.
+// An infinite range, or a range above the maximum, means that the beam had no return (REP 117).
+// Throws a UsageError that begins with `what` if there are too many ranges, for the reasons of
+// demand_metres(), or if the scan's header is contradictory or describes no scan.
 [[nodiscard]] SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what);
 
 }  // namespace iog::tools

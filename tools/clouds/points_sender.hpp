@@ -30,9 +30,9 @@ class PointsSender {
   // The car outlives it, and its sensor is a unit of points.
   PointsSender(const CatalogueEntry& car, std::size_t sensor);
 
-  // A scan: in the order of the points' times, or else, of what turns, of their azimuths.
-  // UsageError if the car's file has not as many points for a scan, as demand_metres(), or if times
-  // go back.
+  // Sends a scan in the order of the points' times or, for a turning unit without times, of their
+  // azimuths. UsageError if the scan has more points than the car file allows, for the reasons of
+  // demand_metres(), or if times go back.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
 
   [[nodiscard]] const SentClouds& sent() const { return sent_; }

@@ -107,7 +107,7 @@ Facts read_facts(const std::string& path) {
   return facts;
 }
 
-// A mistake in an option is an error of the batch, and not of each recording.
+// A wrong option ends the whole batch, instead of failing each recording.
 void check_options(const BatchOptions& options) {
   CLI::App program("", "iog");
   add_fuse(program);

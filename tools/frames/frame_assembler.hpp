@@ -36,7 +36,7 @@
 
 namespace iog::tools {
 
-// "interface version 4; this iog reads 5"
+// Returns words such as "interface version 4; this iog reads 5".
 [[nodiscard]] std::string words_of_version(std::uint8_t sent);
 
 class FrameAssembler {

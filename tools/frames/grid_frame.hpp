@@ -29,7 +29,8 @@ struct GridFrame {
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
   geometry::Grid shape;  // of its grid of occupancy indexes
-  // Sets of tiles are by y * kTilesPerSide + x. Tiles outside the grid are valid and unknown.
+  // Sets of tiles are indexed by y * kTilesPerSide + x. Tiles outside the grid are valid and
+  // unknown.
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are

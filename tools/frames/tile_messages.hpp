@@ -40,11 +40,11 @@ class TileDecoder {
 // frames are in order by then, and so are the tiles that others refer to.
 class TileMessages {
  public:
-  // The body of a message that stream::read_tiles() has found sound. False if there are more of
-  // them than the grid has tiles, or another message of the frame is of another grid.
+  // Stores the body of a message that stream::read_tiles() has accepted. Returns false if there are
+  // more messages than the grid has tiles, or if an earlier message of the frame has another grid.
   [[nodiscard]] bool take(const stream::TilesHeader& header, const geometry::Grid& grid,
                           std::span<const std::byte> body);
-  // What the messages say of it.
+  // The grid that the messages describe.
   [[nodiscard]] const geometry::Grid& grid() const { return grid_; }
 
   // Whether every tile of the grid has been spoken of.

@@ -93,8 +93,8 @@ class CarCapture {
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
-  // How the clocks of poses and packets differ, or of the captures; empty if they agree. Known when
-  // all has been read.
+  // Words for a difference between the clocks of poses and packets or between the captures. Empty
+  // if there is none. Complete when everything has been read.
   [[nodiscard]] std::string clock_words() const {
     return files_.words().empty() ? clocks_.words() : files_.words();
   }

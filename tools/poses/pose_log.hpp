@@ -123,7 +123,8 @@ struct ConvertedLog {
 // UsageError if the log's plane is more than 1,000 km from the map's origin.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
 
-// UsageError, with why, if there are not the two that a target needs before it believes them.
+// UsageError with the reason if there are fewer than the two poses that a target needs to accept a
+// source.
 void demand_poses(const ConvertedLog& log, const std::string& path);
 
 // A line for each remark and note, and for standard deviations that were taken.

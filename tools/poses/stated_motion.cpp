@@ -1,5 +1,5 @@
-// A drive is cut into stretches so long that neither the noise of a receiver nor its mount matters:
-// of 5 m for headings and speeds, of half a radian for yaw rates.
+// A drive is divided into stretches that are long enough to make the receiver's noise and mount
+// irrelevant: 5 m for headings and speeds, half a radian for yaw rates.
 #include "tools/poses/stated_motion.hpp"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ double seconds_between(const PoseSample& from, const PoseSample& to) {
   return static_cast<double>(to.time_us - from.time_us) / 1e6;
 }
 
-// Along the headings, across them, and as speeds and yaw rates state it, which is NaN if they do
-// not.
+// A motion along the headings, across the headings, and according to speeds and yaw rates. The
+// latter are NaN if the log does not state them.
 struct Moved {
   double ahead_m = 0;
   double beside_m = 0;
@@ -37,7 +37,7 @@ struct Moved {
   double stated_rad = 0;
 };
 
-// Of whole stretches, each without its sign.
+// Sums of the absolute values of whole stretches.
 struct Sums {
   double way_m = 0;
   Moved moved{};
@@ -57,7 +57,7 @@ void add_step(const PoseSample& from, const PoseSample& to, const LoggedPose& po
   moved.stated_rad += pose.yaw_rate_rps.value_or(kNotStated) * seconds_between(from, to);
 }
 
-// Whether the stretch ends, and counts.
+// True if the stretch ends here. Counts it in `sums`.
 bool ends_way(const PoseSample& from, const PoseSample& to, const Moved& moved, Sums& sums) {
   const double way_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
   if (way_m < kStretchM) {

@@ -1,4 +1,4 @@
-// Whether the motion that a log states is that of its positions.
+// Checks whether the motion that a log states agrees with its positions.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace iog::tools {
 
-// The headings, speeds and yaw rates that do not fit the positions, and by how much; empty: all
-// fit, or the car drives less than 20 m. A log in radians, by the compass, in km/h or of a camera's
-// frame is sound in each row, and only its own positions contradict it. samples: the poses as those
-// of the car, one for each.
+// Names the headings, speeds and yaw rates that do not fit the positions, and by how much. Empty if
+// all of them fit, or if the car drives less than 20 m. A log in radians, with compass headings, in
+// km/h or in a camera's frame is plausible in each row, and only its own positions contradict it.
+// `samples` contains one pose of the car for each of `poses`.
 [[nodiscard]] std::string words_of_misfit(const std::vector<LoggedPose>& poses,
                                           const std::vector<PoseSample>& samples);
 

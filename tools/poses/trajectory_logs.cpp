@@ -35,7 +35,7 @@ std::array<double, kCount> numbers_in(std::string_view text, const std::string& 
 
 Rigid rigid_in(std::string_view text, const std::string& where) {
   const Rigid rigid = numbers_in<12>(text, where, "three rows of a pose");
-  // Rows of a rotation have length 1, and the third is the product of the others.
+  // The rows of a rotation have length 1, and the third row is the cross product of the others.
   for (std::size_t row = 0; row < 3; ++row) {
     const double length = std::hypot(rigid[row * 4], rigid[row * 4 + 1], rigid[row * 4 + 2]);
     if (std::abs(length - 1) > 0.01) {

@@ -15,7 +15,8 @@ constexpr std::uint16_t kNavPvt = 0x0107;  // class and id
 // Of receivers before the M8: without the heading of the vehicle. Later ones may append fields.
 constexpr std::size_t kLeastPvtBytes = 84;
 constexpr std::size_t kVehiclePvtBytes = 92;
-// RXM-RAWX with 255 measurements is the longest. What claims more would be summed at every byte.
+// RXM-RAWX with 255 measurements is the longest message. Without this limit, the checksum of a
+// false longer message could be computed at every byte.
 constexpr std::size_t kMostPayloadBytes = 8'176;
 constexpr std::size_t kHeaderBytes = 6;
 constexpr std::size_t kChecksumBytes = 2;

@@ -22,7 +22,7 @@ namespace iog::tools {
 [[nodiscard]] std::vector<std::byte> read_file(const std::string& path);
 [[nodiscard]] std::vector<std::string> read_lines(const std::string& path);
 
-// How many files of a folder that end so are left beside those that are known.
+// The number of files in a folder that have this suffix, minus the `known` ones.
 [[nodiscard]] std::size_t files_beside(const std::string& folder, std::string_view suffix,
                                        std::size_t known);
 
@@ -35,15 +35,15 @@ void make_folder(const std::string& path);
 // Removes all of these from the folder: what an earlier run has left would look like this one's.
 void remove_numbered(const std::string& folder, std::string_view stem, std::string_view suffix);
 
-// Where the bytes of an output go: to PATH.part, which becomes PATH in finish(). An output without
-// finish() leaves nothing, and the file that was there stays. The same holds if a signal ends the
-// program. Devices, pipes and "-" are written directly.
+// The destination of an output. Bytes are written to PATH.part, which finish() renames to PATH.
+// Without finish(), or if a signal ends the program, no output remains, and an existing file stays
+// as it was. Devices, pipes and "-" are written directly.
 class OutputPlace {
  public:
   explicit OutputPlace(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return part_.is_none() ? path_ : part_.path(); }
-  // When the file is closed. UsageError if it cannot become PATH.
+  // Call this when the file is closed. UsageError if it cannot be renamed to PATH.
   void finish();
 
  private:
@@ -55,7 +55,7 @@ class OutputFile {
  public:
   // UsageError if the file cannot be written.
   explicit OutputFile(const std::string& path);
-  // Into a file that exists and that its owner removes.
+  // Writes to an existing file, which its owner removes.
   explicit OutputFile(const UnfinishedFile& file);
 
   // UsageError if it is known already that the bytes do not reach the file.

@@ -53,7 +53,8 @@ void RunStatistics::add(const GridFrame& frame) {
     commands_ = stream::counts_of<CommandCounts>(frame.end);
     loop_times_ = stream::counts_of<LoopTimes>(frame.end);
     hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc);
-    // A capture may end within a scan, and a target closes a frame without one behind the last.
+    // Two frames are combined, because a capture may end within a scan, and a target closes one
+    // more frame without a scan after the last scan.
     unwatched_ = frame.end.unwatched & newest_unwatched_;
     newest_unwatched_ = frame.end.unwatched;
     blocked_ = frame.end.blocked;

@@ -35,7 +35,7 @@ description::FootprintConfig read_footprint(TomlTable table) {
   return footprint;
 }
 
-// By default 512 cells to each side.
+// By default, each side is 512 cells away from the origin.
 description::GridConfig read_grid(TomlTable table) {
   double cell_m = description::GridConfig{}.cell_m;
   table.read("cell_m", cell_m);

@@ -101,7 +101,7 @@ Json transform_json(const std::optional<pose::MapTransform>& transform) {
           {"heading_rad", frame.heading * (2 * std::numbers::pi / 0x1p32)}};
 }
 
-// What the target says of its map.
+// The state of the target's map.
 Json map_json(const stream::MapState& map) {
   return {{"in_use", map.in_use.has_value()},
           {"crc", hex(map.layer.crc)},

@@ -49,8 +49,8 @@ class Mdio {
     return wait();
   }
 
-  // Of a PHY that was found, so it answers. A failed write shows as a link that is down or loses
-  // frames, and there is nothing else to do about it at start-up.
+  // For a PHY that find() has found, so it answers. Failures are ignored: start-up has no remedy,
+  // and a failed write later appears as a link that is down or loses frames.
   void set(unsigned phy_register, std::uint16_t value) {
     static_cast<void>(write(phy_register, value));
   }

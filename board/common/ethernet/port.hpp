@@ -1,27 +1,30 @@
-// An Ethernet controller as a hal::EthernetPort: its rings, the link, a limit on how fast frames
-// leave (transmit_shaper.hpp), and a start anew when it has stopped.
+// Implements hal::EthernetPort with an Ethernet controller: manages the rings and the link, limits
+// the transmit rate (transmit_shaper.hpp), and restarts the controller when it has stopped.
 //
-// The controller's memory is uncached, so a received frame is copied once, in bursts, into cached
-// memory, and parsed there; its buffer goes back at once. On the i.MX6, 1500 bytes are 47 bursts of
-// some 140 cycles, 7 us. Parsed in place, each field and each word of the checksum takes as long as
-// a burst: by the cost model (docs/a9_model.md) 100 us a packet of a LUX and 2 ms more a frame of
-// four, where the copies of a frame take 0.12 ms. Cached buffers would save most of that and cost
-// an invalidation of each of the 47 lines in both cache levels, before and after (the PL310's by
-// its slow port), with erratum 764369 to mind: no less, and much more to get wrong.
+// The controller's memory is uncached. A received frame is therefore copied once, in bursts, into
+// cached memory and parsed there, and its buffer is returned at once. On the i.MX6, 1500 bytes are
+// 47 bursts of about 140 cycles, or 7 us. If a frame were parsed in place, reading each field and
+// each word of the checksum would take as long as a burst. The cost model (docs/a9_model.md)
+// predicts 100 us per LUX packet, which adds 2 ms to a frame of four LUX, whereas the copies add
+// 0.12 ms. Cached buffers would save most of the copying. However, all 47 lines would have to be
+// invalidated in both cache levels, before and after the transfer, through the PL310's slow port
+// and with erratum 764369 in mind. This would cost as much and be more error-prone.
 //
-// Controller is of the board, and has beside Format (rings.hpp), Mdio (mdio.hpp) and Clock:
+// Each board provides a Controller. It has the types Format (rings.hpp), Mdio (mdio.hpp) and Clock,
+// and these functions:
 //
-//   stop()              resets it; its events are cleared, and its statistics begin anew
-//   set_up(settings)    writes them while it is stopped; then mdio() works
-//   run()               it receives and sends
+//   stop()              resets the controller, its events and its statistics
+//   set_up(settings)    writes the settings of the stopped controller; then mdio() works
+//   run()               starts reception and transmission
 //   start_phy()         finds the PHY and sets it up
-//   bin_of(group)       the bit of the filter's hash table; set_groups(bits) may come at any time
-//   frame_bytes(descriptor, counters)  the length of the good frame in a filled buffer; 0 if the
-//                       buffer has none, which is counted
+//   bin_of(group)       the group's bit in the filter's hash table
+//   set_groups(bits)    sets this table; may be called at any time
+//   frame_bytes(descriptor, counters)  the length of the good frame in a filled buffer; if there is
+//                       none, counts a bad frame and returns 0
 //   gave_back()         called after each buffer that the controller may fill again
 //   found_none(was_full, counters)     called when no buffer is filled
 //   send()              wakes the transmitter, once the descriptors are in memory
-//   collect(counters)   adds what its statistics have counted since the last call
+//   collect(counters)   adds the events that its statistics have counted since the last call
 //   can_receive(), has_bus_error(), clear_event()
 #pragma once
 
@@ -39,12 +42,13 @@
 
 namespace iog::board {
 
-// Everything the controller's DMA touches. One of these, in the uncached region. Between its parts
-// stand guards.
+// All memory that the controller's DMA accesses. There is one instance, in the uncached region.
+// Guards separate its parts.
 //
-// Transmit: a complete grid without waiting: 1024 tiles, 64 frames of other kinds that may fall
-// into the same moment (status, ARP, echo replies), and 64 that may still be in flight from before;
-// and 256 for a subscriber's copies, which go only where the peer needs no room (app/offering.hpp).
+// The transmit ring holds a complete grid without waiting: 1024 tiles, 64 other frames at the same
+// time (status, ARP, echo replies), and 64 earlier frames that may still be in flight. Another 256
+// buffers are for a subscriber's copies, which never take buffers that the peer needs
+// (app/offering.hpp).
 template <typename Format>
 struct PortMemory {
   using Descriptor = typename Format::Descriptor;
@@ -62,14 +66,14 @@ struct PortMemory {
   health::Guard behind_transmit_buffers;
 };
 
-// From low to high.
+// The guards in order of address, lowest first.
 template <typename Format>
 constexpr std::array<health::Guard*, 5> guards_of(PortMemory<Format>& memory) {
   return {&memory.below, &memory.behind_receive_descriptors, &memory.behind_transmit_descriptors,
           &memory.behind_receive_buffers, &memory.behind_transmit_buffers};
 }
 
-// Its functions are in port_functions.hpp, which one file of each board includes.
+// The functions are defined in port_functions.hpp, which one file of each board includes.
 template <typename Controller>
 class Port {
  public:
@@ -102,13 +106,15 @@ class Port {
   Port(const Port&) = delete;  // the parts refer to each other
   Port& operator=(const Port&) = delete;
 
-  // Resets the controller, finds the PHY, starts receiving. Pads and clocks must be up already.
+  // Resets the controller, finds the PHY and starts receiving. Pads and clocks must already be set
+  // up.
   void start(const MacAddress& address);
 
-  // From now on frames to this group of stations are received, too, and some to other groups.
+  // Also receives frames to this multicast group from now on, and some frames to other groups,
+  // because groups share hash bins.
   void join(const MacAddress& group);
 
-  // hal::EthernetPort; see there.
+  // The interface of hal::EthernetPort.
   std::span<const std::byte> receive();
   void release();
   std::span<std::byte> acquire();
@@ -118,7 +124,8 @@ class Port {
   hal::PortCounters counters() const { return counters_; }
   hal::PortLife life() const;
 
-  // Withdraws the wake-up request of the frames received so far. Poll the rings after it.
+  // Clears the receive event, which wakes the loop. Poll the rings afterwards, so that no frame is
+  // missed.
   void clear_event() { controller_.clear_event(); }
 
   const Link& link() const { return link_monitor_.link(); }
@@ -139,7 +146,7 @@ class Port {
   TransmitShaper shaper_;
   LinkMonitor<typename Controller::Mdio> link_monitor_{controller_.mdio()};
   hal::PortCounters counters_;
-  // The newest good frame, in whole bursts.
+  // A copy of the newest good frame, in whole bursts.
   alignas(64) std::array<std::byte, kFrameBursts * machine::kBurstBytes> copy_{};
   std::span<const std::byte> frame_;  // of copy_, until release()
   std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued

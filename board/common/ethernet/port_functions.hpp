@@ -1,5 +1,5 @@
-// The functions of Port (port.hpp), included by the one file of a board that instantiates it. So
-// they are compiled once, as drivers are.
+// The functions of Port (port.hpp). Only the file that instantiates Port for a board includes this
+// header, so the functions are compiled once.
 #pragma once
 
 #include "board/common/ethernet/port.hpp"
@@ -7,15 +7,14 @@
 
 namespace iog::board {
 
-// The longest that the controller may rightly keep a frame: at 10 Mbit/s and half duplex it backs
-// off 15 times from collisions, at most 7151 slots of 51.2 us in all (802.3, 4.2.3.2.5), and sends
-// 16 times for 1.2 ms, 386 ms. At full duplex it is 1.2 ms. Half a second is also many passes of
-// the loop, each of which wakes a transmitter that only slept.
+// Longer than a working controller can keep a frame. At 10 Mbit/s and half duplex, it backs off
+// from collisions 15 times, for at most 7151 slots of 51.2 us in total (802.3, 4.2.3.2.5), and
+// sends 16 times for 1.2 ms each. This takes 386 ms. At full duplex, it takes 1.2 ms. Half a second
+// is also many passes of the loop, and each pass wakes a sleeping transmitter.
 inline constexpr std::uint64_t kStuckUs = 500'000;
-// Of a bus that stays bad: at most so often.
+// The shortest time between two restarts because of bus errors.
 inline constexpr std::uint64_t kBusErrorPauseUs = 100'000;
-// The GEM's smallest statistic has 10 bits; a gigabit wire fills it in 0.7 ms, and then it stays
-// full.
+// The GEM's smallest statistics counter has 10 bits. At 1 Gbit/s, it saturates after 0.7 ms.
 inline constexpr std::uint64_t kStatisticsPeriodUs = 1000;
 
 template <typename Controller>
@@ -26,7 +25,7 @@ void Port<Controller>::start(const MacAddress& address) {
   controller_.run();
 }
 
-// The controller forgets the rings when it is stopped.
+// A controller that is stopped forgets its positions in the rings, so both rings start again.
 template <typename Controller>
 void Port<Controller>::set_up(const Link& mode) {
   mode_ = mode;
@@ -40,7 +39,7 @@ void Port<Controller>::set_up(const Link& mode) {
                       .transmit_ring = transmit_ring_.bus_address()});
 }
 
-// The filter may change while frames come; a restart sets it again.
+// The filter may change while frames arrive. A restart sets it again.
 template <typename Controller>
 void Port<Controller>::join(const MacAddress& group) {
   groups_ |= std::uint64_t{1} << Controller::bin_of(group);
@@ -49,8 +48,9 @@ void Port<Controller>::join(const MacAddress& group) {
 
 template <typename Controller>
 std::span<const std::byte> Port<Controller>::receive() {
-  // Bad frames are dropped until a good one or none is left. A controller that only ever receives
-  // bad frames faster than we drop them must not hold the loop: at most one ring of them per call.
+  // Drops bad frames until it finds a good frame or the ring is empty. If bad frames arrive faster
+  // than they are dropped, they must not block the loop, so each call drops at most one ring of
+  // frames.
   for (std::size_t dropped = 0; frame_.empty() && dropped < Format::kReceiveFrames; ++dropped) {
     if (!receive_ring_.filled()) {
       controller_.found_none(receive_ring_.was_full(), counters_);
@@ -63,10 +63,11 @@ std::span<const std::byte> Port<Controller>::receive() {
   return frame_;
 }
 
-// Looks at the next filled buffer. If it holds a good frame, its copy is frame_.
+// Examines the next filled buffer. If it contains a good frame, copies it, and frame_ refers to the
+// copy.
 template <typename Controller>
 void Port<Controller>::accept() {
-  // A copy reads whole bursts, of the buffer that holds the frame alone.
+  // Whole bursts are copied, and they must not extend beyond the frame's buffer.
   static_assert(kFrameBursts * machine::kBurstBytes <= Format::kReceiveBytes);
   static_assert(Format::kReceiveBytes % machine::kBurstBytes == 0);
   const std::size_t bytes = controller_.frame_bytes(receive_ring_.descriptor(), counters_);
@@ -122,8 +123,8 @@ void Port<Controller>::commit(std::size_t frame_bytes) {
   ++counters_.sent;
 }
 
-// A wake-up that meets the transmitter ending its last frame may be lost, so as long as frames are
-// in flight, every pass wakes it again.
+// If the transmitter is woken while it ends its last frame, the wake-up may be lost. Every pass
+// therefore wakes it again while frames are in flight.
 template <typename Controller>
 void Port<Controller>::pump() {
   const std::uint64_t now_us = clock_.now_us();
@@ -143,9 +144,10 @@ void Port<Controller>::pump() {
   }
 }
 
-// A bus error stops the controller or leaves it open where its DMA was, a frame that never leaves
-// has stopped the transmitter whatever the reason, and another speed or duplex may be set only
-// while it is stopped. A link that is down keeps the mode it had.
+// There are three reasons for a restart. After a bus error, the controller has stopped, or the
+// position of its DMA is unknown. A frame that never leaves means that the transmitter has stopped.
+// A new speed or duplex mode can be set only while the controller is stopped. A link that is down
+// keeps its mode.
 template <typename Controller>
 bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
   const bool stuck = is_stuck(now_us);  // always asked: it watches
@@ -156,8 +158,8 @@ bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
   return acquired_.empty() && (stuck || mode_differs || bus_error);
 }
 
-// Whether frames are in flight and none has left for kStuckUs. Without a link that is no wonder: it
-// may be the PHY that has stopped the clock.
+// True if frames are in flight and none has left for kStuckUs. Time without a link does not count,
+// because the PHY may then have stopped the clock.
 template <typename Controller>
 bool Port<Controller>::is_stuck(std::uint64_t now_us) {
   const TransmitOrder& order = transmit_ring_.order();
@@ -168,8 +170,8 @@ bool Port<Controller>::is_stuck(std::uint64_t now_us) {
   return now_us - progress_us_ >= kStuckUs;
 }
 
-// What waits in either ring is lost, and counted: of half a ring it is not known where the
-// controller was. Takes some 0.2 ms on the i.MX6, most of it the descriptors.
+// Discards and counts all frames that wait in either ring, because the controller's position in the
+// rings is unknown. Takes about 0.2 ms on the i.MX6, mostly for the descriptors.
 template <typename Controller>
 void Port<Controller>::start_anew(std::uint64_t now_us) {
   ++counters_.restarts;

@@ -1,11 +1,10 @@
-// The rings of buffers: one that the controller fills, one that it sends. They know ownership and
-// order, and nothing about frames.
+// The receive ring, whose buffers the controller fills, and the transmit ring, whose buffers it
+// sends. The rings manage the ownership and the order of buffers and do not interpret frames.
 //
-// Format (ethernet/descriptor.hpp of the board) says how a Descriptor is written, and its Memory
-// drains what was stored. A descriptor changes hands in this way: everything that was stored
-// before, buffer and length included, reaches memory; then the word with the owner bit is stored,
-// last of all. Code that wakes the controller afterwards drains once more, so that it finds the
-// bit.
+// Format (ethernet/descriptor.hpp of the board) defines how a Descriptor is written, and its Memory
+// drains stores to memory. To hand over a descriptor, first drain all earlier stores, including the
+// buffer and its length. Then store the word with the owner bit. Before waking the controller,
+// drain once more, so that the controller reads the new owner bit.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +18,7 @@
 
 namespace iog::board {
 
-// Descriptors, and for each of them a buffer of kBytes.
+// Descriptors with one buffer of kBytes each.
 template <typename Format, std::size_t kBytes>
 class Ring {
  public:
@@ -27,7 +26,7 @@ class Ring {
   using Memory = typename Format::Memory;
   static constexpr std::size_t kBufferBytes = kBytes;
 
-  // What the controller is told.
+  // The address of the ring for the controller.
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
  protected:
@@ -57,7 +56,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
               typename Base::Memory& memory)
       : Base(descriptors, buffers, memory) {}
 
-  // Gives all buffers to the controller; the next one is the first.
+  // Gives all buffers to the controller and begins with the first.
   void start() {
     for (next_ = 0; next_ < this->descriptors_.size(); ++next_) {
       Format::place(this->descriptors_[next_], this->buffer_address(next_));
@@ -68,30 +67,30 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
     this->memory_.drain_stores();
   }
 
-  // How many buffers it has filled that were not recycled.
+  // The number of buffers that the controller has filled and that were not recycled.
   std::size_t waiting() const {
     return static_cast<std::size_t>(std::ranges::count_if(this->descriptors_, Format::is_filled));
   }
 
-  // Whether the controller has filled the next buffer.
+  // True if the controller has filled the next buffer.
   bool filled() const {
     if (!Format::is_filled(descriptor())) {
       return false;
     }
-    // Neither buffer nor length may be read earlier than the bit that says they are ours.
+    // The buffer and its length must not be read before the owner bit.
     machine::barrier();
     return true;
   }
 
-  // Of the next buffer, while filled().
+  // The descriptor and the buffer that are next. Valid while filled() is true.
   const Descriptor& descriptor() const { return this->descriptors_[next_]; }
   std::span<std::byte> buffer() const { return Base::buffer(next_); }
 
-  // After filled() found none: whether the ring may have been full, because all its buffers were
-  // filled in a row.
+  // Call this after filled() has returned false. True if the ring may have been full, because all
+  // of its buffers were filled in a row.
   bool was_full() { return std::exchange(recycled_, 0U) >= this->descriptors_.size(); }
 
-  // Gives the next buffer back and goes on to the one after it.
+  // Returns the next buffer to the controller and advances.
   void recycle() {
     give();
     ++recycled_;
@@ -110,7 +109,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
   std::size_t recycled_ = 0;  // since filled() last found none
 };
 
-// 1514 bytes of the longest frame, rounded up to whole 64-byte bursts.
+// The longest frame, 1514 bytes, rounded up to whole 64-byte bursts.
 inline constexpr std::size_t kTransmitBytes = 1536;
 
 template <typename Format>
@@ -123,7 +122,7 @@ class TransmitRing : public Ring<Format, kTransmitBytes> {
                typename Base::Memory& memory)
       : Base(descriptors, buffers, memory), order_(descriptors.size()) {}
 
-  // All buffers are free; what was queued or in flight is forgotten.
+  // Frees all buffers, including those that were queued or in flight.
   void start() {
     for (std::size_t index = 0; index < this->descriptors_.size(); ++index) {
       Format::place_free(this->descriptors_[index], this->buffer_address(index),
@@ -135,20 +134,20 @@ class TransmitRing : public Ring<Format, kTransmitBytes> {
 
   const TransmitOrder& order() const { return order_; }
 
-  // The buffer to fill next. Only while there is room.
+  // The buffer to fill next. Requires room.
   std::span<std::byte> buffer() const { return Base::buffer(order_.next()); }
 
-  // Queues the first `bytes` of buffer(). The owner bit belongs to hand_over_queued().
+  // Queues the first `bytes` of buffer(). hand_over_queued() sets the owner bit.
   void commit(std::size_t bytes) {
     Format::set_length(this->descriptors_[order_.next()], bytes);
     order_.commit();
   }
 
-  // Hands at most `frames` queued buffers to the controller, oldest first; returns how many. The
-  // caller wakes the controller.
+  // Hands at most `frames` queued buffers to the controller, oldest first, and returns their
+  // number. The caller must wake the controller.
   std::size_t hand_over_queued(std::size_t frames) {
     const std::size_t handed = std::min(frames, order_.queued());
-    // One drain for all: what these frames stored before reaches memory before any owner bit.
+    // One drain suffices for all frames, because it precedes the first owner bit.
     if (handed != 0) {
       this->memory_.drain_stores();
     }
@@ -159,7 +158,7 @@ class TransmitRing : public Ring<Format, kTransmitBytes> {
     return handed;
   }
 
-  // Takes back what has been sent.
+  // Frees the buffers that have been sent.
   void reclaim() {
     while (order_.in_flight() != 0 &&
            Format::is_sent(this->descriptors_[order_.oldest_in_flight()])) {

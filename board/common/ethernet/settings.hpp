@@ -1,4 +1,4 @@
-// What an Ethernet controller is set up with.
+// The settings of an Ethernet controller.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@ namespace iog::board {
 
 using MacAddress = std::array<std::uint8_t, 6>;
 
-// Of a frame without its FCS.
+// Limits of a frame without its FCS.
 inline constexpr std::size_t kMinFrameBytes = 14;
 inline constexpr std::size_t kMaxFrameBytes = 1514;
 
-// All that must not change while the controller runs, and the filter.
+// The settings that must not change while the controller runs, and the filter, which may.
 struct PortSettings {
   MacAddress address{};
   std::uint64_t groups = 0;  // bins of the filter's hash table for groups
   Link mode;                 // speed and duplex
-  // Where the first descriptors are, as the bus sees them.
+  // Bus addresses of the first descriptors.
   std::uint32_t receive_ring = 0;
   std::uint32_t transmit_ring = 0;
 };

@@ -36,7 +36,7 @@ struct GicDistributorOf {
   static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit a core
 };
 
-// Where the manual has them.
+// Checks the offsets of the manual.
 template <typename D>
 inline constexpr bool kIsLaidOut = offsetof(D, igroupr) == 0x080 &&
                                    offsetof(D, isenabler) == 0x100 &&

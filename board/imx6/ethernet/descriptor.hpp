@@ -36,15 +36,16 @@ inline constexpr std::uint16_t kLast = 1u << 11;   // L
 inline constexpr std::uint16_t kCrc = 1u << 10;    // TC: the controller appends the FCS
 }  // namespace transmit_flag
 
-// As rings.hpp asks for it. The controller's bit is alone in `flags`, so a length may be stored
-// before.
+// The descriptor format for rings.hpp. The owner bit is in `flags`, and the length is stored
+// separately, so the length may be stored first.
 struct DescriptorFormat {
   using Descriptor = imx6::Descriptor;
   using Memory = L2Cache;
-  // Four LUX at 25 Hz send some 1000 frames of 1500 bytes a second and a Velodyne 1500, so this is
-  // 100 ms of both together, longer than the slowest pass of the loop.
+  // Four LUX at 25 Hz send about 1000 frames of 1500 bytes per second, and a Velodyne sends 1500
+  // frames. The ring thus holds 100 ms of both together, which is longer than the slowest pass of
+  // the loop.
   static constexpr std::size_t kReceiveFrames = 256;
-  // They hold the longest frame (1518) and keep every buffer on a 64-byte burst.
+  // Holds the longest frame (1518 bytes) and aligns every buffer to 64-byte bursts.
   static constexpr std::size_t kReceiveBytes = 2048;
 
   static void place(Descriptor& descriptor, std::uint32_t buffer) {

@@ -1,5 +1,5 @@
-// IMX6DQRM, chapter "10/100/1000-Mbps Ethernet MAC (ENET)". By its section "Initialization"
-// everything is set while ETHEREN is clear, and ETHEREN comes last.
+// IMX6DQRM, chapter "10/100/1000-Mbps Ethernet MAC (ENET)". According to its section
+// "Initialization", all registers are set while ETHEREN is clear, and ETHEREN is set last.
 #include "ethernet/enet.hpp"
 
 #include "board/common/ethernet/port_functions.hpp"
@@ -16,11 +16,12 @@ using R = EnetRegisters;
 
 constexpr std::uint32_t kFcsBytes = 4;
 constexpr std::uint32_t kMaxFrameWithFcs = board::kMaxFrameBytes + kFcsBytes;
-// Reset takes eight clocks of the module; a thousand reads are 50 us.
+// Reset takes eight clock cycles of the module. A thousand reads take 50 us.
 constexpr unsigned kMaxResetPolls = 1000;
 // PAUR's low half is the type of a pause frame, fixed by the standard.
 constexpr std::uint32_t kPauseType = 0x8808;
-// Opcode 1 is fixed in the upper half; the lower half is how long a pause of ours would be.
+// The upper half is fixed (opcode 1). The lower half is the duration of pause frames, which are
+// never sent.
 constexpr std::uint32_t kPauseOpcode = 0x0001'0020;
 constexpr std::uint32_t kCrcPolynomial = 0xEDB8'8320;
 
@@ -28,7 +29,8 @@ constexpr std::uint32_t kCrcPolynomial = 0xEDB8'8320;
 
 [[gnu::section(".dma")]] constinit EnetMemory enet_memory{};
 
-// Stops first, and leaves the order of octets as it is: DMA that is under way ends in that order.
+// Stops the controller before the reset and keeps the byte order, because DMA in progress finishes
+// in that order.
 void Enet::stop() {
   registers_.eimr.write(0);
   registers_.ecr.clear_bits(R::kEcrEtherEn);
@@ -39,7 +41,7 @@ void Enet::stop() {
     }
   }
   registers_.eir.clear(R::kEirAll);
-  // The statistics count from 0; reset does not clear them. One is used.
+  // Clears the statistics, because the reset does not. Only one of them is used.
   registers_.mibc.write(R::kMibcDisable | R::kMibcClear);
   registers_.mibc.write(R::kMibcDisable);
   registers_.mibc.write(0);
@@ -59,15 +61,16 @@ void Enet::set_up(const PortSettings& settings) {
 
 void Enet::run() {
   registers_.ecr.set_bits(R::kEcrEtherEn);
-  // Only now: RDAR is cleared whenever ETHEREN is.
+  // RDAR must be set after ETHEREN, because clearing ETHEREN also clears RDAR.
   registers_.rdar.write(R::kRdarActive);
-  // A received frame is the one event that may end the loop's sleep.
+  // Of the controller's events, only a received frame may wake the loop.
   registers_.eimr.write(R::kEirReceivedFrame);
 }
 
-// A group has the bin that the six highest bits of the CRC-32 of its address name: that of the FCS
-// before it is inverted (ENET, "Ethernet address recognition"; Linux fec_main.c set_multicast_list,
-// FreeBSD if_ffec.c ffec_hash_maddr). One bit at a time, because it happens once.
+// The bin of a group is the six highest bits of the CRC-32 of its address. This is the CRC of the
+// FCS before its inversion (ENET, "Ethernet address recognition"; Linux fec_main.c
+// set_multicast_list, FreeBSD if_ffec.c ffec_hash_maddr). It is computed bit by bit, because it is
+// needed only once.
 unsigned Enet::bin_of(const MacAddress& group) {
   std::uint32_t crc = 0xFFFF'FFFF;
   for (const std::uint8_t octet : group) {
@@ -79,8 +82,9 @@ unsigned Enet::bin_of(const MacAddress& group) {
   return crc >> 26;
 }
 
-// The filter lets our address, broadcast and the bins of joined groups through; no second address
-// is answered to. The network layer checks again, because QEMU has no filter and a bin many groups.
+// The filter passes our address, broadcast and the bins of joined groups. There is no second
+// address. The network layer checks again, because QEMU has no filter and a bin contains many
+// groups.
 void Enet::set_address(const MacAddress& address) {
   const auto byte = [&address](std::size_t index) { return std::uint32_t{address[index]}; };
   registers_.palr.write(byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3));
@@ -97,19 +101,20 @@ void Enet::set_groups(std::uint64_t groups) {
 void Enet::set_frame_limits() {
   registers_.opd.write(kPauseOpcode);
   registers_.mrbr.write(kUsableBytes);
-  // Truncate where MRBR ends, which must not be below MAX_FL.
+  // Truncates frames at the size in MRBR, which must not be below MAX_FL.
   static_assert(kMaxFrameWithFcs <= kUsableBytes);
   registers_.ftrl.write(kUsableBytes);
-  // A frame goes out when all of it is in the FIFO: memory may be slow, the wire must not notice.
+  // Transmission begins when the whole frame is in the FIFO, so slow memory cannot interrupt it.
   registers_.tfwr.write(R::kTfwrStoreAndForward);
-  // No checksum insertion, no padding removal, no shift by 16 bits: frames are what is on the wire.
+  // No checksum insertion, no padding removal and no shift by 16 bits: buffers contain the frames
+  // as on the wire.
   registers_.tacc.write(0);
   registers_.racc.write(0);
 }
 
-// Speed and duplex, by the manual only while ETHEREN is clear (TCR.FDEN). MII_MODE "must always be
-// set", for RGMII too. Pause frames are not obeyed (FCE clear): a receiver that cannot keep up
-// loses frames, it does not stop the loop.
+// Sets speed and duplex. By the manual, this requires ETHEREN to be clear (TCR.FDEN). MII_MODE
+// "must always be set", even for RGMII. Pause frames are ignored (FCE clear), so a receiver that
+// cannot keep up loses frames and does not stop the loop.
 void Enet::set_mode(const Link& mode) {
   std::uint32_t rcr = kMaxFrameWithFcs << R::kRcrMaxFrameShift | R::kRcrMiiMode | R::kRcrRgmii;
   if (mode.speed == Link::Speed::k10) {
@@ -120,13 +125,14 @@ void Enet::set_mode(const Link& mode) {
   }
   registers_.rcr.write(rcr);
   registers_.tcr.write(mode.full_duplex ? R::kTcrFullDuplex : 0);
-  // DBSWP: descriptors are little-endian, like the core. QEMU ignores the bit, silicon does not.
+  // DBSWP makes descriptors little-endian, like the core. QEMU ignores the bit, but the chip does
+  // not.
   const bool is_gigabit = mode.speed == Link::Speed::k1000;
   registers_.ecr.write(R::kEcrDescriptorSwap | (is_gigabit ? R::kEcrSpeed1000 : 0));
 }
 
-// The length of the last buffer is the frame's, with its FCS. It is believed only within the bounds
-// of a frame, whatever the controller wrote.
+// The length in the last buffer is the length of the frame with its FCS. A length outside the
+// bounds of a frame is never used.
 std::size_t Enet::frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters) {
   const std::uint16_t flags = machine::load(descriptor.flags);
   const std::size_t bytes = machine::load(descriptor.length);
@@ -150,30 +156,30 @@ std::size_t Enet::frame_bytes(const Descriptor& descriptor, hal::PortCounters& c
   return bytes - kFcsBytes;
 }
 
-// The controller stops looking when it finds no empty buffer; RDAR makes it look again. Also after
-// a bad frame: a ring of those would be its last.
+// When the controller finds no empty buffer, it stops until RDAR is written. RDAR must also be
+// written after a bad frame. Otherwise, a ring full of bad frames would stop reception forever.
 void Enet::gave_back() {
   cache_.drain_stores();
   registers_.rdar.write(R::kRdarActive);
 }
 
-// Erratum ERR006358: a write to TDAR is lost if it meets the controller clearing it.
+// Erratum ERR006358: a write to TDAR is lost if the controller clears TDAR at the same time.
 void Enet::send() {
   if ((registers_.tdar.read() & R::kTdarActive) == 0) {
     registers_.tdar.write(R::kTdarActive);
   }
 }
 
-// With no empty buffer, or none in time, frames fill the controller's FIFO, and what comes then is
-// lost before anybody sees it (IMX6DQRM, ENET_IEEE_R_MACERR: "Receive FIFO overflow count").
+// If there is no empty buffer in time, frames fill the controller's FIFO, and later frames are lost
+// (IMX6DQRM, ENET_IEEE_R_MACERR: "Receive FIFO overflow count").
 void Enet::collect(hal::PortCounters& counters) {
   const std::uint32_t overflows = registers_.ieee_r_macerr.read();
   counters.receive_overflows += overflows - overflows_seen_;
   overflows_seen_ = overflows;
 }
 
-// RDAR is active: the controller clears it when it finds no empty buffer, or has been stopped
-// (IMX6DQRM, ENET_RDAR). By the manual a bus error clears ETHEREN.
+// True if RDAR is active. The controller clears RDAR when it finds no empty buffer or is stopped
+// (IMX6DQRM, ENET_RDAR). By the manual, a bus error clears ETHEREN.
 bool Enet::can_receive() const {
   return (registers_.ecr.read() & R::kEcrEtherEn) != 0 &&
          (registers_.rdar.read() & R::kRdarActive) != 0;

@@ -19,14 +19,13 @@ class Enet {
   using Mdio = imx6::Mdio;
   using Clock = GptClock;
 
-  // What MRBR is told: below 2048 and a multiple of 16, because without enhanced descriptors a
-  // receive buffer size of 2 KiB sends the DMA into a runaway (FreeBSD if_ffec.c,
-  // ffec_init_locked).
+  // The value of MRBR. It is a multiple of 16 below 2048, because with legacy descriptors, a
+  // receive buffer size of 2 KiB makes the DMA run away (FreeBSD if_ffec.c, ffec_init_locked).
   static constexpr std::uint32_t kUsableBytes = 2032;
 
   Enet(EnetRegisters& registers, L2Cache& cache) : registers_(registers), cache_(cache) {}
 
-  // As Port asks for it.
+  // The interface that Port requires.
   Mdio& mdio() { return mdio_; }
   void stop();
   void set_up(const PortSettings& settings);
@@ -60,8 +59,8 @@ using EnetMemory = board::PortMemory<DescriptorFormat>;
 static_assert(EnetMemory::kTransmitFrames == 1408);
 static_assert(sizeof(EnetMemory) <= 3u << 20, "fits three sections of the DMA region");
 
-// The memory of the firmware's one controller, constinit where it is defined. Below and behind the
-// region nothing is mapped, for a processor.
+// The memory of the firmware's only controller. Its definition is constinit. For processors, the
+// addresses below and behind the region are unmapped.
 extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)
 
 }  // namespace iog::imx6

@@ -36,12 +36,12 @@ inline constexpr std::uint32_t kWrap = 1u << 30;
 inline constexpr std::uint32_t kOurs = 1u << 31;
 }  // namespace transmit_flag
 
-// As rings.hpp asks for it. All memory is below 4 GiB.
+// The descriptor format for rings.hpp. All memory is below 4 GiB.
 struct DescriptorFormat {
   using Descriptor = zcu102::Descriptor;
   using Memory = UncachedMemory;
-  // Two fast lidars send some 3000 frames a second, so this is a third of a second, and in QEMU a
-  // full ring loses all frames that wait behind it (gem.cpp).
+  // Two fast lidars send about 3000 frames per second, so the ring holds a third of a second. In
+  // QEMU, all frames that wait for a full ring are lost (gem.cpp).
   static constexpr std::size_t kReceiveFrames = 1024;
   // The longest frame is 1518 bytes; the controller counts in units of 64.
   static constexpr std::size_t kReceiveBytes = 1536;

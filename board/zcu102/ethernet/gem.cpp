@@ -1,5 +1,5 @@
-// UG1085, chapter "GEM Ethernet". By its section "Programming model" everything is set while
-// receiver and transmitter are off.
+// UG1085, chapter "GEM Ethernet". According to its section "Programming model", all registers are
+// set while receiver and transmitter are off.
 #include "ethernet/gem.hpp"
 
 #include "board/common/ethernet/port_functions.hpp"
@@ -49,7 +49,8 @@ void Gem::stop() {
 
 void Gem::set_up(const PortSettings& settings) {
   set_mode(settings.mode);
-  // Descriptors of four words, bursts of 16, the whole packet memory, buffers of the ring's size.
+  // Uses descriptors of four words, bursts of 16, the whole packet memory, and buffers of the
+  // ring's size.
   registers_.dma_config.write(R::kDmaAddress64 | R::kDmaWholePacketMemory | R::kDmaBurst16 |
                               Format::kReceiveBytes / 64 << R::kDmaBufferShift);
   set_rings(settings.receive_ring, settings.transmit_ring);
@@ -59,21 +60,21 @@ void Gem::set_up(const PortSettings& settings) {
 }
 
 void Gem::run() {
-  // A received frame is the one event that may end the loop's sleep.
+  // Of the controller's events, only a received frame may wake the loop.
   registers_.int_enable.write(R::kInterruptReceived);
   registers_.network_control.write(R::kControlManagement | R::kControlReceive |
                                    R::kControlTransmit);
 }
 
-// The second queues of both directions are not used, but the controller has them. Each has one
-// descriptor that is never the controller's. In QEMU, frames would overwrite buffers that hold
-// others if the second receive queue were not parked, and the transmitter would read address 0.
+// Parks the second queues of both directions, which are not used. Each gets one descriptor that the
+// controller never owns. Without it, QEMU would receive frames into buffers that still contain
+// other frames, and its transmitter would read address 0.
 void Gem::set_rings(std::uint32_t receive, std::uint32_t transmit) {
   parked_queues = {};
   machine::store(parked_queues[0].address, receive_flag::kOurs | receive_flag::kWrap);
   machine::store(parked_queues[1].control, transmit_flag::kOurs | transmit_flag::kWrap);
   machine::barrier();
-  // One upper half for all queues of a direction.
+  // All queues of a direction share one upper half of their addresses.
   registers_.upper_rx_q_base_addr.write(0);
   registers_.upper_tx_q_base_addr.write(0);
   registers_.receive_q_ptr.write(receive);
@@ -82,16 +83,16 @@ void Gem::set_rings(std::uint32_t receive, std::uint32_t transmit) {
   registers_.transmit_q1_ptr.write(machine::bus_address(parked_queues[1]));
 }
 
-// The filter lets our address, broadcast and the bins of joined groups through. The write of the
-// upper half makes the address valid, so it comes last.
+// The filter passes our address, broadcast and the bins of joined groups. Writing the upper half
+// makes the address valid, so it is written last.
 void Gem::set_address(const MacAddress& address) {
   const auto byte = [&address](std::size_t index) { return std::uint32_t{address[index]}; };
   registers_.spec_add1_bottom.write(byte(3) << 24 | byte(2) << 16 | byte(1) << 8 | byte(0));
   registers_.spec_add1_top.write(byte(5) << 8 | byte(4));
 }
 
-// A group has the bin whose six bits are sums of every sixth bit of its address, the first bit on
-// the wire first (UG1085, "Hash addressing").
+// Each of the six bits of a group's bin is the exclusive or of every sixth bit of its address,
+// beginning with the first bit on the wire (UG1085, "Hash addressing").
 unsigned Gem::bin_of(const MacAddress& group) {
   std::uint64_t bits = 0;
   for (std::size_t index = 0; index < group.size(); ++index) {
@@ -109,8 +110,8 @@ void Gem::set_groups(std::uint64_t groups) {
   registers_.hash_top.write(static_cast<std::uint32_t>(groups >> 32));
 }
 
-// Pause frames are not obeyed: a receiver that cannot keep up loses frames, it does not stop the
-// loop. The FCS is removed, and no checksum is looked at: the network layer does it.
+// Pause frames are ignored, so a receiver that cannot keep up loses frames and does not stop the
+// loop. The controller removes the FCS. The network layer checks the checksums.
 void Gem::set_mode(const Link& mode) {
   std::uint32_t config =
       R::kConfigBus64 | R::kConfigMdcBy224 | R::kConfigRemoveFcs | R::kConfigMulticastHash;
@@ -123,8 +124,8 @@ void Gem::set_mode(const Link& mode) {
                               kDivisor0 << Clocks::kDivisor0Shift);
 }
 
-// The controller drops frames with a wrong FCS and longer than 1518 bytes, and its statistics count
-// them. The length is without FCS, and is believed only within the bounds of a frame.
+// The controller drops and counts frames with a wrong FCS and frames of more than 1518 bytes. The
+// length excludes the FCS. A length outside the bounds of a frame is never used.
 std::size_t Gem::frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters) {
   const std::uint32_t control = machine::load(descriptor.control);
   const bool first = (control & receive_flag::kFirst) != 0;
@@ -140,11 +141,11 @@ std::size_t Gem::frame_bytes(const Descriptor& descriptor, hal::PortCounters& co
   return bytes;
 }
 
-// Once the ring was full, QEMU's GEM keeps the descriptor that it found used, until NETWORK_CONTROL
-// is written. That write delivers as many waiting frames as there are free buffers and drops the
-// others, so it comes only when all buffers are free. The GEM itself looks again with each frame,
-// and the write changes nothing. At least one frame was lost, also if no statistic says so. QEMU
-// sets the flag for the parked queue, too, at each write of NETWORK_CONTROL.
+// After the ring was full, QEMU's GEM does not check it again until NETWORK_CONTROL is written.
+// This write delivers as many waiting frames as there are free buffers and drops the others, so it
+// is done only when all buffers are free. The chip checks the ring with each frame, so the write
+// has no effect. At least one frame was lost, even if no statistic shows it. QEMU also sets the
+// flag at each write of NETWORK_CONTROL, because of the parked queue.
 void Gem::found_none(bool was_full, hal::PortCounters& counters) {
   if ((registers_.receive_status.read() & R::kReceiveNoBuffer) == 0) {
     return;
@@ -160,7 +161,7 @@ void Gem::found_none(bool was_full, hal::PortCounters& counters) {
   registers_.network_control.write(registers_.network_control.read());
 }
 
-// Reading a statistic clears it. QEMU's do not clear, but never count any of these.
+// Reading a statistic clears it. QEMU does not clear statistics, but it never counts any of these.
 void Gem::collect(hal::PortCounters& counters) {
   counters.receive_errors += registers_.undersize_frames.read() + registers_.fcs_errors.read() +
                              registers_.rx_length_errors.read() +

@@ -1,5 +1,5 @@
 // The GEM, the controller of this board's Ethernet port (board/common/ethernet/port.hpp). Its DMA
-// goes past the cache-coherent interconnect.
+// bypasses the cache-coherent interconnect.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class Gem {
 
   Gem(GemRegisters& registers, CrlApbRegisters& clocks) : registers_(registers), clocks_(clocks) {}
 
-  // As Port asks for it.
+  // The interface that Port requires.
   Mdio& mdio() { return mdio_; }
   void stop();
   void set_up(const PortSettings& settings);
@@ -38,7 +38,7 @@ class Gem {
   void collect(hal::PortCounters& counters);
   bool can_receive() const;
   bool has_bus_error() const;
-  // UG1087 says that a one clears, QEMU's clear when they are read.
+  // By UG1087, writing a one clears an event. In QEMU, reading clears it.
   void clear_event() { registers_.int_status.clear(registers_.int_status.read()); }
 
  private:
@@ -56,9 +56,8 @@ using GemPort = board::Port<Gem>;
 using GemMemory = board::PortMemory<DescriptorFormat>;
 static_assert(sizeof(GemMemory) <= 4u << 20, "fits two blocks of 2 MiB");
 
-// The memory of the firmware's one controller, and one descriptor each for the unused queues of
-// both directions; constinit where they are defined.
-// NOLINTBEGIN(bugprone-dynamic-static-initializers)
+// The memory of the firmware's only controller, and one descriptor for the unused queue of each
+// direction. Their definitions are constinit. NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern GemMemory gem_memory;
 extern std::array<Descriptor, 2> parked_queues;
 // NOLINTEND(bugprone-dynamic-static-initializers)

@@ -2,7 +2,7 @@
 
     python3 -m iogrid.fleet LIST.txt --vehicle-file CAR.toml --out RESULTS --scheduler tcp://10.0.0.5:8786
 
-The table is that of `iog batch`, and each of the two continues the other's.
+The table has the format of `iog batch`. Each of the two programs can continue a table of the other.
 """
 
 import argparse
@@ -37,16 +37,16 @@ from iogrid.fleet_worker import TEXT, URLS
 cloudpickle.register_pickle_by_value(fleet_worker)
 ENDINGS = tuple(kind + packer for kind in (".pcap", ".pcapng") for packer in ("", ".gz", ".zst"))
 PASSED_ON = {"--vehicle": 1, "--rule": 1, "--map": 1, "--poses-mount": 3, "--clock-offset": 1}  # options, words of each
-MOST_AT_ONCE = 2000  # recordings that the scheduler has, with the car's file of each
+MOST_AT_ONCE = 2000  # recordings at the scheduler, each with the car file
 POLL_S, LOOK_S, CONNECT_S = 0.05, 2, 10
 
 
 class FleetError(Exception):
-    """Why the table cannot be made, or not all of it."""
+    """The reason why the table cannot be made or completed."""
 
 
 class Unfinished(FleetError):
-    """The same command goes on."""
+    """The run stopped early, and the same command continues it."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Recording:
 
 
 def recordings_of(folder_or_list: str) -> list[Recording]:
-    """As `iog batch` finds them, longest first; a line of a list may also be a URL."""
+    """Finds recordings like `iog batch` and sorts them by size, largest first. A line of a list may also be a URL."""
     is_folder = os.path.isdir(folder_or_list)
     names = in_folder(folder_or_list) if is_folder else in_list(folder_or_list)
     if not names:
@@ -99,7 +99,7 @@ def size_of(place: str) -> int:
 
 
 class Table:
-    """RESULTS/summary.csv, which one program at a time writes. A row that is not complete is removed."""
+    """RESULTS/summary.csv. A lock lets one program at a time write it. Incomplete rows are removed."""
 
     def __init__(self, folder: str, settings: str, columns: list[str]):
         self.path, self.columns = pathlib.Path(folder, "summary.csv"), columns
@@ -145,8 +145,8 @@ class Table:
 
 
 def checked(client: distributed.Client, job: dict, patience_s: float) -> tuple[dict, str, list[str]]:
-    """The job with the version of `iog` that all workers have, and settings and columns of its table. `iog batch` makes
-    them of a recording that does not exist."""
+    """Returns the job with the version of `iog` on all workers, and the settings and columns of the table. To get
+    these, each worker runs `iog batch` on a recording that does not exist."""
     futures: dict[str, distributed.Future] = {}
     with contextlib.suppress(TimeoutError):
         client.wait_for_workers(1, timeout=patience_s)
@@ -169,7 +169,7 @@ def checked(client: distributed.Client, job: dict, patience_s: float) -> tuple[d
 
 
 def answer_in(worker: str, future: distributed.Future, patience_s: float) -> dict:
-    """FleetError if `iog` cannot be asked there."""
+    """Raises FleetError if the worker cannot run `iog`."""
     if future.status == "error":
         raise FleetError(f"worker {worker}: {future.exception(timeout=LOOK_S)}")
     if future.status != "finished":
@@ -185,7 +185,7 @@ def few(workers: list[str]) -> str:
 
 
 class Run:
-    """The recordings that the table does not have yet, and what the workers have of them."""
+    """Processes the recordings that have no row yet, and tracks those that the workers have received."""
 
     def __init__(self, client: distributed.Client, job: dict, table: Table, retries: int):
         self.client, self.job, self.table, self.retries = client, job, table, retries
@@ -194,7 +194,7 @@ class Run:
         self.answers = distributed.as_completed(with_results=True, raise_errors=False)
 
     def all_of(self, recordings: list[Recording], settings: str, patience_s: float) -> None:
-        """Stops with FleetError; what is in the table by then stays."""
+        """Raises FleetError if the run cannot continue. The rows written so far remain."""
         left, begin = collections.deque(recordings), time.monotonic()
         seen = look = begin
         while left or self.given:
@@ -222,7 +222,7 @@ class Run:
         self.answers.add(future)
 
     def outcome(self, future: distributed.Future, answer) -> dict:
-        """Dask itself gives a recording to another worker when one dies, and not for ever."""
+        """The worker's answer, or a failure. If a worker dies, Dask retries elsewhere a limited number of times."""
         if future.status == "finished":
             return answer
         error = answer[1]
@@ -231,7 +231,7 @@ class Run:
         return {"reason": reason, "may_differ": not is_killed, "version": self.job["version"], "row": {}, "seconds": 0}
 
     def take(self, recording: Recording, answer: dict, settings: str) -> Recording | None:
-        """The same recording if it is worth another try."""
+        """Writes the row, or returns the recording if it is to be tried again."""
         row = answer["row"]
         if answer["version"] not in ("", self.job["version"]) or (row and answer["settings"] != settings):
             raise FleetError(f"worker {answer['worker']} has {answer['version']}, and the others {self.job['version']}")
@@ -254,8 +254,8 @@ def progress(done: int, total: int, seconds: float) -> None:
 def run(client: distributed.Client, recordings: list[Recording], out: str, car_file: str | None = None,
         options: list[str] = (), *, iog: str = "iog", retries: int = 2, timeout_s: float = 6 * 3600,
         patience_s: float = 300) -> dict[str, str]:
-    """The status ("done" or "failed") of each recording in out/summary.csv; options as of `iog batch`. FleetError says
-    why the table is not complete. The same call continues it."""
+    """Returns the status ("done" or "failed") of each recording in out/summary.csv. `options` are those of `iog batch`.
+    If the table is incomplete, FleetError gives the reason, and the same call continues the table."""
     car = bytes_of(car_file) if car_file else None
     job = {"iog": iog, "version": "", "options": list(options), "timeout_s": timeout_s, "car": car,
            "car_name": os.path.basename(car_file or "")}
@@ -310,7 +310,7 @@ def options_of(arguments: list[str] | None) -> argparse.Namespace:
 
 
 def passed_on(options: argparse.Namespace) -> list[str]:
-    """To `iog batch`."""
+    """The options for `iog batch`."""
     words = []
     for name in PASSED_ON:
         if values := getattr(options, name[2:].replace("-", "_")):
@@ -327,7 +327,7 @@ def connected(options: argparse.Namespace):
                 address = stack.enter_context(local_cluster(options.host, options.workers)).scheduler_address
             elif address.endswith(".json"):
                 address = json.loads(bytes_of(address))["address"]
-            distributed.comm.get_address_host(address)  # a Client of no address would wait for a minute
+            distributed.comm.get_address_host(address)  # a Client without a valid address would wait for a minute
             client = distributed.Client(address, timeout=CONNECT_S, set_as_default=False)
         except (OSError, RuntimeError, ValueError, TypeError, KeyError) as error:
             raise FleetError(f"no Dask scheduler at {address or options.host}: {error}") from None
@@ -336,7 +336,7 @@ def connected(options: argparse.Namespace):
 
 @contextlib.contextmanager
 def local_cluster(host: str, workers: int):
-    """Of the two addresses of pages Dask would take 0.0.0.0. Workers inherit that Ctrl-C is for this process alone."""
+    """Sets both dashboard addresses, because Dask's default is 0.0.0.0. Workers inherit that SIGINT is ignored."""
     handler = signal.signal(signal.SIGINT, signal.SIG_IGN)
     with tempfile.TemporaryDirectory(prefix="iogrid-fleet-") as folder, distributed.LocalCluster(
             host=host, n_workers=workers, threads_per_worker=1, local_directory=folder, silence_logs=logging.CRITICAL,
@@ -347,7 +347,7 @@ def local_cluster(host: str, workers: int):
 
 def main(arguments: list[str] | None = None) -> int:
     options = options_of(arguments)
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # FleetError says what is wrong, in a line
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # FleetError reports the error in one line
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         recordings = recordings_of(options.recordings)

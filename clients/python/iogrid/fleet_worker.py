@@ -1,5 +1,5 @@
-"""What a worker of iogrid.fleet does for a recording. The functions are sent to the workers, which need no iogrid, but
-`iog`, util-linux and Dask distributed."""
+"""The functions that a worker of iogrid.fleet runs for a recording. They are sent to the workers, which need `iog`,
+util-linux and Dask distributed, but not iogrid."""
 
 import csv
 import http.client
@@ -14,17 +14,18 @@ import urllib.request
 import distributed
 
 URLS = ("http://", "https://")
-SILENCE_S = 60  # of a server, and of `iog` when it only says its version
+SILENCE_S = 60  # without an answer from a server or from `iog --version`
 TEXT = {"encoding": "utf-8", "errors": "surrogateescape"}  # a path may be any bytes
 
 
 class NoRow(Exception):
-    """The reason, and whether another try may end otherwise."""
+    """There is no row. Contains the reason, and whether another try may succeed."""
 
 
 def answer_of(job: dict, place: str) -> dict:
-    """The version of `iog`; row and settings of the table that `iog batch` makes of a recording (a path or URL), or the
-    reason for which it makes none; whether another try may end otherwise. If job has a version, no other one computes."""
+    """Runs `iog batch` on a recording (a path or URL). Returns the version of `iog`, the row and the settings of the
+    table or the reason why there is no row, and whether another try may succeed. If the job requires a version, any
+    other version of `iog` does not run."""
     begin = time.monotonic()
     answer = {"worker": distributed.get_worker().address, "version": "", "settings": "", "row": {}, "reason": "",
               "may_differ": False}
@@ -35,7 +36,7 @@ def answer_of(job: dict, place: str) -> dict:
             answer["may_differ"] = answer["row"]["reason"].startswith(("cannot be read", "ended by signal"))
     except NoRow as error:
         answer["reason"], answer["may_differ"] = error.args
-    except OSError as error:  # its disk is full, for example
+    except OSError as error:  # such as a full disk
         answer["reason"], answer["may_differ"] = f"worker {answer['worker']}: {error}", True
     return answer | {"seconds": time.monotonic() - begin}
 
@@ -49,7 +50,7 @@ def version_of(iog: str) -> str:
 
 
 def row_of(job: dict, place: str, end: float) -> tuple[dict[str, str], str]:
-    """What is fetched has no name on the disk, so it goes with the process."""
+    """Downloads a URL to an unnamed file, which disappears with the process."""
     with tempfile.TemporaryDirectory(prefix="iogrid-", dir=distributed.get_worker().local_directory) as folder:
         if not place.startswith(URLS):
             return batch_of(job, place, folder, end)
@@ -83,7 +84,7 @@ def fetch(url: str, file, end: float) -> None:
 
 
 def batch_of(job: dict, place: str, folder: str, end: float, files: tuple = ()) -> tuple[dict[str, str], str]:
-    """`iog` ends with this process: nobody would read its table."""
+    """Runs `iog`, which is killed when this process ends, because nobody would then read its table."""
     inputs, out = pathlib.Path(folder, "in"), pathlib.Path(folder, "out")
     inputs.mkdir()
     (inputs / "list.txt").write_bytes(os.fsencode(place) + b"\n")

@@ -38,7 +38,7 @@ class Pose:
 
 @dataclasses.dataclass(frozen=True)
 class Window:
-    """The rectangle of cells of the local frame that the classes are of (3.9)."""
+    """The rectangle of the local frame whose cells have classes (3.9)."""
 
     causes: Cause  # why slices of the frame have no place, or what was known before has lost it
     geometry: Geometry  # its cells

@@ -15,7 +15,7 @@ INDEXES, CLASSES = 0, 2  # storages
 
 
 class Geometry(typing.NamedTuple):
-    """Of a grid, as each of its messages says it (3.3)."""
+    """The geometry of a grid, which each of its messages states (3.3)."""
 
     columns: int  # cells along x
     rows: int
@@ -35,11 +35,11 @@ class Geometry(typing.NamedTuple):
 
     @property
     def tiles(self) -> tuple[int, int]:
-        """How many there are along y and x."""
+        """The number of tiles along y and x."""
         return self.rows // 32, self.columns // 32
 
     def index(self, x_m: float, y_m: float) -> tuple[int, int]:
-        """Row and column of a place in the car's frame; they may be outside."""
+        """Row and column of a place in the car's frame. They may be outside the grid."""
         return tuple(math.floor(place / self.cell_m) - round(corner / self.cell_m)
                      for place, corner in ((y_m, self.y_m), (x_m, self.x_m)))
 
@@ -102,7 +102,7 @@ class Grid:
 
     @staticmethod
     def tail_of(body: bytes, sensors: int) -> tuple[int, int, float | None]:
-        """Unwatched and blocked sectors and the chip's temperature, behind counters and sensors (3.5)."""
+        """The unwatched and blocked sectors and the chip's temperature, which follow counters and sensors (3.5)."""
         at = 32 + 4 * sum(body[28:32])
         require(at < len(body), "malformed")
         unwatched, blocked, tenths = struct.unpack_from(">QQh6x", body, at + 4 + sensors * body[at])

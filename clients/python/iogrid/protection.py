@@ -32,7 +32,7 @@ _P4 = _crc_table()
 
 
 def crc_p4(data: bytes, crc: int = 0) -> int:
-    """CRC-32/P4 of 4 to MOST_BYTES bytes, and of those before them, whose CRC it is."""
+    """CRC-32/P4 of 4 to MOST_BYTES bytes. `crc` is the CRC of the bytes before them."""
     state = numpy.frombuffer(data, numpy.uint8).copy()
     state[:4] ^= numpy.frombuffer((crc ^ 0xFFFFFFFF).to_bytes(4, "little"), numpy.uint8)
     return int(numpy.bitwise_xor.reduce(_P4[numpy.arange(len(state))[::-1], state])) ^ 0xFFFFFFFF

@@ -26,7 +26,8 @@ class CaptureSet {
   [[nodiscard]] std::optional<CapturedDatagram> next();
   [[nodiscard]] const std::vector<File>& files() const { return files_; }
 
-  // Which file begins after a pause, as one of another drive does; empty: none so far.
+  // A message that names a file that begins after a pause and may thus belong to another drive.
+  // Empty if there is none so far.
   [[nodiscard]] const std::string& words() const { return words_; }
 
   // As of PcapReader; no place in several files.

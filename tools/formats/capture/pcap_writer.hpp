@@ -19,7 +19,8 @@ namespace iog::tools {
 
 class PcapWriter {
  public:
-  // What is left of a capture that ends before finish(): its beginning, or nothing (OutputPlace).
+  // Determines what remains of a capture that ends before finish(): its beginning or nothing
+  // (OutputPlace).
   enum class Unfinished : std::uint8_t { kBeginning, kNothing };
 
   // UsageError if the file cannot be written.

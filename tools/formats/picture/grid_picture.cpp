@@ -28,7 +28,7 @@ constexpr Colour kSensor{20, 170, 150};
 constexpr int kWholeGridM = geometry::kCellsPerSide * geometry::kCellMm / 2000;
 constexpr int kSmallestHit = 3;  // pixels; a smaller one is not seen among free cells
 
-// The cells of an axis that a picture shows.
+// The range of cells that a picture shows along an axis.
 struct Shown {
   int first = 0;
   int end = 0;

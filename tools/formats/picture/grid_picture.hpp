@@ -1,5 +1,6 @@
-// A grid as a picture for people: the car in the middle, its x axis (forward) pointing up, its y
-// axis to the left. A grid that does not surround the car has its own middle.
+// A grid as a picture for people, with the car in the middle, its x axis (forward) pointing up and
+// its y axis pointing left. If the grid does not surround the car, the middle of the grid is in the
+// middle.
 #pragma once
 
 #include <cstdint>

@@ -36,8 +36,8 @@ class Percents {
  public:
   static constexpr std::uint8_t kNotKnown = 50;
 
-  // epsilon: of the recursive set, 0.01 <= epsilon < 1/2; none: of a frame without indexes, all of
-  // which are kNotKnown.
+  // epsilon is that of the recursive set, 0.01 <= epsilon < 1/2. Without epsilon, as for a frame
+  // without indexes, all percents are kNotKnown.
   explicit Percents(std::optional<double> epsilon);
   [[nodiscard]] std::uint8_t operator[](index::OccupancyIndex index) const {
     return percents_[static_cast<std::uint8_t>(index)];
@@ -49,7 +49,7 @@ class Percents {
 
 // stamp_us: what header.stamp is to be.
 
-// nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0, the
+// nav_msgs/msg/OccupancyGrid: 0 ... 100, the probability in percent; -1 where the index is 0 or the
 // tile is missing.
 [[nodiscard]] std::vector<std::byte> occupancy_grid(const GridFrame& frame, std::uint64_t stamp_us,
                                                     const Percents& percents);

@@ -22,7 +22,7 @@ struct Place {
 // builtin_interfaces/Time.
 void put_stamp(CdrWriter& out, std::uint64_t time_us);
 
-// A nav_msgs/OccupancyGrid but for the cells themselves.
+// Writes a nav_msgs/OccupancyGrid except for its cells.
 void put_occupancy_head(CdrWriter& out, const Place& place);
 
 // Numbers of foxglove_msgs/PackedElementField.
@@ -32,7 +32,7 @@ struct Field {
   FieldType type;
 };
 
-// A foxglove_msgs/Grid whose cells have these fields of a byte each, but for the cells themselves.
+// Writes a foxglove_msgs/Grid except for its cells. Each field of a cell is one byte.
 void put_foxglove_head(CdrWriter& out, const Place& place, std::span<const Field> fields);
 
 }  // namespace iog::tools::ros

@@ -24,9 +24,9 @@ struct ToldTile {
 
 class LayeredGrid {
  public:
-  // What a message of tiles has told: of tile `first` and those behind it, but for those that could
-  // not be read. level: 0 cells, else the quadtree's (stream::geometry_of_level). Of another grid
-  // nothing is kept.
+  // Takes the tiles of a message from tile `first` on, except for tiles that could not be read.
+  // `level` is 0 for cells, otherwise a level of the quadtree (stream::geometry_of_level). If the
+  // grid differs from the previous one, everything earlier is discarded.
   void take(unsigned level, const geometry::Grid& grid, std::size_t first,
             std::span<const std::optional<ToldTile>> tiles, const stream::Header& header);
 

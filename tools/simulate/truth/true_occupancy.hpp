@@ -14,13 +14,13 @@
 namespace iog::tools {
 
 // One bool per cell of the memory (geometry/grid.hpp), row by row from the lowest y. A cell is
-// occupied when its centre lies in the outline of a solid of which some height lies in the
-// vehicle's height band. The car itself is not in it.
+// occupied if its centre is inside the outline of a solid that extends into the vehicle's height
+// band. The car itself is not included.
 [[nodiscard]] std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> solids,
                                                const description::Description& description);
 
-// A PGM picture of the grid: 0 occupied, 255 free; x to the right, the row of highest y on top.
-// UsageError if it cannot be written.
+// Writes a PGM picture of the grid: 0 is occupied, 255 is free, x points right, and the row of
+// highest y is at the top. UsageError if it cannot be written.
 void write_truth(const std::string& path, const std::vector<bool>& occupied,
                  const geometry::Grid& grid);
 

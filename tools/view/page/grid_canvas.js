@@ -55,8 +55,9 @@ export class GridCanvas {
     this.restyle();
   }
 
-  // As the stream says of what is shown. origin: the cell at whose lowest corner the vehicle is,
-  // in its grid of indexes; the window of classes is placed by its corner.
+  // The shape of the grid that is shown, from the stream. In a grid of indexes, `origin` is the
+  // cell whose lowest corner is the vehicle's position. The window of classes is placed by its own
+  // corner.
   get shape() {
     return this.showsClasses ? { ...USUAL_SHAPE, cell_m: this.grid.classes.cell_m }
                              : this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE;
@@ -66,7 +67,7 @@ export class GridCanvas {
     return this.shape.cell_m;
   }
 
-  // Of the stream. Null: no indexes have come.
+  // Epsilon from the stream, or null if no indexes have arrived.
   get epsilon() {
     return this.vehicle ? this.vehicle.epsilon : null;
   }

@@ -10,7 +10,7 @@ const BESIDE = 16; // pixels from the mouse
 const SURENESS = ["barely", "hardly sure", "not very sure", "fairly sure", "quite sure", "sure",
                   "very sure", "as sure as can be"];
 
-// No cell is certain. Without ε no probability is known.
+// No cell is certain. Without ε, the probability is unknown.
 function probabilityWords(index, epsilon) {
   if (epsilon === null) {
     return "p not known: ε is not known here";

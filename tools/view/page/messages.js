@@ -1,6 +1,7 @@
 // The server's messages: numbers are little endian, words are JSON, and tiles are encoded raw or by
-// run starts (docs/spec.md 3.4). A key is complete by itself; any other message has only the tiles
-// that have changed. Ages are in frames: 254 is that or more, and 255 is a tile that never came.
+// run starts (docs/spec.md 3.4). A key message is complete by itself, and any other message
+// contains only the tiles that have changed. Ages are in frames: 254 means 254 or more, and 255
+// means that the tile never arrived.
 //
 // Whatever the bytes, reading ends and nothing outside of the result is written; what makes no
 // sense throws an Error.

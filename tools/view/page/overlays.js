@@ -210,7 +210,7 @@ function isSeen(view, x, y, side) {
 const ringStep = ({ pixelsPerMetre: scale }) =>
   (scale > 60 ? 1 : scale > 24 ? 5 : scale > 2.4 ? 10 : 50);
 
-// To the farthest edge of the grid.
+// The distance to the farthest edge of the grid.
 const ringReach = ({ shape: { origin: [x, y], columns, rows, cell_m: cellM } }) =>
   Math.max(x, columns - x, y, rows - y) * cellM;
 
