@@ -75,6 +75,10 @@ Refusal refusal_of_key(Block block) {
 // Requires a car within its limits.
 void derive(vehicle::Vehicle& car, SensorMemory& memory) {
   vehicle::derive_rules(car.sensors, car.window, car.grid.cell_mm);
+  if (car.window.tables != nullptr) {
+    ageing::Tables& its = memory.tables;
+    its.gains = ageing::make_gains_table(its.accumulation, its.free, its.hit_mass);
+  }
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     vehicle::derive_limits(car.footprint, car.z_min, car.z_max, memory.sensors[i]);
   }

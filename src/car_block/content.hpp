@@ -193,7 +193,8 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  // 0 instead of the cells of a side: another rectangle follows.
+  // If the grid is not the whole memory, the number of cells per side is 0, and the rectangle
+  // follows.
   void grid(const geometry::Grid& grid) {
     const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
     numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});

@@ -18,7 +18,6 @@ using vehicle::Vehicle;
 
 constexpr std::size_t kLongestSensorName = 15;
 constexpr std::size_t kLongestCarName = 31;
-constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
 
 // True if the name has only letters, digits and '_' and does not begin with a digit.
 bool is_name(std::string_view name, std::size_t longest) {
@@ -54,9 +53,9 @@ void check_frames(const Vehicle& car, const Tell& tell) {
 void check_cells(const Vehicle& car, const Tell& tell) {
   const std::uint16_t cell_mm = car.grid.cell_mm;
   const bool has_classes = vehicle::have_classes(car.grids);
-  if (has_classes && cell_mm < geometry::kCellMm) {
+  if (has_classes && cell_mm < geometry::kUsualCellMm) {
     tell({.field = "grids", .allowed = "indexes, because classes have cells of 0.1, 0.2 or 0.5 m"});
-  } else if (has_classes && car.has_objects && cell_mm != geometry::kCellMm) {
+  } else if (has_classes && car.has_objects && cell_mm != geometry::kUsualCellMm) {
     tell({.field = "objects", .allowed = "false, because objects are tracked in cells of 0.1 m"});
   }
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
@@ -75,7 +74,7 @@ void check_cells(const Vehicle& car, const Tell& tell) {
 // Returns false if lengths cannot be converted to cells.
 bool check_grid(const Vehicle& car, const Tell& tell) {
   const geometry::Grid& grid = car.grid;
-  if (std::ranges::find(kCellSizesMm, grid.cell_mm) == kCellSizesMm.end()) {
+  if (!geometry::is_cell_size(grid.cell_mm)) {
     tell({.field = "grid.cell_m", .allowed = "0.05, 0.1, 0.2 or 0.5"});
     return false;
   }
@@ -307,9 +306,6 @@ void check_classes(const Vehicle& car, const Tell& tell) {
   if (car.quantisation != index::Quantisation::kBlurring) {
     tell({.field = "quantisation", .allowed = "blurring, because grids have classes"});
   }
-  if (car.window.tables != nullptr) {
-    check_tables_of_window(*car.window.tables, tell);
-  }
   if (car.poses.log2_slice_ms > 6) {
     tell({.field = "poses.log2_slice_ms", .allowed = "0 ... 6: slices of at most 64 ms"});
   }
@@ -327,12 +323,15 @@ void check_classes(const Vehicle& car, const Tell& tell) {
 
 void check_numbers(const Vehicle& car, const net::Config& network, const Tell& tell) {
   check_frames(car, tell);
-  if (!check_grid(car, tell)) {
-    return;
+  if (car.window.tables != nullptr) {
+    check_tables_of_window(*car.window.tables, tell);
   }
+  const bool has_cells = check_grid(car, tell);
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     check_own(car.sensors, i, network, tell);
-    check_range(car, i, tell);
+    if (has_cells) {
+      check_range(car, i, tell);
+    }
     check_unit(car.sensors[i], i, tell);
     check_arcs(car, i, tell);
   }

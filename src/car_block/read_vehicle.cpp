@@ -156,12 +156,8 @@ class Reader {
     if (byte >= 2 && ok()) {
       ageing::Tables& read = memory_.tables;
       content_detail::visit_tables(*this, read);
-      demand(read.accumulation.full_ms > 0 && read.accumulation.empty_ms > 0);
-      if (ok()) {
-        read.free[0] = read.free[1];
-        read.gains = ageing::make_gains_table(read.accumulation, read.free, read.hit_mass);
-        tables = &read;
-      }
+      read.free[0] = read.free[1];
+      tables = &read;
     }
   }
 

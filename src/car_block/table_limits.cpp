@@ -24,7 +24,7 @@ constexpr std::int32_t farthest(const geometry::Grid& grid) {
   return grid.subcells(kFarthestM * 1000);
 }
 
-// The car is within 512 cells of its origin, whatever part of that the grid is.
+// The car must be within 512 cells of its origin, even if the grid covers only part of that area.
 void check_box(const Vehicle& car, const Tell& tell) {
   const vehicle::Footprint& footprint = car.footprint;
   const auto is_around = [](std::int32_t low, std::int32_t high, std::int32_t origin_cell) {

@@ -4,6 +4,8 @@
 // Cells and tiles are numbered in row-major order from the lowest y.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -42,6 +44,14 @@ static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;
+
+// The sides of cells that a car file may specify.
+inline constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
+[[nodiscard]] constexpr bool is_cell_size(std::uint16_t mm) {
+  return std::ranges::find(kCellSizesMm, mm) != kCellSizesMm.end();
+}
+// Distances and areas that a rule states in cells are in cells of this side.
+inline constexpr std::uint16_t kUsualCellMm = 100;
 
 // The grid that a car file specifies. Memory always has kCellsPerSide cells per row, so the numbers
 // of cells and tiles above do not change. A smaller grid is the part of the memory at cell (0, 0).

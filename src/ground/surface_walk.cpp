@@ -245,8 +245,8 @@ void SurfaceWalk::catch_up(Bins bins, std::size_t bin, std::size_t sector) {
   }
 }
 
-// Starts the doubt at a far and high first ground, and reduces it at each ground of the sector's
-// own.
+// A far and high first ground of a sector starts the doubt. Each later ground of the sector's own
+// reduces it.
 void SurfaceWalk::doubt(std::size_t bin) {
   const std::int16_t begin = bin < kNearBins ? std::int16_t{0} : kProofs;
   for (std::size_t sector = 0; sector < kSectors; ++sector) {

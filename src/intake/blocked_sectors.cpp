@@ -55,7 +55,7 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   const vehicle::Direction direction =
       vehicle::direction_of(*sensor_, sensor_->azimuths.nearest(middle));
   const std::int64_t range_mm = sensor_->range.mm();
-  const std::int64_t range = range_mm * geometry::kResolution / sensor_->grid.cell_mm;
+  const std::int64_t range = sensor_->grid.subcells(static_cast<std::int32_t>(range_mm));
   Kind kind = Kind::kSky;
   for (const std::uint8_t layer : std::span(sampled_).first(sampled_count_)) {
     const std::int64_t drop =

@@ -24,7 +24,7 @@ void Agreement::add(const window::Plane& free, const window::Plane& inside) {
 
 void Agreement::end_round(std::int32_t cell_mm) {
   const auto cells = [area = static_cast<std::uint32_t>(cell_mm * cell_mm)](std::uint32_t usual) {
-    constexpr std::uint32_t kUsualArea = geometry::kCellMm * geometry::kCellMm;
+    constexpr std::uint32_t kUsualArea = geometry::kUsualCellMm * geometry::kUsualCellMm;
     return (usual * kUsualArea + area - 1) / area;
   };
   if (free_ >= cells(kFewestFree)) {

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "geometry/sizes.hpp"
+#include "geometry/grid.hpp"
 #include "map/tile_mask.hpp"
 #include "window/tile.hpp"
 

@@ -6,7 +6,7 @@
 #include "ageing/discounting.hpp"
 #include "ageing/gains.hpp"
 #include "evidence/assignment.hpp"
-#include "geometry/sizes.hpp"
+#include "geometry/grid.hpp"
 
 namespace iog::perception {
 
@@ -33,15 +33,20 @@ static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 // ground nearby (ground/ground.hpp), because fewer of their returns are tall.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
-inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kCellMm);
-inline constexpr int kTallOverGroundWithin = cells_of(kTallOverGroundWithinMm, geometry::kCellMm);
+inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
+inline constexpr int kTallOverGroundWithin =
+    cells_of(kTallOverGroundWithinMm, geometry::kUsualCellMm);
 
 // The distances, in cells, at which the rules of motion onset and open ground examine a cell's
 // surroundings. They correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
-  int beside = 1;  // a standing cell that near makes a hit one of its own
-  int gaps = 2;    // gaps between beams that are closed, and the seen cells around a dense one
-  int open = 3;    // the free cells around an open one, and the new hits that are counted
+  // A hit with a standing cell within this distance belongs to that object.
+  int beside = 1;
+  // Gaps between beams are closed with this radius, and all cells within it around a dense cell
+  // must be seen.
+  int gaps = 2;
+  // All cells within it around an open cell must be free, and new hits are counted within it.
+  int open = 3;
   friend bool operator==(const Around&, const Around&) = default;
 };
 [[nodiscard]] constexpr Around around_with(int cell_mm) {
@@ -49,7 +54,7 @@ struct Around {
           .gaps = cells_of(200, cell_mm),
           .open = cells_of(300, cell_mm)};
 }
-static_assert(around_with(100) == Around{});
+static_assert(around_with(geometry::kUsualCellMm) == Around{});
 
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;

@@ -60,7 +60,7 @@ class Contradiction {
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {
-      return usual * geometry::kCellMm / cell_mm;
+      return usual * geometry::kUsualCellMm / cell_mm;
     };
     return (all >= kUnit * cells(kFewest) && crossed_ > all / kShare) ||
            (!has_moved && beyond_ > kShareBeyond * cells(kMostBeyond));

@@ -70,15 +70,17 @@ struct Geometry {
 
 // Returns the grid with this geometry, or nothing if no car can have it.
 [[nodiscard]] constexpr std::optional<geometry::Grid> grid_of(const Geometry& geometry) {
-  if (geometry.cell_mm == 0) {
+  if (!geometry::is_cell_size(geometry.cell_mm)) {
     return std::nullopt;
   }
-  const geometry::Grid grid{
-      .cell_mm = geometry.cell_mm,
-      .columns = geometry.width,
-      .rows = geometry.height,
-      .origin_column = static_cast<std::uint16_t>(-geometry.origin_x_mm / geometry.cell_mm),
-      .origin_row = static_cast<std::uint16_t>(-geometry.origin_y_mm / geometry.cell_mm)};
+  const auto cells = [&](std::int64_t mm) {
+    return static_cast<std::uint16_t>(mm / geometry.cell_mm);
+  };
+  const geometry::Grid grid{.cell_mm = geometry.cell_mm,
+                            .columns = geometry.width,
+                            .rows = geometry.height,
+                            .origin_column = cells(-std::int64_t{geometry.origin_x_mm}),
+                            .origin_row = cells(-std::int64_t{geometry.origin_y_mm})};
   const bool fits = grid.tile_count() > 0 && grid.columns <= geometry::kCellsPerSide &&
                     grid.rows <= geometry::kCellsPerSide && grid.origin_column <= grid.columns &&
                     grid.origin_row <= grid.rows;

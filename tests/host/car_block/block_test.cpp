@@ -109,6 +109,23 @@ TEST(CarBlock, WhatOpensGroundComesBackAsItIs) {
   EXPECT_NE(bytes.car.id, roof.vehicle.id);
 }
 
+// The tables that are made of the constants are made only of constants within their limits.
+TEST(CarBlock, WrongEvidentialConstantsAreRefused) {
+  for (const vehicle::Grids grids : {vehicle::Grids::kIndexes, vehicle::Grids::kBoth}) {
+    for (const ageing::Accumulation& wrong :
+         {ageing::Accumulation{3'000, 500, 65'535}, {0, 500, 15}, {3'000, 0, 15}}) {
+      ageing::Tables tables{.decays = ageing::kUsualDecays,
+                            .accumulation = wrong,
+                            .free = ageing::make_free_masses(0.3),
+                            .hit_mass = 111 * 256};
+      vehicles::Car car = vehicles::car("reference_car");
+      car.vehicle.grids = grids;
+      car.vehicle.window.tables = &tables;
+      EXPECT_EQ(CarBytes(car).read().refusal, Refusal::kLimit) << wrong.full_ms;
+    }
+  }
+}
+
 TEST(CarBlock, EvidentialConstantsComeBackAsTheyAre) {
   ageing::Tables tables{.decays = ageing::make_decays(0.001, 0.0001),
                         .accumulation = {6'000, 2'000, 10},

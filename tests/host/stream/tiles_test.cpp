@@ -187,7 +187,11 @@ TEST(Geometry, IsOfAGridThatACarCanHave) {
   };
   EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 2048; }));
   EXPECT_FALSE(is_taken([](Geometry& its) { its.height = 0; }));
-  EXPECT_FALSE(is_taken([](Geometry& its) { its.cell_mm = 0; }));
+  for (const std::uint16_t mm : std::array<std::uint16_t, 4>{0, 99, 2'000, 65'535}) {
+    EXPECT_FALSE(is_taken([mm](Geometry& its) { its.cell_mm = mm; })) << mm;
+  }
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_x_mm = INT32_MIN; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_y_mm = INT32_MIN; }));
   EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_x_mm = 50; }));
   EXPECT_FALSE(is_taken([](Geometry& its) { its.origin_y_mm = -16'001; }));
   EXPECT_FALSE(is_taken([](Geometry& its) { its.storage = Storage::kHighestIndex; }));
