@@ -104,8 +104,8 @@ static inline int iogrid_take_tiles(iogrid_grid* grid, uint32_t frame, uint32_t*
     if (tile < lowest || tile >= end || size > IOGRID_CELLS || size > bytes - at - record) return 0;
     lowest = tile + 1;
   }
-  if (first > end || end > iogrid_tiles_of(grid, body + 6) || count != iogrid_be16(body + 4))
-    return 0;
+  const uint32_t tiles = iogrid_tiles_of(grid, body + 6);
+  if (tiles == 0 || first > end || end > tiles || count != iogrid_be16(body + 4)) return 0;
   for (uint32_t tile = first; tile < end; ++tile) {
     if (!grid->is_lost[tile]) return 0;  // it has been spoken of
   }

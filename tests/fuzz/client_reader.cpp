@@ -17,6 +17,7 @@ constexpr std::size_t kMaxMessages = 32;
 
 void check_grid(const iogrid_grid& grid) {
   static constexpr std::array<std::uint8_t, IOGRID_CELLS> kNothing{};
+  law(grid.tiles <= IOGRID_TILES, "a grid is no larger than its memory");
   for (std::size_t tile = 0; tile < IOGRID_TILES; ++tile) {
     law(grid.is_lost[tile] == 0 ||
             std::memcmp(grid.cells[tile], kNothing.data(), kNothing.size()) == 0,

@@ -120,6 +120,18 @@ class Header(unittest.TestCase):
         self.compare(messages)
         self.compare(messages[1:])
 
+    def test_a_grid_larger_than_any_is_dropped(self):
+        """Though the message says nothing of its tiles. Nobody reads behind the memory."""
+        target, messages = made_stream.Target(0), []
+        for sides in ((1024, 1024), (65504, 65504), (32, 0), (1024, 1024)):
+            grid = made_stream.Grid(*sides)
+            if sides == (1024, 1024):
+                grid.set(512, 512, 7)
+            else:
+                grid.tile_count = 0
+            messages += target.messages_of(grid, 1, made_classes.Window())
+        self.compare(messages, program("clang", *SANITIZERS))
+
     def test_another_version_is_dropped(self):
         message = streams.messages_of(streams.raw())[0]
         others = [protected_message.of_version(message, version) for version in (4, 6)]
