@@ -26,6 +26,10 @@ void send_to_file(int stream, const std::string& path) {
 
 }  // namespace
 
+Children::Children(std::string folder, std::size_t most) : folder_(std::move(folder)), all_(most) {
+  std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, wait() finds nobody
+}
+
 Children::~Children() {
   for (const Child& child : all_) {
     if (child.id > 0) {

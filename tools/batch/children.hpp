@@ -13,7 +13,7 @@ namespace iog::tools {
 class Children {
  public:
   // Their output goes to folder/0.out, folder/0.err and so on, by place.
-  Children(std::string folder, std::size_t most) : folder_(std::move(folder)), all_(most) {}
+  Children(std::string folder, std::size_t most);
   // Kills those that run.
   ~Children();
   Children(const Children&) = delete;

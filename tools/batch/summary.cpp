@@ -79,8 +79,7 @@ Rows rows_of(std::string_view text) {
   return found;
 }
 
-}  // namespace
-
+// One row of CSV (RFC 4180) with its end.
 std::string csv_row(const std::vector<std::string>& fields) {
   std::string row;
   for (const std::string& field : fields) {
@@ -111,6 +110,8 @@ std::string csv_row(const Outcome& outcome) {
   fields.insert(fields.end(), {seconds.str(), outcome.reason, outcome.remarks});
   return csv_row(fields);
 }
+
+}  // namespace
 
 Summary::Summary(const std::string& folder, const std::string& settings)
     : path_(folder + "/summary.csv") {

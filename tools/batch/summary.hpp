@@ -19,10 +19,6 @@ struct Outcome {
   double seconds = 0;
 };
 
-// One row of CSV (RFC 4180) with its end.
-[[nodiscard]] std::string csv_row(const std::vector<std::string>& fields);
-[[nodiscard]] std::string csv_row(const Outcome& outcome);
-
 class Summary {
  public:
   // settings: lines on all that changes the results. Makes the folder. UsageError if the rows there
@@ -36,8 +32,8 @@ class Summary {
   [[nodiscard]] bool has(const std::string& name) const { return names_.contains(name); }
   [[nodiscard]] std::size_t failed() const { return failed_; }
 
-  // The whole row at once: a process that is killed leaves no part of it that is taken for one.
-  // UsageError if it cannot be written.
+  // Writes the whole row at once. The next batch removes a row that a killed process left
+  // incomplete. UsageError if it cannot be written.
   void add(const Outcome& outcome);
 
  private:

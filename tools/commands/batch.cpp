@@ -269,6 +269,10 @@ void add_batch(CLI::App& program) {
             [options, name](const std::vector<std::string>& values) {
               options->of_fuse.emplace_back(name);
               options->of_fuse.insert(options->of_fuse.end(), values.begin(), values.end());
+              if (name == std::string_view("--map")) {  // from another folder it is another file
+                std::string& path = options->of_fuse.back();
+                path = std::filesystem::absolute(path).lexically_normal().string();
+              }
             },
             "As of `iog fuse`, for each recording")
         ->option_text(text)

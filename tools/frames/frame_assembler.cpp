@@ -113,6 +113,7 @@ void FrameAssembler::end_run() {
   hand_over_all();
   indexes_.forget();
   classes_.forget();
+  shapes_ = {};
   sequences_.restart();
   has_handed_over_ = false;
   car_refusal_.reset();
@@ -240,7 +241,7 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
     return &MessageCounts::malformed;
   }
   const std::uint16_t cell_mm = tiles.geometry.cell_mm;
-  if (cell_mm > 0 && tiles.geometry == stream::geometry_of_classes(cell_mm)) {
+  if (geometry::is_cell_size(cell_mm) && tiles.geometry == stream::geometry_of_classes(cell_mm)) {
     return take_class_tiles(waiting, tiles, body);
   }
   const std::optional<geometry::Grid> grid = stream::grid_of(tiles.geometry);
@@ -325,7 +326,9 @@ void FrameAssembler::decode_indexes(WaitingFrame& waiting) {
                              [&](const stream::TileRecord& record, const TileBytes& cells) {
                                put_tile(cells, record.tile, frame.cells);
                              });
-  frame.shape = waiting.indexes.grid();
+  frame.shape = shapes_.indexes = waiting.indexes.grid().value_or(shapes_.indexes);
+  shapes_.epsilon_e5 = frame.epsilon_e5 > 0 ? frame.epsilon_e5 : shapes_.epsilon_e5;
+  frame.epsilon_e5 = shapes_.epsilon_e5;
   frame.valid_tiles = tiles.valid;
   frame.known_tiles = tiles.known;
   frame.tiles = static_cast<std::uint32_t>(tiles.known.count());
@@ -340,7 +343,8 @@ void FrameAssembler::decode_classes(WaitingFrame& waiting) {
         put_tile(cells, tile_in_window(classes.window, record.tile), classes.cells);
         classes.age_frames.at(record.tile) = record.age_frames;
       });
-  classes.cell_mm = waiting.classes.grid().cell_mm;
+  shapes_.classes = waiting.classes.grid().value_or(shapes_.classes);
+  classes.cell_mm = shapes_.classes.cell_mm;
   classes.valid_tiles = tiles.valid;
   classes.known_tiles = tiles.known;
   counts_.class_tiles += tiles.known.count();

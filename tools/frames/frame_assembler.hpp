@@ -147,6 +147,13 @@ class FrameAssembler {
   std::map<std::uint32_t, WaitingFrame> waiting_;  // by frame number
   TileDecoder indexes_{stream::Storage::kOccupancyIndex};
   TileDecoder classes_{stream::Storage::kClass};
+  // What a frame whose tiles are all lost has in common with the frame before it.
+  struct Shapes {
+    geometry::Grid indexes;
+    geometry::Grid classes;
+    std::uint16_t epsilon_e5 = 0;
+  };
+  Shapes shapes_;
   bool has_handed_over_ = false;
   std::uint32_t next_frame_ = 0;  // the lowest number that has not been handed over
   std::uint64_t evidence_frames_ = 0;

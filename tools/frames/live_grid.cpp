@@ -10,7 +10,7 @@ void LiveGrid::take(const GridFrame& frame) {
     run_number_ = frame.header.run_number;
   }
   newest_frame_ = frame.header.frame_number;
-  shape_ = frame.valid_tiles.any() ? frame.shape : shape_;
+  shape_ = frame.shape;
   for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
     if (!frame.valid_tiles.test(tile)) {
       continue;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,8 +45,10 @@ class TileMessages {
   // more messages than the grid has tiles, or if an earlier message of the frame has another grid.
   [[nodiscard]] bool take(const stream::TilesHeader& header, const geometry::Grid& grid,
                           std::span<const std::byte> body);
-  // The grid that the messages describe.
-  [[nodiscard]] const geometry::Grid& grid() const { return grid_; }
+  // The grid that the messages describe. Nothing if no message has come.
+  [[nodiscard]] std::optional<geometry::Grid> grid() const {
+    return bodies_.empty() ? std::nullopt : std::optional(grid_);
+  }
 
   // Whether every tile of the grid has been spoken of.
   [[nodiscard]] bool are_complete() const { return spoken_of_.all(); }

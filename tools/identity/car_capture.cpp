@@ -245,7 +245,8 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
     std::ranges::for_each(poses_, [&clocks](const auto& pose) { clocks.add(pose); });
     std::string words = clocks.words_apart();
     if (drive.clock_offset_s) {
-      words += "; with " + std::to_string(*drive.clock_offset_s) + " s they have none";
+      words += "; with --clock-offset " + std::to_string(*drive.clock_offset_s) +
+               " they have none either";
     }
     for (const std::string& left_out : log_words_) {
       words += left_out.starts_with("not used") ? "; " + left_out : "";

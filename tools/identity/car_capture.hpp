@@ -96,7 +96,9 @@ class CarCapture {
   // Words for a difference between the clocks of poses and packets or between the captures. Empty
   // if there is none. Complete when everything has been read.
   [[nodiscard]] std::string clock_words() const {
-    return files_.words().empty() ? clocks_.words() : files_.words();
+    const std::string of_files = files_.words();
+    const std::string of_clocks = clocks_.words();
+    return of_files + (of_files.empty() || of_clocks.empty() ? "" : "; ") + of_clocks;
   }
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;

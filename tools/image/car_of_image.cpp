@@ -44,8 +44,7 @@ std::string_view words_of_grids(vehicle::Grids grids) {
 
 std::string words_of_firmware(const car_block::Firmware& firmware) {
   const std::string side = std::to_string(firmware.cells_per_side);
-  return side + " x " + side + " cells of " + std::to_string(firmware.cell_mm) + " mm, in " +
-         std::to_string(firmware.resolution) + " subcells; " +
+  return side + " x " + side + " cells, in " + std::to_string(firmware.resolution) + " subcells; " +
          std::string(words_of_grids(firmware.grids));
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <system_error>
 
 #include "checksum/crc32.hpp"
 #include "tools/program/exit_status.hpp"

@@ -1,5 +1,6 @@
 #include "tools/view/status.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
@@ -285,7 +286,9 @@ ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
 
 FrameFacts facts_of(const GridFrame& frame, const LiveGrid& grid, std::uint64_t message_bytes) {
   const bool has_indexes = (frame.header.flags & stream::kFlagNoIndexes) == 0;
-  const std::size_t missing = geometry::kTileCount - frame.valid_tiles.count();
+  // What is outside the grid is either all valid or, without any tiles, all missing.
+  const std::size_t missing =
+      std::min(geometry::kTileCount - frame.valid_tiles.count(), frame.shape.tile_count());
   FrameFacts facts{.number = frame.header.frame_number,
                    .message_bytes = message_bytes,
                    .is_whole = frame.is_whole() || frame.is_damaged,

@@ -99,6 +99,31 @@ TEST(FrameAssembler, ALostFrameEndStillLeavesItsTiles) {
   EXPECT_FALSE(first_difference(outcome.records, undisturbed()).has_value());
 }
 
+// Cells of another size and another number of them do not appear for one frame.
+TEST(FrameAssembler, AFrameWithoutAnyTilesHasTheGridOfTheOneBefore) {
+  const CatalogueEntry& car = find_vehicle("robot_2d");
+  ASSERT_NE(car.vehicle->grid, geometry::Grid{});
+  Messages messages = messages_of(car, sample_drive(car, 1, kFrames));
+  const std::size_t all = messages.size();
+  std::erase_if(messages, [](const std::vector<std::byte>& message) {
+    stream::Header header;
+    std::span<const std::byte> body;
+    return stream::read_header(std::span(message).subspan(protection::kProtectionBytes), header,
+                               body) == stream::ReadStatus::kOk &&
+           header.frame_number == 2 && header.type == stream::MessageType::kTiles;
+  });
+  ASSERT_LT(messages.size(), all);
+  std::size_t frames = 0;
+  FrameAssembler assembler([&](const GridFrame& frame) {
+    EXPECT_EQ(frame.shape, car.vehicle->grid) << frames;
+    EXPECT_EQ(frame.epsilon_e5, car.vehicle->epsilon_e5) << frames;
+    ++frames;
+  });
+  std::ranges::for_each(messages, [&](const auto& message) { assembler.take(message); });
+  assembler.finish();
+  EXPECT_GE(frames, kFrames - 1);
+}
+
 TEST(FrameAssembler, RepeatedMessagesChangeNothing) {
   Messages messages;
   for (const auto& message : sample()) {

@@ -1,6 +1,5 @@
-// A grid as a picture for people, with the car in the middle, its x axis (forward) pointing up and
-// its y axis pointing left. If the grid does not surround the car, the middle of the grid is in the
-// middle.
+// A grid as a picture for people: the cells that are within a radius of the car. The car's x axis
+// (forward) points up, and its y axis points left.
 #pragma once
 
 #include <cstdint>

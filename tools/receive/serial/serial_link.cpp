@@ -14,7 +14,7 @@ constexpr unsigned kLevels = std::countr_zero(geometry::kTilesPerSide) + 1;
 
 struct Level {
   unsigned number;
-  geometry::Grid grid;  // as large as the memory, whichever part of it the car's is
+  geometry::Grid grid;  // size of the memory; cell size and origin are the car's
 };
 
 // The level of this firmware's quadtree that the geometry is of.

@@ -64,7 +64,8 @@ export class GridCanvas {
   }
 
   get cellM() {
-    return this.shape.cell_m;
+    return this.showsClasses ? this.grid.classes.cell_m
+                             : (this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE).cell_m;
   }
 
   // Epsilon from the stream, or null if no indexes have arrived.

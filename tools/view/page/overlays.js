@@ -220,7 +220,8 @@ function drawRings(view) {
   const [column, row] = view.toScreen(0, 0);
   context.strokeStyle = palette.ring;
   context.lineWidth = 1;
-  for (let radius = step; radius <= ringReach(view); radius += step) {
+  const farthest = ringReach(view);
+  for (let radius = step; radius <= farthest; radius += step) {
     context.beginPath();
     context.arc(column, row, radius * view.pixelsPerMetre, 0, 2 * Math.PI);
     context.stroke();
@@ -236,7 +237,8 @@ function drawDistances(view) {
   const step = ringStep(view);
   const [column, row] = view.toScreen(0, 0);
   context.font = FONT;
-  for (let radius = step; radius <= ringReach(view); radius += step) {
+  const farthest = ringReach(view);
+  for (let radius = step; radius <= farthest; radius += step) {
     const words = `${radius} m`;
     const width = context.measureText(words).width + 8;
     const reach = radius * view.pixelsPerMetre;
