@@ -9,6 +9,7 @@ squares in the sigmas that the log states. Times are those of the processor. Nee
 """
 
 import argparse
+import collections
 import lzma
 import pathlib
 import resource
@@ -20,6 +21,9 @@ import tempfile
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "clients/python"))
+from iogrid.captures import datagrams  # noqa: E402 ; it is found by the path above
+
 IOG = ROOT / "build/host/tools/iog"
 SCENES = ("city", "hills", "street", "ring_road")
 POSE_PORT = 15010
@@ -27,19 +31,13 @@ TIME, X, Y, HEADING = range(4)
 SIGMA, SIGMA_HEADING = 6, 7  # columns of the log
 
 
-def poses_in(capture: bytes) -> np.ndarray:
-    """Seconds, metres and radians of each pose message (docs/spec.md, 5.1) of a pcap of Ethernet."""
-    rows, at = [], 24
-    while at < len(capture):
-        length, = struct.unpack_from("<I", capture, at + 8)
-        frame = capture[at + 16:at + 16 + length]
-        if frame[23:24] == b"\x11" and struct.unpack_from(">H", frame, 36) == (POSE_PORT,):
-            clock_us, x_mm, y_mm, turns = struct.unpack_from(">QiiI", frame, 42 + 40)
-            rows.append((clock_us / 1e6, x_mm / 1e3, y_mm / 1e3, turns * 2 * np.pi / 2**32))
-        at += 16 + length
-    if not rows:
+def poses_in(capture: pathlib.Path) -> np.ndarray:
+    """Seconds, metres and radians of each pose message (docs/spec.md, 5.1)."""
+    messages = [struct.unpack_from(">QiiI", payload, 40)
+                for payload in datagrams(str(capture), POSE_PORT, collections.Counter())]
+    if not messages:
         raise ValueError("no poses in it")
-    table = np.array(rows)
+    table = np.array(messages) / [1e6, 1e3, 1e3, 2**32 / (2 * np.pi)]
     table[:, HEADING] = np.unwrap(table[:, HEADING])
     return table
 
@@ -81,7 +79,7 @@ def row_of(name: str, capture: bytes, car: pathlib.Path, work: pathlib.Path) -> 
     took_s = processor_s() - begin_s
     found = np.loadtxt(log, delimiter=",", skiprows=1)
     found[:, HEADING] = np.unwrap(np.radians(found[:, HEADING]))
-    metres, off_m, off_deg, place, turn = errors(found, poses_in(capture))
+    metres, off_m, off_deg, place, turn = errors(found, poses_in(drive))
     share = took_s / (found[-1, TIME] - found[0, TIME])
     return (f"| {name} | {metres:.0f} m | {100 * off_m / metres:.2f} % | {off_deg:.2f}° | {share:.1f} × |",
             f"{name}: within a second {place:.2f} sigma of the position, {turn:.2f} of the heading")
@@ -113,7 +111,7 @@ def main() -> None:
         for name, capture, car in drives_of(options, pathlib.Path(folder)):
             try:
                 row, errors_in_sigmas = row_of(name, capture, car, pathlib.Path(folder))
-            except (OSError, ValueError, subprocess.CalledProcessError) as error:
+            except (OSError, ValueError, struct.error, subprocess.CalledProcessError) as error:
                 sys.exit(f"odometry.py: {name} with {car}: {error}")
             print(row, flush=True)
             words.append(errors_in_sigmas)

@@ -23,7 +23,7 @@ PARTS = {
     "scaling": ("scaling",),
     "perception": ("perception_cost", "object_cost"),
     "map": ("map_cost",),
-    "turning": ("turning", "turning_cost"),
+    "turning": ("turning",),
     "moved": ("moved_cost",),
 }
 

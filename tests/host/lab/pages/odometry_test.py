@@ -1,6 +1,8 @@
 """How far a log is from the true poses, on trajectories whose errors are made here."""
 
+import pathlib
 import struct
+import tempfile
 import unittest
 
 import numpy as np
@@ -55,14 +57,19 @@ class Poses(unittest.TestCase):
     def test_are_those_of_the_messages_to_their_port(self):
         def frame(port: int) -> bytes:
             pose = bytes(40) + struct.pack(">QiiI", 1_500_000, 2_000, -3_000, 1 << 30) + bytes(40)
-            udp = bytes(2) + struct.pack(">HHH", port, 8 + len(pose), 0) + pose
-            data = bytes(23) + b"\x11" + bytes(10) + udp
+            udp = struct.pack(">HHHH", 50_000, port, 8 + len(pose), 0) + pose
+            head = struct.pack(">BBHHHBBHII", 0x45, 0, 20 + len(udp), 0, 0, 64, 17, 0, 0x0A000202, 0x0A00020F)
+            data = bytes(12) + b"\x08\x00" + head + udp
             return struct.pack("<IIII", 1, 0, len(data), len(data)) + data
 
-        capture = bytes(24) + frame(2368) + frame(15010)
-        np.testing.assert_allclose(odometry.poses_in(capture), [[1.5, 2, -3, np.pi / 2]])
-        with self.assertRaises(ValueError):
-            odometry.poses_in(bytes(24) + frame(2368))
+        head = struct.pack("<IHHiIII", 0xA1B2C3D4, 2, 4, 0, 0, 65_535, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            capture = pathlib.Path(folder) / "it.pcap"
+            capture.write_bytes(head + frame(2368) + frame(15010))
+            np.testing.assert_allclose(odometry.poses_in(capture), [[1.5, 2, -3, np.pi / 2]])
+            capture.write_bytes(head + frame(2368))
+            with self.assertRaises(ValueError):
+                odometry.poses_in(capture)
 
 
 if __name__ == "__main__":
