@@ -1,5 +1,5 @@
-// Cores 1 to 3 as core 0 sees them: what hal::Cores asks for on every board, but for how many cores
-// there are and how one is switched on. Software-generated interrupts by ARM IHI 0048, GICD_SGIR.
+// Cores 1 to 3 as core 0 sees them: the part of hal::Cores that all boards share. A board adds
+// count() and start(). Software-generated interrupts by ARM IHI 0048, GICD_SGIR.
 #pragma once
 
 #include <cstddef>

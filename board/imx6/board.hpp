@@ -72,5 +72,4 @@ class Board : public board::BoardRun {
 namespace iog::board {
 using imx6::Board;
 using imx6::Cores;
-using imx6::MacAddress;
 }  // namespace iog::board

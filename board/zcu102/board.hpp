@@ -59,5 +59,4 @@ class Board : public board::BoardRun {
 namespace iog::board {
 using zcu102::Board;
 using zcu102::Cores;
-using zcu102::MacAddress;
 }  // namespace iog::board

@@ -38,7 +38,7 @@ class HostileFrames:
                        self.bad_arp, self.arp_of_others, self.arp_from_outside, self.stolen_address,
                        self.arp_question]
         self._is_gem = board == "zcu102"
-        if not self._is_gem:  # QEMU's lengthens a runt by what came before it
+        if not self._is_gem:  # QEMU's GEM pads a runt with bytes of an older frame
             self._small.append(self.runt)
 
     def attacks(self) -> list:

@@ -42,7 +42,8 @@
 
 namespace iog::board {
 
-// All memory that the controller's DMA accesses. There is one instance, in the uncached region.
+// The rings and their buffers, which the controller's DMA accesses. There is one instance, in the
+// uncached region.
 // Guards separate its parts.
 //
 // The transmit ring holds a complete grid without waiting: 1024 tiles, 64 other frames at the same

@@ -10,7 +10,8 @@
 
 namespace iog::zcu102 {
 
-struct Descriptor {
+// UG1087 (receive_q_ptr, transmit_q_ptr) requires alignment to 64 bits.
+struct alignas(16) Descriptor {
   std::uint32_t address;  // low half; when receiving, with wrap and owner in its lowest bits
   std::uint32_t control;
   std::uint32_t address_high;

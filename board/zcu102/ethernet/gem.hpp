@@ -54,13 +54,12 @@ class Gem {
 
 using GemPort = board::Port<Gem>;
 using GemMemory = board::PortMemory<DescriptorFormat>;
-static_assert(sizeof(GemMemory) <= 4u << 20, "fits two blocks of 2 MiB");
-
 // The memory of the firmware's only controller, and one descriptor for the unused queue of each
 // direction. Their definitions are constinit. NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern GemMemory gem_memory;
 extern std::array<Descriptor, 2> parked_queues;
 // NOLINTEND(bugprone-dynamic-static-initializers)
+static_assert(sizeof(GemMemory) + sizeof(parked_queues) <= 4u << 20, "fits two blocks of 2 MiB");
 
 }  // namespace iog::zcu102
 

@@ -18,7 +18,7 @@ class ManagementPort {
 
   explicit ManagementPort(GemRegisters& registers) : registers_(registers) {}
 
-  // NETWORK_CONFIG and NETWORK_CONTROL have the clock and the switch of this bus; GemPort sets
+  // NETWORK_CONFIG and NETWORK_CONTROL have the clock and the switch of this bus; Gem sets
   // both.
   void start() {}
   void begin(std::uint32_t frame) { registers_.phy_management.write(frame); }

@@ -1,5 +1,5 @@
-// The GEM starts, and starts anew; when, is of the port (board_imx6/enet_restart_test.cpp).
-// Offsets, bits and order: UG1087 modules "GEM" and "CRL_APB", UG1085 chapter "GEM Ethernet",
+// How the GEM starts and restarts. board_imx6/enet_restart_test.cpp tests when the port restarts
+// it. Offsets, bits and order: UG1087 modules "GEM" and "CRL_APB", UG1085 chapter "GEM Ethernet",
 // section "Programming model".
 #include <gtest/gtest.h>
 #include <vector>
