@@ -48,7 +48,7 @@ class Page(unittest.TestCase):
                                  "moved,parked car,still,0,25,1,0,0,1,999,0\n", "moved,parked car,still,0,25,0,0,10,1,989,0\n"],
                                 {"flat": 2664, "moved": 2621})
         self.assertEqual([row[2:] for row in rows if row[:2] == ["parked car", "0 to 25 m"]], [
-            ["100 → 1,000", "38.00 → 0.10", "12.00 → 0.00", "50.00 → 99.90", "0.00", "0.00", "5.00 → 1.00"]])
+            ["100 → 1,000", "38.00 → 0.10", "12.00 → 0.00", "50.00 → 99.90", "0.00", "5.00 → 1.00"]])
         found = {goal.what.removeprefix("street: "): (goal.found, goal.is_met) for goal in goals}
         self.assertEqual(found, {
             "parked cars below 25 m: called moving": ("0.10 %", True),
