@@ -162,8 +162,8 @@ TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
   }
 }
 
-// docs/ground.md, "One sector, bin by bin": a parked car in sectors 9 to 11, and the road beside it
-// in sector 14.
+// lab/notes/2026-11-28-ground.md, "One sector, bin by bin": a parked car in sectors 9 to 11, and
+// the road beside it in sector 14.
 TEST(SurfaceWalk, HasThePagesExample) {
   Turn turn;
   const auto see = [&](std::int32_t sector, std::initializer_list<std::array<int, 2>> lows) {
