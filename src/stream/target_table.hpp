@@ -34,22 +34,20 @@ enum class Group : std::uint8_t {
   kFragment,
   // Shared work. Core 0 does the items of lost cores ([cores.md](cores.md)).
   kCore,
-  // Frames for which the port had no room, restarts of the port ([drivers.md](drivers.md)), and
-  // frames lost in these restarts.
+  // Frames without room at the port, its restarts ([drivers.md](drivers.md)), and their losses.
   kRestart,
-  // Starts including this one, how the previous run ended, and the number of this end (below).
+  // Starts with this one, and the end of the previous run (below).
   kRun,
   // The loop's times, 13 words each (below).
   kLoopTime,
   // Room for later counters: 0, which receivers ignore.
   kLater,
-  // Only if the target offers its service ([service_discovery.md](service_discovery.md)), or if
-  // commands must be signed: datagrams of service discovery, datagrams left unanswered in a flood,
-  // offers, questions answered, subscriptions; messages copied to the subscriber, and messages not
-  // copied for lack of room.
+  // Only with service discovery ([service_discovery.md](service_discovery.md)) or signed commands:
+  // its datagrams, answers and subscriptions; messages copied to the subscriber, and messages for
+  // which there was no room.
   kDiscovery,
-  // Only if commands must be signed (9): messages on the ports of poses and maps, the last
-  // authentic counter of each, and two words that sign these ten counters.
+  // Only with signed commands (9): messages by verdict, last authentic counters, and two words that
+  // sign these ten counters.
   kCommand,
   // Messages since start.
   kPoseFate,
