@@ -86,7 +86,7 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Whether the tiles of this grid wait because several cores encode them.
+  // Whether added tiles wait to be encoded together, because several cores share the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, either at the same time or before.

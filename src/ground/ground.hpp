@@ -1,8 +1,8 @@
-// The ground around the sensors of a vehicle that follow it. It is constant while the packets of a
-// frame are processed, and is updated between two frames.
+// The ground around those sensors of a vehicle that follow the ground. It is constant while the
+// packets of a frame are processed, and is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
-// sensor has swept at least as many ticks as a whole scan since the last update. The time of the
+// sensor has swept the ticks of at least one whole scan since the last update. The time of the
 // update therefore depends only on the set of packets in each frame. It does not depend on their
 // order or on the cores that fuse them.
 #pragma once

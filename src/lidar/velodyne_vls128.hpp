@@ -1,7 +1,7 @@
 // Data packets of the Velodyne VLS-128, Alpha Prime (VLS-128 User Manual 63-9483, chapter 9). Four
 // blocks with the same azimuth contain a firing of all 128 lasers. Each block is a bank of 32
-// lasers with its own flag. Eight lasers fire at a time, to the left or right of the block's
-// azimuth, and the banks fire one after another. The unit of range is 4 mm. The mode with two
+// lasers with its own flag. The banks fire one after another. Within a bank, eight lasers fire at a
+// time, to the left or right of the block's azimuth. The unit of range is 4 mm. The mode with two
 // returns per beam is not supported, because no recording of it is available.
 #pragma once
 

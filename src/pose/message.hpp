@@ -71,7 +71,7 @@ struct Decoded {
   Message message{};            // only if the message is valid
 };
 
-// Accepts any bytes. The outcome is kUsed or kTooShort ... kTooOld.
+// Accepts any bytes. The outcome is kUsed or one of kTooShort to kTooOld.
 [[nodiscard]] Decoded decode(std::span<const std::byte> datagram);
 
 }  // namespace iog::pose
