@@ -32,8 +32,8 @@ class Board : public board::BoardRun {
   EnetPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  // Sleeps at most 1 ms: until a frame arrives, the serial link can send waiting bytes, or the tick
-  // ends. Clears the event flags before it returns, so poll every device between two calls.
+  // Sleeps until a frame arrives, the serial link can send waiting bytes, or the tick ends, at most
+  // 1 ms. Clears the event flags before it returns, so poll every device between two calls.
   void idle();
 
   // The interface of hal::SharedCache.

@@ -136,7 +136,7 @@ struct Sensor {
   // Consider a beam that ends on the ground. This is the fraction of its length in which it is
   // above the height band's lower limit, in units of 2^-30. Heights are measured from a straight
   // line between the ground below the sensor and the end of the beam. The value is 1 if the sensor
-  // is below the band's lower limit or looks over things.
+  // is below the band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;

@@ -37,8 +37,8 @@ class LinkMonitor {
     return std::nullopt;
   }
 
-  // Call it if the controller was reset, because a started access will then never finish. The next
-  // poll starts again.
+  // Call it after a reset of the controller, because a started access will then never finish. The
+  // next poll starts a new one.
   void abandon() { reading_ = false; }
 
   const Link& link() const { return link_; }

@@ -6,9 +6,9 @@
 // kFramesPerWindow tokens every kWindowUs and holds at most kBurstFrames:
 //
 //   8 frames per 250 us of 1538 bytes on the wire (1514, FCS, preamble, gap) are 394 Mbit/s, below
-//   the 400 Mbit/s that the i.MX6Q's Ethernet sustains (erratum ERR004512), and a complete grid
-//   leaves within 34 ms of the 40 ms between two; the burst is one tick of the sleeping loop (1
-//   ms), 48 KiB, a quarter of that socket buffer.
+//   the 400 Mbit/s that the i.MX6Q's Ethernet sustains (erratum ERR004512). A complete grid is sent
+//   within 34 ms, and grids are 40 ms apart. The burst covers one tick of the sleeping loop (1 ms)
+//   and has 48 KiB, a quarter of that socket buffer.
 #pragma once
 
 #include <cstddef>

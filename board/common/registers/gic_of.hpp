@@ -1,6 +1,6 @@
-// Generic Interrupt Controller, ARM IHI 0048 (GIC architecture). Contains the common part of
-// version 1 (Cortex-A9 MPCore) and version 2 (GIC-400), with a template parameter for the number of
-// interrupts.
+// Generic Interrupt Controller, ARM IHI 0048 (GIC architecture). Contains the registers that
+// version 1 (Cortex-A9 MPCore) and version 2 (GIC-400) have in common. The number of interrupts is
+// a parameter.
 #pragma once
 
 #include <cstddef>
