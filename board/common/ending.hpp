@@ -18,7 +18,8 @@ namespace iog::board {
 [[noreturn]] void end_core(hal::End end, const TextLine& last_word);
 
 // Implemented by each board. record_last_word() stores the last word. print_last_word() prints it,
-// and starts the watchdog in case it was not running yet. wait_for_reset() lets the chip be reset.
+// and starts the watchdog in case it was not running yet. wait_for_reset() requests a reset if the
+// board can, and waits for it.
 void record_last_word(hal::End end, std::string_view text);
 void print_last_word(std::string_view text);
 [[noreturn]] void wait_for_reset();

@@ -111,9 +111,9 @@ class Ground {
   LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return farther above or below the car's plane than this is never tall. The cell of a return is
-// its projection onto that plane. For such a return, the cell moves by more than one cell if the
-// car tilts by 2 degrees. A static object would then appear to approach.
+// A return farther above or below the car's plane than this is never tall. A return is assigned to
+// a cell by its projection onto that plane. If the car tilts by 2 degrees, the projection of such a
+// return moves by more than one cell. A static object would then appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.

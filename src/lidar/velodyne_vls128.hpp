@@ -41,7 +41,7 @@ class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
   static constexpr std::string_view kName = "Velodyne VLS-128";
   // The precision is 3 cm. One turn at 10 Hz takes 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
-  // Elevations by laser id, which means bank by bank and by channel within each bank.
+  // Elevations by laser id: bank by bank, and in each bank channel by channel.
   static constexpr std::array<double, 128> kElevationsDeg{
       -11.742, -1.99,   3.4,    -5.29,  -0.78, 4.61,    -4.08,   1.31,     //
       -6.5,    -1.11,   4.28,   -4.41,  0.1,   6.48,    -3.2,    2.19,     //

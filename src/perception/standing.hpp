@@ -11,7 +11,7 @@
 
 namespace iog::perception {
 
-// The numbers of standing cells that have evidence.
+// The numbers of standing cells that this frame confirms and contradicts.
 struct StandingCounts {
   std::uint32_t met = 0;      // confirmed: a hit within 0.2 m
   std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within 0.2 m

@@ -4,8 +4,8 @@
 // groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
 // class message of the frame (3.10). To add a counter, add its name here and to the struct that
 // counts it. Insert a link counter before the spare words and reduce their number. The loop finds
-// its place by name (stream/target_state.hpp); tests/lint/target_state generates the tables of
-// other readers.
+// its place by name (stream/target_state.hpp), and tests/lint/target_state generates the tables of
+// the other readers.
 #pragma once
 
 #include <cstddef>
