@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <span>
 
-// There are only so many as baked_map_bytes says.
-// NOLINTBEGIN(readability-identifier-naming): symbols of the assembly
+// baked_map_bytes is the size of the map. NOLINTBEGIN(readability-identifier-naming): symbols of
+// the assembly
 extern "C" const std::array<std::uint8_t, std::size_t{4} << 20> baked_map;
 extern "C" const std::uint32_t baked_map_bytes;
 // NOLINTEND(readability-identifier-naming)
 
 namespace iog::board {
 
-// Empty: there is none. It is not checked yet.
+// Empty if the image has no map. The map has not been checked yet.
 [[nodiscard]] inline std::span<const std::uint8_t> map_of_image() {
   return std::span(baked_map).first(baked_map_bytes);
 }

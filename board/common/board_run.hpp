@@ -11,7 +11,7 @@
 #include "hal/end_of_run.hpp"
 #include "text_line.hpp"
 
-// startup.S calls main() when memory is set up. In freestanding C++, main() is an ordinary
+// startup.S calls main() after it has set up memory. In freestanding C++, main() is an ordinary
 // function, so it needs a declaration with C linkage. It must not return.
 extern "C" int main();
 
@@ -39,15 +39,15 @@ class BoardRun {
   void open_record(Memory& memory) {
     boot_ = open_boot_record(boot_record, memory);
   }
-  // Called last in start-up, when the ticks have run beside independent clocks.
+  // Call it at the end of start-up, so that the tick count has passed waits on independent clocks.
   template <typename Memory>
   void number_run(std::uint32_t ticks, Memory& memory) {
     run_number_ =
         begin_run(boot_record, {.noise = boot_noise, .ticks = ticks, .mac = mac_address_}, memory);
   }
 
-  // Parts of the banner: version, chip and the reason of this boot; "PHY ... at ..."; "MAC ...";
-  // the last word of the previous run, if it left one.
+  // Parts of the banner: version, chip and the reason for this boot; "PHY ... at ..."; "MAC ...";
+  // the last word of the previous run, if there is one.
   TextLine begin_banner(std::string_view chip) const;
   static void add_phy(TextLine& line, const phy::Identity& phy);
   void add_mac(TextLine& line) const;

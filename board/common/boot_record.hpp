@@ -1,9 +1,9 @@
-// What a run leaves to the next one: a record in DDR that no reset clears and no loader overwrites.
-// It has the run's number, too, so that receivers tell one run from another (hal/run_number.hpp).
+// A record in DDR that a run leaves for the next run. No reset clears it and no loader overwrites
+// it. It also contains the run number, by which receivers distinguish runs (hal/run_number.hpp).
 //
-// After power-up DDR holds anything, so a record counts only if its seal fits its contents. The
-// region is mapped uncached, and whatever writes to it ends by drain_stores() of the board's
-// Memory. So what is written is in memory when the function returns.
+// After power-up, the content of DDR is arbitrary, so a record is valid only if its seal matches
+// its content. The region is mapped uncached, and every function that writes to it ends with
+// drain_stores() of the board's Memory. The data is therefore in memory when the function returns.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct BootRecord {
 
   std::uint32_t seal;
   std::uint32_t boots;       // since the cold start
-  std::uint32_t run_number;  // of the last run that had one, 0: none since the cold start
+  std::uint32_t run_number;  // of the last run that had one; 0 if none since the cold start
   std::uint32_t cause;       // hal::EndCause of a last word
   std::uint32_t detail;      // of its hal::End
   std::uint32_t last_word_bytes;
@@ -30,11 +30,11 @@ struct BootRecord {
 // The record, at an address of linker/<board>.ld. It is deliberately never initialised.
 extern "C" BootRecord boot_record;
 
-// DDR behind the record that is never written: what the power-up left there.
+// DDR after the record, which is never written and keeps its content from power-up.
 // NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
 extern "C" const std::array<std::uint32_t, 1024> boot_noise;
 
-// What a boot learns about the run before it.
+// Information about the previous run.
 struct Boot {
   hal::RunBefore before{};
   std::uint32_t last_word_bytes = 0;
@@ -43,11 +43,11 @@ struct Boot {
   std::string_view last_word_text() const { return {last_word.data(), last_word_bytes}; }
 };
 
-// What differs from one cold start to the next, if it is read when the board has started.
+// Data that differs between cold starts. Read it after the board has started.
 struct Differences {
-  // DDR as the power-up left it: some cells fall to either side. All else may be the same.
+  // DDR after power-up. Some of its cells are random; all others may always be the same.
   std::span<const std::uint32_t> noise{};
-  std::uint32_t ticks = 0;  // of a fast clock, after waits for other clocks
+  std::uint32_t ticks = 0;  // of a fast clock, after waiting for other clocks
   std::array<std::uint8_t, 6> mac{};
 };
 
@@ -57,7 +57,7 @@ std::uint32_t begin_run(BootRecord& record, const Differences& differences);
 void write_last_word(BootRecord& record, hal::End end, std::string_view text);
 }  // namespace detail
 
-// Reads the record once, removes its last word and counts this boot.
+// Reads the record once, clears its last word and counts this boot.
 template <typename Memory>
 Boot open_boot_record(BootRecord& record, Memory& memory) {
   const Boot boot = detail::open(record);
@@ -65,8 +65,8 @@ Boot open_boot_record(BootRecord& record, Memory& memory) {
   return boot;
 }
 
-// The number of this run, never 0: one more than that of the run before. If the record has none, a
-// number drawn from the differences, each bit of it from all of them.
+// The number of this run, which is never 0. It is the number of the previous run plus 1. If the
+// record has no number, it is a hash of all differences.
 template <typename Memory>
 std::uint32_t begin_run(BootRecord& record, const Differences& differences, Memory& memory) {
   const std::uint32_t number = detail::begin_run(record, differences);
@@ -74,7 +74,8 @@ std::uint32_t begin_run(BootRecord& record, const Differences& differences, Memo
   return number;
 }
 
-// Leaves a last word, which is not empty, for the next boot; it is cut to the space there is.
+// Stores a last word for the next boot. It must not be empty, and is truncated to the available
+// space.
 template <typename Memory>
 void write_last_word(BootRecord& record, hal::End end, std::string_view text, Memory& memory) {
   detail::write_last_word(record, end, text);

@@ -1,5 +1,5 @@
-// The car's block of the image (car_block.S.in), which may be any bytes. That it has the size of
-// car_block::Block is checked where one is made of it.
+// The car block of the image (car_block.S.in). Its bytes may be invalid. Code that converts it to a
+// car_block::Block checks its size.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What must not change while the firmware runs, for the check of memory: the image as the build has
-// sealed it, what the start-up has made, and guards around what is written.
+// The memory that must not change while the firmware runs, for the memory check: the image sealed
+// by the build, constants set at start-up, and guards around writable memory.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace iog::board {
 
-// One of the ranges of linker/<board>.ld, with the CRC-32 of its bytes as seal_image has written
-// it.
+// One of the ranges of linker/<board>.ld, with the CRC-32 that seal_image has written for its
+// bytes.
 struct ImageSeal {
   std::uint32_t begin;
   std::uint32_t end;
@@ -23,14 +23,14 @@ struct ImageSeal {
 
 class ConstantMemory {
  public:
-  // With the image, these translation tables and the guards of these rings. The numbers of regions
-  // are those of docs/spec.md 3.7.
+  // Adds the image, these translation tables and the guards of these rings. docs/spec.md 3.7 lists
+  // the numbers of the regions.
   ConstantMemory(std::span<const std::byte> translation_tables,
                  std::span<health::Guard* const> ring_guards);
 
-  // As it is now. The name and the bytes outlive it.
+  // Adds a region with its current content. The name and the bytes must outlive this object.
   void add(std::string_view name, std::span<const std::byte> bytes);
-  // Sets it, and adds it.
+  // Sets the guard and adds it.
   void add(std::string_view name, health::Guard& guard);
 
   [[nodiscard]] std::span<const health::Region> regions() const {

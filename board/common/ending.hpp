@@ -1,7 +1,7 @@
-// The end of a run: one line that says why, on the console and in the boot record.
+// Ends a run and writes one line with the reason to the console and to the boot record.
 //
-// It runs when everything else has ended, so it trusts little: no driver object, only registers and
-// the uncached record, and each step can be reached once.
+// It runs when everything else has ended, so it relies on little. It uses only registers and the
+// uncached record, no driver objects, and each step runs at most once.
 #pragma once
 
 #include <string_view>
@@ -14,16 +14,17 @@ namespace iog::board {
 // Records and prints the line and waits for a reset of the chip.
 [[noreturn]] void end_with_last_word(hal::End end, std::string_view text);
 
-// Ends the run if this is core 0, else this helper, while core 0 does its work.
+// On core 0, ends the run. On a helper, ends only this helper, and core 0 takes over its work.
 [[noreturn]] void end_core(hal::End end, const TextLine& last_word);
 
-// Of each board: puts a last word into the record; prints it, and starts the watchdog in case the
-// end came before it ran; lets the chip be reset.
+// Implemented by each board. record_last_word() stores the last word. print_last_word() prints it,
+// and starts the watchdog in case it was not running yet. wait_for_reset() requests a reset if the
+// board can, and waits for it.
 void record_last_word(hal::End end, std::string_view text);
 void print_last_word(std::string_view text);
 [[noreturn]] void wait_for_reset();
 
-// How a banner and a last word name an end.
+// The name of a cause in banners and last words.
 std::string_view reason_of(hal::EndCause cause);
 std::string_view words_of(hal::EndCause cause);
 

@@ -1,5 +1,5 @@
-// Cores 1 to 3 as core 0 sees them: the part of hal::Cores that all boards share. A board adds
-// count() and start(). Software-generated interrupts by ARM IHI 0048, GICD_SGIR.
+// Controls cores 1 to 3 from core 0: the part of hal::Cores that all boards share. A board adds
+// count() and start(). Software-generated interrupts: ARM IHI 0048, GICD_SGIR.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class HelperCores {
     return helpers_[core - 1].state.load(std::memory_order_acquire);
   }
 
-  // The helper compares the count before it sleeps, so a wake is never lost, whatever it does now.
+  // The helper compares the count before it sleeps, so a wake-up is never lost.
   void wake(std::size_t core) {
     helpers_[core - 1].wakes.fetch_add(1, std::memory_order_release);
     send(kInterruptWake, core);
@@ -41,14 +41,14 @@ class HelperCores {
   std::uint64_t now_us() { return clock_.now_us(); }
   void pause() { machine::yield(); }
 
-  // Of a helper that has ended: why and where.
+  // The reason and the location at which a helper ended.
   std::string_view last_word(std::size_t core) const { return helpers_[core - 1].last_word.view(); }
 
  protected:
   HelperCores(Distributor& distributor, Clock& clock, Helpers& helpers)
       : distributor_(distributor), clock_(clock), helpers_(helpers) {}
 
-  // Before the board switches the core on.
+  // Call it before the board switches the core on.
   void prepare(std::size_t core, hal::CoreJob job) {
     Helper& helper = helpers_[core - 1];
     helper.job = job;
@@ -56,7 +56,8 @@ class HelperCores {
     helper.state.store(hal::CoreState::kOff, std::memory_order_relaxed);
   }
 
-  // After it: whether the core runs in time. If it comes up later, it sleeps and is never woken.
+  // Call it after the board has switched the core on. Returns whether the core has started in time.
+  // A core that starts later sleeps and is never woken.
   bool comes_up(std::size_t core) {
     const std::uint64_t begin_us = now_us();
     while (state(core) != hal::CoreState::kRunning) {
@@ -69,12 +70,13 @@ class HelperCores {
   }
 
  private:
-  // A core starts well below a millisecond, in QEMU 6 to 14 ms on an idle PC.
+  // A core starts in well under a millisecond, or in 6 to 14 ms in QEMU on an idle PC.
   static constexpr std::uint32_t kMaxStartUs = 100'000;
   // A core takes an interrupt within microseconds, unless it waits for a bus that never answers.
   static constexpr std::uint32_t kMaxStopUs = 100'000;
 
-  // What was stored is visible before the interrupt is: a device takes a store when it likes.
+  // All stores must be visible before the interrupt is sent, because stores to devices are not
+  // ordered with stores to memory.
   void send(std::uint32_t interrupt, std::size_t core) {
     machine::barrier();
     distributor_.sgir.write(1u << (Distributor::kSgirTargetShift + core) | interrupt);

@@ -17,18 +17,18 @@ inline void store(T& location, T value) {
   *static_cast<volatile T*>(&location) = value;
 }
 
-// Makes everything that this core has stored visible to every DMA engine before anything after it
-// happens. It is a DSB and not a DMB, because the next store usually goes to a device register that
-// starts the engine.
+// Makes all earlier stores of this core visible to every DMA engine before any later access. It is
+// a DSB and not a DMB, because the next store usually goes to a device register that starts the
+// engine.
 inline void barrier() { __asm__ volatile("dsb sy" ::: "memory"); }
 
 // Sleeps until an interrupt is pending at the GIC's CPU interface, masked or not.
 inline void wait_for_interrupt() { __asm__ volatile("dsb sy\n\twfi" ::: "memory"); }
 
-// A hint that this core waits for another one: QEMU lets another core run, silicon does nothing.
+// Hints that this core waits for another core. QEMU then runs another core; hardware does nothing.
 inline void yield() { __asm__ volatile("yield" ::: "memory"); }
 
-// The address as the bus sees it: memory is mapped one to one, and all of it is below 4 GiB.
+// The address on the bus. Memory is identity-mapped and lies below 4 GiB.
 template <typename T>
 inline std::uint32_t bus_address(const T& object) {
   return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(&object));

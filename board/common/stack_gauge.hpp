@@ -1,8 +1,8 @@
-// How deep a stack has ever been, read off the paint that is still there.
+// Measures the maximum depth of a stack by the fill pattern that is still intact.
 //
-// To look at all of the paint in every frame would be 65,536 loads and a quarter of the L2 cache.
-// So a look takes a bounded number of them: just below the deepest word, and a part of the rest, in
-// turns.
+// Checking the whole pattern in every frame would take 65,536 loads and a quarter of the L2 cache.
+// Each check therefore makes a bounded number of loads, just below the deepest used word and in one
+// part of the rest. The parts take turns.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,23 @@ namespace iog::board {
 
 class StackGauge {
  public:
-  // What an untouched word looks like; startup.S writes it.
+  // The fill pattern of unused words, written by startup.S.
   static constexpr std::uint32_t kPaint = 0x5ac4'ed01;
-  // A look ends behind so much paint below the deepest word. A function may leave all of its frame
-  // unwritten, and what it calls writes below it; no frame is as large (check_image).
+  // A check ends after an intact gap of this size below the deepest used word. A function may leave
+  // its whole stack frame unwritten while its callees write below it, but no stack frame is this
+  // large (check_image).
   static constexpr std::size_t kGapWords = 12 * 1024 / 4;
-  // Of what lies deeper still, so much is looked at each time.
+  // The number of words below the gap that each check covers.
   static constexpr std::size_t kSweepWords = 256;
 
-  // Bytes from the top down to the deepest word that is used. Growth without a gap of 12 KiB shows
-  // at once; any other within stack.size() / kSweepWords looks, which is 10 s for 256 KiB at 25
-  // looks a second. Takes at most kGapWords + kSweepWords loads, and one for each word that the
-  // stack has grown by. Every look is at the same stack.
+  // Returns the bytes from the top to the deepest used word. Growth without a gap of 12 KiB is
+  // found at once. Other growth is found within stack.size() / kSweepWords checks, which is 10 s
+  // for 256 KiB at 25 checks per second. Takes at most kGapWords + kSweepWords loads, plus one for
+  // each word of growth. Always pass the same stack.
   std::uint32_t used_bytes(std::span<const std::uint32_t> stack);
 
  private:
-  // Of the words of the stack, counted from the top.
+  // Number of used words, counted from the top of the stack.
   std::size_t used_words_ = 0;
   std::size_t next_swept_ = 0;  // counted from the lowest word
 };

@@ -1,4 +1,4 @@
-// The SABRE Lite as the application sees it: one object of each seam of hal/, all started.
+// The SABRE Lite for the application: one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ namespace iog::imx6 {
 
 class Board : public board::BoardRun {
  public:
-  // Starts everything, in the order in which the parts need each other. Takes some 15 ms, most of
-  // it the reset of the PHY. The watchdog, which the start-up has started, is serviced once. The
-  // address is for a chip whose fuses hold none.
+  // Starts all parts in the order of their dependencies. Takes about 15 ms, mostly for the reset of
+  // the PHY. Services the watchdog once, which is already running. The address is used if the
+  // chip's fuses contain none.
   explicit Board(const MacAddress& address);
 
   GptClock& clock() { return clock_; }
@@ -32,24 +32,23 @@ class Board : public board::BoardRun {
   EnetPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  // Sleeps until a frame has arrived, the serial link wants bytes that it was given, or the tick
-  // has passed, at most 1 ms. Before it returns, the event flags are cleared; so poll every device
-  // after it and before the next call.
+  // Sleeps until a frame arrives, the serial link can send waiting bytes, or the tick ends, at most
+  // 1 ms. Clears the event flags before it returns, so poll every device between two calls.
   void idle();
 
-  // As hal::SharedCache.
+  // The interface of hal::SharedCache.
   void keep_cache(bool keep) { l2_cache_.keep(keep); }
 
-  // What the check of memory looks at beside the image: what the MMU walks, and guards around the
-  // rings of the Ethernet controller.
+  // Data for the memory check besides the image: the MMU's translation tables, and the guards
+  // around the Ethernet controller's rings.
   std::span<const std::byte> translation_tables() const;
   std::array<health::Guard*, 5> ring_guards() const;
 
-  // As hal::Thermometer.
+  // The interface of hal::Thermometer.
   std::int16_t temperature_dc() { return thermometer_.read_dc(); }
 
-  // Version, clock rates, whether the L2 cache is on, the MAC address, why this boot, and the
-  // previous run's last word if it left one.
+  // Version, clock rates, whether the L2 cache is on, the MAC address, the reason for this boot,
+  // and the previous run's last word, if any.
   void print_banner();
 
  private:

@@ -1,7 +1,7 @@
-// Cores 1 to 3 as core 0 sees them, started by the SRC. Satisfies hal::Cores.
+// Controls cores 1 to 3 from core 0. The SRC starts them. Satisfies hal::Cores.
 //
-// A helper that has ended keeps its caches on and answers the others' snoops. It is not put back
-// into reset: what its cache alone holds would be lost with it.
+// A helper that has ended keeps its caches on and answers the snoops of other cores. It is not put
+// back into reset, because data that only its cache holds would be lost.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,12 @@ namespace iog::imx6 {
 
 class Cores : public board::HelperCores<GicDistributorRegisters, GptClock> {
  public:
-  // entry: where a helper begins, as the bus sees it.
+  // entry: bus address at which a helper starts.
   Cores(SrcRegisters& src, const ScuRegisters& scu, GicDistributorRegisters& distributor,
         GptClock& clock, Helpers& helpers, std::uint32_t entry)
       : HelperCores(distributor, clock, helpers), src_(src), scu_(scu), entry_(entry) {}
 
-  // As hal::Cores. The GIC has been started.
+  // The interface of hal::Cores. The GIC must have been started.
   std::size_t count() const;
   bool start(std::size_t core, hal::CoreJob job);
 

@@ -1,4 +1,4 @@
-// An exception of the processor, as the last word of the run or of a helper.
+// Reports a processor exception as the last word of the run or of a helper.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace iog::imx6 {
 
-// The numbers are those startup.S puts in r0.
+// startup.S passes these numbers in r0.
 enum class FaultKind : std::uint32_t {
   kUndefinedInstruction = 1,
   kSupervisorCall = 2,
   kPrefetchAbort = 3,
   kDataAbort = 4,
   kInterrupt = 5,
-  kFastInterrupt = 6,  // the watchdog's: the loop hangs (gic.hpp)
+  kFastInterrupt = 6,  // from the watchdog: the loop hangs (gic.hpp)
 };
 
-// As startup.S pushes it.
+// The layout in which startup.S pushes it.
 struct FaultFrame {
   FaultKind kind;
-  std::uint32_t pc;    // the instruction at fault
-  std::uint32_t spsr;  // the state it ran in
-  std::uint32_t lr;    // Supervisor mode's
+  std::uint32_t pc;    // the faulting instruction
+  std::uint32_t spsr;  // processor state at the fault
+  std::uint32_t lr;    // of Supervisor mode
   std::uint32_t sp;
 };
 
@@ -36,9 +36,8 @@ struct FaultStatus {
 };
 
 // "data abort pc=... lr=... sp=... spsr=... fsr=... far=..." and, if the address lies below a
-// stack,
-// "(stack guard)". An "asynchronous abort" has no address, and pc is where the core was when it
-// heard of it.
+// stack, "(stack guard)". An "asynchronous abort" has no address, and its pc is the instruction at
+// which the core received it.
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
 
 // Called by startup.S on the stack of the exception's mode.

@@ -1,4 +1,4 @@
-// The MAC address that the maker of the board has burnt into the chip's fuses.
+// The MAC address that the board's manufacturer has burnt into the chip's fuses.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace iog::imx6 {
 
-// None if the fuses are blank, as QEMU's are, or hold what cannot be a station's address: a group
-// address, or the one of all zeros. Needs the clock of start_clocks().
+// Empty if the fuses are blank, as in QEMU, or contain an address that no station can have: a group
+// address or all zeros. Requires start_clocks().
 std::optional<MacAddress> mac_of_fuses(const OcotpRegisters& ocotp);
 
 }  // namespace iog::imx6

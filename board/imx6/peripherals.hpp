@@ -18,7 +18,7 @@
 
 namespace iog::imx6 {
 
-// Declared and never defined, so never initialised either, which clang-tidy cannot see.
+// These symbols are never defined, so they are never initialised. clang-tidy cannot know that.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern "C" {
 extern ScuRegisters scu;

@@ -12,7 +12,7 @@ void start_console_pins(IomuxcRegisters& iomuxc);
 // Pads SD3_DAT7 and SD3_DAT6 become UART1, the serial link of the grid.
 void start_serial_pins(IomuxcRegisters& iomuxc);
 
-// Resets the KSZ9021 with its strapping pins held, then connects MDIO and RGMII. Takes 10.1 ms.
+// Resets the KSZ9021 while driving its strapping pins, then connects MDIO and RGMII. Takes 10.1 ms.
 void start_ethernet_pins(IomuxcRegisters& iomuxc, GpioRegisters& gpio3, GpioRegisters& gpio6,
                          GptClock& clock);
 

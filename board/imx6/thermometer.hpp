@@ -1,8 +1,8 @@
-// The chip's temperature, from its temperature monitor and the calibration in its fuses. Never
-// waits.
+// Reads the chip's temperature from its temperature monitor and the calibration in its fuses. Never
+// blocks.
 //
-// QEMU only stores writes to the monitor, never finishes a measurement and has blank fuses, so
-// there the temperature is not known.
+// In QEMU, the temperature is not known: it only stores writes to the monitor, never finishes a
+// measurement and has blank fuses.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ class Thermometer {
   Thermometer(AnalogRegisters& analog, const OcotpRegisters& ocotp)
       : analog_(analog), ocotp_(ocotp) {}
 
-  // Starts periodic measurements. Needs the clocks of start_clocks(), PLL3 and the 32 kHz.
+  // Starts periodic measurements. Requires start_clocks(), PLL3 and the 32 kHz clock.
   void start();
 
-  // The last measurement in tenths of a degree Celsius; hal::kTemperatureNotKnown before the first
-  // one, after a second of frames without a new one, or without a calibration.
+  // The last measurement in tenths of a degree Celsius. Returns hal::kTemperatureNotKnown if there
+  // is no calibration, no measurement yet, or no new measurement within a second of frames.
   std::int16_t read_dc();
 
  private:
@@ -31,7 +31,7 @@ class Thermometer {
   std::int16_t last_dc_ = 0;
   unsigned missed_ = kMostMissed;  // reads since the last measurement
 
-  // A second of frames of 40 ms; there are eight measurements in it.
+  // One second of 40 ms frames, which contains eight measurements.
   static constexpr unsigned kMostMissed = 25;
 };
 

@@ -1,8 +1,7 @@
-// What the UARTs of this board have in common, and the console: UART2, 115200 baud, eight bits, no
-// parity. Satisfies hal::Console. The grid leaves by UART1, see serial_link.hpp.
+// The common code of this board's UARTs, and the console: UART2, 115200 baud, eight bits, no
+// parity. Satisfies hal::Console. UART1 sends the grid (serial_link.hpp).
 //
-// On the SABRE Lite UART2 is the connector that U-Boot talks on; QEMU shows it as its second
-// -serial.
+// On the SABRE Lite, UART2 is the connector that U-Boot uses. In QEMU, it is the second -serial.
 #pragma once
 
 #include <string_view>
@@ -11,8 +10,7 @@
 
 namespace iog::imx6 {
 
-inline constexpr std::uint32_t kUartClockHz =
-    80'000'000;  // PLL3 / 6, clocks.cpp sees to the divider
+inline constexpr std::uint32_t kUartClockHz = 80'000'000;  // PLL3 / 6; clocks.cpp sets the divider
 
 // Fractional divider of the UART: baud = clock / 16 * (UBIR + 1) / (UBMR + 1).
 struct BaudDivider {
@@ -39,13 +37,14 @@ consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t b
               : BaudDivider{0, 0};
 }
 
-// Whether the UART then sends at exactly this rate.
+// Whether this divider results in exactly this rate.
 consteval bool is_exact(BaudDivider divider, std::uint64_t clock_hz, std::uint64_t baud) {
   return clock_hz * (divider.ubir + 1) == baud * 16 * (divider.ubmr + 1);
 }
 
-// Sets a UART up for eight bits without parity or handshake, whatever a boot loader left in it.
-// transmit_trigger: the bits of UFCR that say below which fill level the transmitter is ready.
+// Sets up a UART for eight bits without parity or handshake, regardless of the boot loader's
+// settings. transmit_trigger: the bits of UFCR for the fill level below which the transmitter is
+// ready.
 void start_uart(UartRegisters& registers, const BaudDivider& divider,
                 std::uint32_t transmit_trigger);
 
@@ -57,11 +56,11 @@ class Uart {
 
   void start();
 
-  // Sends the text, "\n" as "\r\n". Waits for the transmitter as long as it makes progress; if it
-  // does not, the rest of the text is dropped.
+  // Sends the text, with "\r\n" for each "\n". Waits while the transmitter makes progress. If it
+  // makes none, drops the rest of the text.
   void write(std::string_view text);
 
-  // Waits until the last bit has left, bounded like write(). For the moment before a reset.
+  // Waits until the last bit is sent, bounded like write(). Call it before a reset.
   void flush();
 
  private:

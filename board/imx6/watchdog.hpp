@@ -7,16 +7,16 @@ namespace iog::imx6 {
 
 class Watchdog {
  public:
-  // Some hundred times longer than the slowest pass of the loop, and short for a person.
+  // About a hundred times longer than the slowest pass of the loop, yet short for a person.
   static constexpr unsigned kHangMs = 2000;
-  // Then its interrupt tells core 0 (gic.hpp), which has this long to leave a last word.
+  // After the time above, its interrupt reaches core 0 (gic.hpp), which has this time to store a
+  // last word.
   static constexpr unsigned kLastWordMs = 500;
   static constexpr unsigned kTimeoutMs = kHangMs + kLastWordMs;
 
   explicit Watchdog(WatchdogRegisters& registers) : registers_(registers) {}
 
-  // Starts counting; from here on only service() or a reset stops it. Calling it again does
-  // nothing.
+  // Starts the watchdog. It then runs until a reset. Further calls have no effect.
   void start();
 
   // Begins a new period.

@@ -1,4 +1,4 @@
-// The ZCU102 as the application sees it: one object of each seam of hal/, all started.
+// The ZCU102 for the application: one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace iog::zcu102 {
 
 class Board : public board::BoardRun {
  public:
-  // Starts everything, in the order in which the parts need each other.
+  // Starts all parts in the order of their dependencies.
   explicit Board(const MacAddress& address);
 
   Clock& clock() { return clock_; }
@@ -28,19 +28,19 @@ class Board : public board::BoardRun {
   GemPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  // Sleeps until a frame has arrived, or 1 ms. Poll every device after it and before the next call.
+  // Sleeps until a frame arrives, at most 1 ms. Poll every device between two calls.
   void idle();
 
-  // What the check of memory looks at beside the image: what the MMU walks, and guards around the
-  // rings of the Ethernet controller.
+  // Data for the memory check besides the image: the MMU's translation tables, and the guards
+  // around the Ethernet controller's rings.
   std::span<const std::byte> translation_tables() const;
   std::array<health::Guard*, 5> ring_guards() const { return guards_of(gem_memory); }
 
-  // As hal::Thermometer: the system monitor belongs to the firmware beneath.
+  // The interface of hal::Thermometer. The system monitor belongs to the platform firmware.
   std::int16_t temperature_dc() const { return hal::kTemperatureNotKnown; }
 
-  // Version, clock, the MAC address, why this boot, and the previous run's last word if it left
-  // one.
+  // Version, clock, the MAC address, the reason for this boot, and the previous run's last word, if
+  // any.
   void print_banner();
 
  private:

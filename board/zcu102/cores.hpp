@@ -1,6 +1,7 @@
-// Cores 1 to 3 as core 0 sees them, started by PSCI. Satisfies hal::Cores.
+// Controls cores 1 to 3 from core 0. PSCI starts them. Satisfies hal::Cores.
 //
-// A helper that has ended is not switched off: what its cache alone holds would be lost with it.
+// A helper that has ended is not switched off, because data that only its cache holds would be
+// lost.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ class Cores : public board::HelperCores<GicDistributorRegisters, Clock> {
   Cores(GicDistributorRegisters& distributor, Clock& clock, Helpers& helpers)
       : HelperCores(distributor, clock, helpers) {}
 
-  // As hal::Cores. The GIC has been started.
+  // The interface of hal::Cores. The GIC must have been started.
   std::size_t count() const;
   bool start(std::size_t core, hal::CoreJob job);
 };

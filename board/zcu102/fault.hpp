@@ -1,4 +1,4 @@
-// An exception of the processor, as the last word of the run or of a helper.
+// Reports a processor exception as the last word of the run or of a helper.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace iog::zcu102 {
 
-// The numbers are those startup.S puts in x0 (docs/spec.md 3.7).
+// startup.S passes these numbers in x0 (docs/spec.md 3.7).
 enum class FaultKind : std::uint64_t {
   kUndefinedInstruction = 1,
   kSupervisorCall = 2,
@@ -16,24 +16,23 @@ enum class FaultKind : std::uint64_t {
   kDataAbort = 4,
   kInterrupt = 5,
   kFastInterrupt = 6,
-  kSystemError = 7,  // asynchronous: nobody waited for it when it came
+  kSystemError = 7,  // asynchronous: not caused by the current instruction
   kMisaligned = 8,   // program counter or stack pointer
 };
 
-// As startup.S stores it.
+// The layout in which startup.S stores it.
 struct FaultFrame {
   FaultKind kind;
-  std::uint64_t pc;    // the instruction at fault
-  std::uint64_t spsr;  // the state it ran in
+  std::uint64_t pc;    // the faulting instruction
+  std::uint64_t spsr;  // processor state at the fault
   std::uint64_t lr;
   std::uint64_t sp;
   std::uint64_t esr;  // syndrome
-  std::uint64_t far;  // the address that an abort is about
+  std::uint64_t far;  // the address of an abort
 };
 
 // "data abort pc=... lr=... sp=... spsr=... esr=... far=..." and, if the address lies below a
-// stack,
-// "(stack guard)". Of a system error pc is where the core was when it heard of it.
+// stack, "(stack guard)". For a system error, pc is the instruction at which the core received it.
 TextLine describe(const FaultFrame& frame, bool in_stack_guard);
 
 // Called by startup.S on the stack for exceptions.

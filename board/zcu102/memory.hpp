@@ -1,17 +1,17 @@
-// Memory as the running firmware sees it: the map that linker/zcu102.ld laid out, and its start.
+// The firmware's memory: the map that linker/zcu102.ld defines, and its start.
 #pragma once
 
 #include "memory/mmu.hpp"
 
 namespace iog::zcu102 {
 
-// What the MMU walks; read-only once it is in force.
+// The MMU's translation tables; read-only once they are active.
 const mmu::Tables& translation_tables();
 
-// Is this the address of a guard: among the stacks, but of none of them?
+// True if the address is in a guard: among the stacks, but in none of them.
 bool in_stack_guard(std::uint64_t address);
 
-// Called once by startup.S, before static data is zeroed; then it starts the MMU.
+// startup.S calls it once before it zeroes static data and starts the MMU.
 extern "C" void start_memory();
 
 }  // namespace iog::zcu102

@@ -8,7 +8,7 @@
 
 namespace iog::zcu102 {
 
-// Declared and never defined, so never initialised either, which clang-tidy cannot see.
+// These symbols are never defined, so they are never initialised. clang-tidy cannot know that.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern "C" {
 extern board::GicCpuRegisters gic_cpu;

@@ -1,6 +1,6 @@
-// What the UARTs have in common, and the console: UART0, 115200 baud, eight bits, no parity.
-// Satisfies hal::Console. On the ZCU102 it is the first port of the USB connector J83; QEMU shows
-// it as its first -serial.
+// The common code of the UARTs, and the console: UART0, 115200 baud, eight bits, no parity.
+// Satisfies hal::Console. On the ZCU102, UART0 is the first port of the USB connector J83. In QEMU,
+// it is the first -serial.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace iog::zcu102 {
 
-// The reference clock, as the FSBL of the board sets it.
+// The reference clock that the board's FSBL sets.
 inline constexpr std::uint32_t kUartClockHz = 100'000'000;
 inline constexpr std::uint32_t kBaud = 115'200;
 
-// Sets a UART up, whatever a loader left in it; nothing is received.
+// Sets up a UART, regardless of the boot loader's settings, for transmission only.
 void start_uart(UartRegisters& registers);
 
 class Uart {
@@ -22,11 +22,11 @@ class Uart {
 
   void start() { start_uart(registers_); }
 
-  // Sends the text, "\n" as "\r\n". Waits for the transmitter as long as it makes progress; if it
-  // does not, the rest of the text is dropped.
+  // Sends the text, with "\r\n" for each "\n". Waits while the transmitter makes progress. If it
+  // makes none, drops the rest of the text.
   void write(std::string_view text);
 
-  // Waits until the last bit has left, bounded like write(). For the moment before a reset.
+  // Waits until the last bit is sent, bounded like write(). Call it before a reset.
   void flush();
 
  private:

@@ -1,7 +1,8 @@
-// The watchdog of the full-power domain, for a loop that stops. Satisfies hal::Watchdog.
+// The watchdog of the full-power domain, which detects that the loop has stopped. Satisfies
+// hal::Watchdog.
 //
-// When its time is over it tells the platform's management unit, which resets the chip only if its
-// firmware is set so (UG1085, "System Watchdog Timers"). QEMU has none.
+// When it expires, it signals the platform management unit, which resets the chip only if its
+// firmware is configured to do so (UG1085, "System Watchdog Timers"). QEMU has none.
 #pragma once
 
 #include "registers/watchdog.hpp"
@@ -11,7 +12,7 @@ namespace iog::zcu102 {
 class Watchdog {
  public:
   static constexpr std::uint32_t kTimeoutMs = 2500;       // as on the i.MX6
-  static constexpr std::uint32_t kClockHz = 100'000'000;  // LSBUS, as the FSBL of the board sets it
+  static constexpr std::uint32_t kClockHz = 100'000'000;  // LSBUS, as set by the board's FSBL
 
   explicit Watchdog(WatchdogRegisters& registers) : registers_(registers) {}
 

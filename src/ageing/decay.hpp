@@ -22,7 +22,7 @@ inline constexpr int kDecayFraction = 31;
 // The factor 1, which means no decay.
 inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 
-// Entry j is the factor for bit j of a time in ms.
+// Entry j is the factor for 2^j ms, which is bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
 // Runs only on a PC or at compile time. Returns 1 / tau, given the fraction that is left after 100

@@ -47,7 +47,7 @@ class Frame {
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Call it before the first datagram. The time without datagrams is measured from now on.
+  // Call it before the first datagram. Starts the measurement of the time without datagrams.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
   // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was dropped. The

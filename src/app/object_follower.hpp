@@ -21,8 +21,8 @@ class ObjectFollower {
   // `car` is the vehicle's position at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Reads the labels of the frame's hits on all cores of the crew. The classes must have been
-  // computed.
+  // Reads the labels of the frame's hits. All cores of the crew share this work. The classes must
+  // have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks and labels the cells of moving objects. Call it before the frame has ended.
   // It reads only the labels of the window, and reads all of them before it changes any.

@@ -231,9 +231,10 @@ class FramePipeline {
     keep_cache(false);
   }
 
-  // Each tile and its reference are used once per frame. They must not evict what the next frame
-  // uses again: the tables and the kept lines. Raw tiles have no reference, and classes use most of
-  // their data again, so both would only lose (lab/notes/2026-11-29-l2-lockdown.md).
+  // Each tile and its reference are used once per frame. They must not evict data that the next
+  // frame uses again: the tables and the cached lines. For raw tiles, which have no reference, and
+  // for classes, which use most of their data again, this would only cost time
+  // (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {

@@ -1,4 +1,4 @@
-// Records the datagrams that a frame has received and their arrival times, for a PC that repeats
+// Records the datagrams that a frame has received and their arrival times, for a PC that reproduces
 // the frame (docs/spec.md 3.13).
 #pragma once
 

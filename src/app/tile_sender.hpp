@@ -86,7 +86,7 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Whether the tiles of this grid wait because several cores encode them.
+  // Whether added tiles wait to be encoded together, because several cores share the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, either at the same time or before.
@@ -279,7 +279,7 @@ class TileSender {
     }
   }
 
-  // A raw payload is the cells, so the remainder of the cells also serves the message's CRC.
+  // A raw payload consists of the cells, so their CRC remainder is also used for the message's CRC.
   void append_or_send(const Added& added, stream::Encoding encoding,
                       std::span<const std::byte> payload, std::uint32_t remainder) {
     if (!append(added, encoding, payload)) {

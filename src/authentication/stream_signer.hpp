@@ -24,7 +24,7 @@
 
 namespace iog::authentication {
 
-// Finding a second message with the same name takes 2^128 trials.
+// A truncated hash of a message. Finding a second message with the same hash takes 2^128 trials.
 using MessageName = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kNamesHeaderBytes = 12;

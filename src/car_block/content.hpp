@@ -158,7 +158,7 @@ class Writer {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
   }
-  // An extra bit is set if an unusual epsilon follows.
+  // An extra bit is set if epsilon differs from the default and therefore follows.
   void quantisation_and_epsilon(index::Quantisation quantisation, std::uint16_t epsilon_e5) {
     const bool is_usual = epsilon_e5 == vehicle::kUsualEpsilonE5;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(quantisation) | (is_usual ? 0U : 2U)));

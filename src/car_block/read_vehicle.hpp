@@ -18,9 +18,9 @@ struct SensorMemory {
   ageing::Tables tables;  // only of a car with evidential constants of its own
 };
 
-// Returns kNone, kOtherGrid or kNotACar. The vehicle refers to the bytes and to the memory. Do not
-// use it before its limits are checked (car_block/limits.hpp). Derives the azimuths but no other
-// derived members.
+// Returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and `memory`, which must
+// outlive it. Do not use it before its limits are checked (car_block/limits.hpp). Derives the
+// azimuths but no other derived members.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

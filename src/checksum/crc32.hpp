@@ -43,7 +43,7 @@ class FastCrc32 {
  private:
   static constexpr std::size_t kMostBefore = 4;
 
-  // The state after `before` zeros and a part that is all zeros.
+  // The state after `before` zero bytes, followed by a part of zero bytes.
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t before);
 
   std::uint32_t state_ = 0xFFFFFFFFU;

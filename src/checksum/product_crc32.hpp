@@ -59,8 +59,8 @@ class ProductCrc32 {
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // Adding the state to the first four bytes of a half has the same effect as a state before this
-  // half.
+  // Adding the state to the first four bytes of a half has the same effect as starting this half
+  // with that state.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
     const auto factors = std::span(kFactors).last(half / kProductLanes);

@@ -14,7 +14,7 @@
 
 namespace iog::decision {
 
-// The classes in a cell's byte. The byte equals 8 times the class plus a confidence of 0 ... 7. The
+// The class of a cell. The cell's byte equals 8 times the class plus a confidence of 0 ... 7. The
 // confidence is (mass - 2^14) / 2^11, rounded down.
 enum class Class : std::uint8_t {
   kUnknown,            // confidence is always 0

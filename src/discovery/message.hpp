@@ -11,7 +11,7 @@
 //                12  of services: u32 minor version
 //                    of event groups: u12 0, u4 counter, u16 event group
 //    .  u32 bytes of the options
-//    .  options:  0  u16 bytes behind the type, u8 type, u8 0
+//    .  options:  0  u16 bytes after the type, u8 type, u8 0
 //                 4  of an IPv4 endpoint: u32 address, u8 0, u8 protocol, u16 port
 //
 // The sender is not trusted, so all lengths are checked before any entry is read.

@@ -45,8 +45,8 @@ struct FusedPart {
   FrameTiles tiles;
 };
 
-// Memory needed for fusion on several cores, in addition to the memory of core 0: a fusion for each
-// helper, and the slots of the parts.
+// Additional memory for fusion on several cores: a FrameFusion for each helper, and slots for the
+// results of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;

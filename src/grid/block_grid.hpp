@@ -5,7 +5,7 @@
 // has one cache line of padding. Without the padding, all blocks of a column would compete for only
 // two of the 256 sets of the L1 cache.
 //
-// Outside this room, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
+// Outside src/grid, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
 // occupancy index or -128. Carving saturates at -128, and reading a cell converts -128 to -127.
 #pragma once
 

@@ -2,8 +2,8 @@
 //
 // Block 0 contains the line's start. The line meets no corner after its start, so consecutive
 // blocks share a border. The number of a block is therefore the number of block borders between
-// this block and block 0. If a line starts on a corner of blocks, block 1 contains none of its
-// cells.
+// this block and block 0. If a line starts at a corner where blocks meet, block 1 contains none of
+// its cells.
 #pragma once
 
 #include <array>

@@ -53,7 +53,7 @@ using BlockCode = std::uint8_t;
 struct BlockColumn {
   std::array<BlockCode, 2> codes{};
   std::uint8_t count = 0;
-  std::uint8_t next_v = 0;  // where the line enters the next column of blocks
+  std::uint8_t next_v = 0;  // row in which the line enters the next column of blocks
 };
 
 // Orientation of u and v in the grid. u corresponds to x, or to y if `is_steep`. Both u and v may

@@ -1,5 +1,5 @@
-// The grids of a frame: the occupancy index of each cell and, if the vehicle's window needs them,
-// the heights at which beams freed or hit the cell (perception/opening.hpp).
+// The grids of a frame: the occupancy index of each cell and, if the vehicle's window needs it,
+// whether a low beam freed the cell or a tall return hit it (perception/opening.hpp).
 //
 // A beam is low where it is at most `low_m` above the ground. A tall return lies at least `tall_m`
 // above the ground (docs/ground.md). A cell of `heights` is negative if a low beam freed the cell,

@@ -115,11 +115,12 @@ class FreeSteps {
 // them.
 class LowSteps : public FreeSteps {};
 
-// The pending beams of a line: the amount by which they lower the line's cells and, if heights are
-// kept (grid/frame_grids.hpp), the parts in which any beam is low. A beam adds at most one entry to
-// each of these two sets of steps.
+// The pending beams of a line: `free` contains the amount by which they lower the line's cells. If
+// heights are kept (grid/frame_grids.hpp), `low` contains the parts in which any beam is low. A
+// beam adds at most one entry to each.
 struct LineSteps {
-  // The largest possible amount, so that several overlapping low parts have the same effect as one.
+  // The step by which a low beam lowers cells in `low`. It saturates, so overlapping low beams have
+  // the same effect as one.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

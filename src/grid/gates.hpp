@@ -33,7 +33,7 @@ struct BandJudge {
             .otherwise = vehicle::Fate::kOutsideHeightBand,
             .is_whole = ends_in_band && in_band.first == 0};
   }
-  // Return TurnLayer::behind_mm and TurnLayer::rank.
+  // These functions return TurnLayer::behind_mm and TurnLayer::rank.
   [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
     return layers->layers[layer].behind_mm;
   }

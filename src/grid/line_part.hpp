@@ -29,8 +29,8 @@ class Between {
     return Between(crossed << 16 | lower_half);
   }
 
-  // A cell of the line lies before this boundary if the number of borders crossed to reach the cell
-  // is smaller than this number.
+  // The number of cell borders between the start of the line and this boundary. A cell lies before
+  // the boundary if the line crosses fewer borders to reach it.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {

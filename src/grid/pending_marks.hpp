@@ -46,9 +46,9 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 }
 
 // The maximum number of cells that one point of this sensor can mark. If the sensor has an arc,
-// this is the number of steps of the longest arc. Otherwise the point can mark its own cell and the
-// cells behind it within the near 1D cells. A line of length d enters at most sqrt(2) d / cell + 2
-// further cells.
+// this is the number of steps of the longest arc. Otherwise, the point can mark its own cell and
+// the cells behind it within the near_after_count 1D cells of its profile. A line of length d
+// enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor, sensor.range.mm());

@@ -70,7 +70,7 @@ class TurnLines {
   [[nodiscard]] KeptLine& line(const vehicle::Sensor& sensor, std::uint32_t azimuth_step) {
     return lines_[first_[number_of(sensor)] + azimuth_step].line;
   }
-  // Its layers.
+  // The layers of this sensor.
   [[nodiscard]] const TurnLayers& layers_of(const vehicle::Sensor& sensor) const {
     return layers_[number_of(sensor)];
   }

@@ -112,8 +112,8 @@ class WaitingLines {
   [[nodiscard]] const vehicle::Ranges& on_car(std::uint32_t azimuth_step) const {
     return lines_[azimuth_step % kPlaces].on_car;
   }
-  // Adds a point of the layer with this rank. The point must lie beyond the band. Returns false if
-  // the layer already has such a point.
+  // Adds a point beyond the height band to the layer of this rank. Returns false if the layer
+  // already has such a point.
   [[nodiscard]] bool add_behind(std::uint32_t azimuth_step, std::uint32_t rank) {
     return lines_[azimuth_step % kPlaces].behind.insert(rank);
   }
@@ -145,9 +145,9 @@ class WaitingLines {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
-  // An odd number of cache lines, so that slots do not compete for the same cache sets. The number
-  // of beams beyond the band is limited to enough_beams. Together, these beams change a line by
-  // less than two other beams could.
+  // An odd number of cache lines, so that slots do not compete for the same cache sets. The 2 in
+  // the condition below covers the beams beyond the band: at most enough_beams of them are carved,
+  // and together they change a line by less than two other beams could.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

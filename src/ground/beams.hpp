@@ -1,10 +1,10 @@
 // Computes the position of a spinning sensor's returns: their sector, their distance and their
 // height.
 //
-// All layers of a level sensor share one line per azimuth. Their beams rise by the tangent of their
-// elevation (docs/model.md section 5). The bins of a tilted sensor lie in its plane of rotation.
-// Their heights are measured over the car's plane, along the vertical axis of the car, so straight
-// ground remains straight.
+// If a sensor is mounted level, all of its layers share one line per azimuth, and their beams rise
+// by the tangent of their elevation (docs/model.md section 5). The bins of a tilted sensor lie in
+// its plane of rotation. Heights in these bins are measured from the car's plane, along the
+// vertical axis of the car, so straight ground remains straight.
 #pragma once
 
 #include <array>

@@ -3,11 +3,11 @@
 // (docs/ground.md, "What is freed").
 //
 // A beam that starts between the limits leaves them either below, where it comes too close to the
-// ground, or above, where it is too high above the ground. Among the beams that leave below, a
-// higher elevation means a later exit. Among the beams that leave above, a higher elevation means
-// an earlier exit. One outward sweep on each side is therefore enough to find the exits of all
-// layers of a sector. Each sweep produces a sorted list, and merging the two lists sorts the layers
-// by exit range.
+// ground, or above, where it is too high above the ground. Of the beams that leave below, those
+// with a higher elevation leave farther out. Of the beams that leave above, those with a higher
+// elevation leave nearer. One outward sweep on each side is therefore enough to find the exits of
+// all layers of a sector. Each sweep produces a sorted list, and merging the two lists sorts the
+// layers by exit range.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
-// The ground around the sensors of a vehicle that follow it. It is constant while the packets of a
-// frame are processed, and is updated between two frames.
+// The ground around those sensors of a vehicle that follow the ground. It is constant while the
+// packets of a frame are processed, and is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
-// sensor has swept at least as many ticks as a whole scan since the last update. The time of the
+// sensor has swept the ticks of at least one whole scan since the last update. The time of the
 // update therefore depends only on the set of packets in each frame. It does not depend on their
 // order or on the cores that fuse them.
 #pragma once
@@ -111,9 +111,9 @@ class Ground {
   LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return farther above or below the car's plane than this is never tall. The cell of a return is
-// its projection onto that plane. For such a return, the cell moves by more than one cell if the
-// car tilts by 2 degrees. A static object would then appear to approach.
+// A return farther above or below the car's plane than this is never tall. A return is assigned to
+// a cell by its projection onto that plane. If the car tilts by 2 degrees, the projection of such a
+// return moves by more than one cell. A static object would then appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.

@@ -1,5 +1,5 @@
-// Members that are set at start and then never change, although neighbouring data changes. Each is
-// a region of the memory check (health/memory_check.hpp).
+// Members that are set at start-up and then never change, although they lie between data that
+// changes. Each is a region of the memory check (health/memory_check.hpp).
 //
 // A class with such members has for_each_constant(visit). It calls visit(bytes) for each constant,
 // including the constants of its members.

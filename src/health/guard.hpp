@@ -1,6 +1,6 @@
 // Guard words around memory with many writers, such as grids or the rings of a DMA engine. No code
-// writes the words after start, so a changed value reveals an overrun. They protect adjacent memory
-// where no unmapped page can be placed in between. The memory check treats them as regions
+// writes these words after start-up, so a changed value reveals an overrun. They protect adjacent
+// memory where no unmapped page can be placed in between. The memory check treats them as regions
 // (health/memory_check.hpp).
 //
 // A class with such members has for_each_guard(visit). It calls visit(guard) for each guard,

@@ -8,7 +8,7 @@
 //   of its ground beams have a return, and one of two conditions holds: less than one sixteenth of
 //   all its beams have a return, or at least one quarter of its ground beams previously had one.
 //   The latter fraction is a running mean, updated by 1/32 per turn. The sector opens after three
-//   turns in which one eighth of its ground beams, or else of all its beams, cause a return.
+//   turns in which one eighth of its ground beams, or else of all its beams, have a return.
 // - sky: the other sectors of a spinning lidar. They are blocked while all its ground sectors are
 //   blocked.
 // - level: sectors of a unit that does not spin or has no ground beams, if one of their beams meets
@@ -93,7 +93,7 @@ class BlockedSectors {
 
   // The azimuths of a packet in which a missing return is no evidence of free space. Either their
   // sector was blocked in earlier frames, or less than one sixteenth of the judged beams in this
-  // packet cause a return. The azimuth parts adjacent to such azimuths are also included.
+  // packet have a return. The azimuth parts adjacent to such azimuths are also included.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:

@@ -59,7 +59,7 @@ class Intake {
 
   // Adds the packet to the open frame. Call it only after classify() returned kThisFrame.
   void accept(const SensorPacket& packet);
-  // Drops the packet because the target is too slow, whatever frame it belongs to.
+  // Drops the packet, regardless of its frame, because the target is too slow.
   void leave(const SensorPacket& packet);
 
   // True if every sensor has delivered its scan.

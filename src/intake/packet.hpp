@@ -86,7 +86,7 @@ class Packet {
     return visit;
   }
 
-  // The properties of the unit that a valid Velodyne packet reveals. Returns null for other
+  // The properties of the unit that can be seen from a valid Velodyne packet. Null for other
   // packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;

@@ -12,7 +12,7 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // The ticks of an Ouster, which has the most ticks of all formats.
+  // The ticks per turn of an Ouster, the most of all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
   // ticks_per_turn: at most kMaxTicksPerTurn. Sectors must lie within one turn.

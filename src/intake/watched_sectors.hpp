@@ -1,4 +1,5 @@
-// The directions around the vehicle that no sensor watches. A planner must know them first.
+// The directions around the vehicle that no sensor watches. A planner must know these before
+// anything else.
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle

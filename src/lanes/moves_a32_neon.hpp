@@ -1,6 +1,6 @@
 // NEON loads and stores of ARM state that advance their own pointer, and other single instructions
-// which the compiler replaces by two or three. Generated header lanes/moves_neon.hpp is a copy of
-// this one or of moves_a64_neon.hpp, as CMake selects.
+// which the compiler replaces by two or three. CMake generates lanes/moves_neon.hpp as a copy of
+// this header or of moves_a64_neon.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -11,7 +11,7 @@
 namespace iog::lanes {
 
 inline poly8x8_t load_next_eight(const std::byte*& from) {
-  using Eight = const std::byte[8];  // everything that is read
+  using Eight = const std::byte[8];  // any data that is read
   poly8x8_t eight;
   asm("vld1.8 {%P[eight]}, [%[from]]!"
       : [eight] "=w"(eight), [from] "+r"(from)
@@ -56,7 +56,8 @@ inline void store_some(uint8x8_t bytes, std::uint32_t count, std::uint8_t*& to) 
       : [bytes] "w"(bytes), [count] "r"(count));
 }
 
-// `cells`, replaced by `others` where `is_other` is set. The compiler would copy a register first.
+// Returns `cells`, with `others` in lanes where `is_other` is set. The compiler would copy a
+// register first.
 inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_other) {
   asm("vbit %q[cells], %q[others], %q[is_other]"
       : [cells] "+w"(cells)
@@ -85,12 +86,12 @@ inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::ui
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// Copies 16 bytes of each of two rows, one behind the other. All pointers advance by 32 bytes, the
+// Copies 16 bytes from each of two rows, one after the other. All pointers advance by 32 bytes, the
 // length of a row. All are aligned to 16.
 inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right,
                              std::int8_t*& to) {
   constexpr std::int32_t kRow = 32;
-  using Row = std::int8_t[kRow];  // all that is written
+  using Row = std::int8_t[kRow];  // the data that is written
   int8x16_t one;
   int8x16_t other;
   asm("vld1.8 {%e[one]-%f[one]}, [%[left] :128], %[row]\n\t"

@@ -45,7 +45,7 @@ struct HesaiUnit {
   std::size_t lasers = 0;
   std::size_t bank_lasers = 0;  // number of lasers in each of the first two banks, which alternate
   std::size_t channel_bytes = 0;
-  std::size_t bank_at = 0;   // offset in the tail, as below; tells which bank fires first
+  std::size_t bank_at = 0;   // offset in the tail, as below; specifies which bank fires first
   std::size_t speed_at = 0;  // offset of the rpm; used if a packet may contain a single firing
   std::size_t mode_at = 0;
   std::size_t utc_at = 0;

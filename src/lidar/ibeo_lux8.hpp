@@ -2,9 +2,9 @@
 //
 // The messages have the format of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
 // mirror are tilted relative to its axis, one downwards and one upwards, and scan alternately. Each
-// message contains four layers. A flag tells which side of the mirror was used and thus whether
-// they are the lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). A unit with four
-// layers also sets this flag, so a message does not distinguish the two kinds of units.
+// message contains four layers. A flag specifies which side of the mirror was used, and therefore
+// whether these are the lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). A unit with
+// four layers also sets this flag, so a message does not distinguish the two kinds of units.
 #pragma once
 
 #include <array>

@@ -35,7 +35,7 @@ class LayerSearch {
     return elevation >= lowest_ && elevation <= highest_;
   }
 
-  // The nearest layer. If two layers are equally near, it is the upper layer.
+  // The nearest layer. If two layers are equally near, returns the upper one.
   [[nodiscard]] std::size_t nearest(std::int32_t elevation) const {
     const std::size_t layer = guess(elevation);
     return is_nearest(layer, elevation) ? layer : found(elevation);

@@ -165,8 +165,8 @@ class OusterDecoder : public OusterPacket {
   // unit's corrections exist. There is one correction for each row. Returns kOk, kWrongLength,
   // kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType: another type of packet, or the
   // times between columns do not match the unit's mode. kWrongAngle: a column number is too high or
-  // contradicts its encoder, or the columns are not consecutive. kWrongPoint: nothing was measured.
-  // kOtherUnit: the pixels have the format of another profile.
+  // contradicts its encoder, or the columns are not consecutive. kWrongPoint: no column was
+  // measured. kOtherUnit: the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }

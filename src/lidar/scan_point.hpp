@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// A range that no unit can measure. Longer ranges in a packet, or after the unit's correction, are
-// clamped to it.
+// A range beyond the reach of every unit. Longer ranges in a packet, or after the unit's
+// correction, are clamped to it.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 struct ScanPoint {
@@ -19,7 +19,7 @@ struct ScanPoint {
   std::uint8_t layer = 0;           // index of the elevation in the format's list
   std::uint8_t echo = 0;            // 0 for the first echo of its beam, 1 and 2 for later echoes
   bool is_ground : 1 = false;       // classified by the sensor as an echo of the ground
-  bool is_dirt : 1 = false;         // classified by the sensor as dirt on its own window
+  bool is_dirt : 1 = false;         // classified by the sensor as dirt on its window
   bool is_rain : 1 = false;         // classified by the sensor as rain, snow or clutter
 };
 

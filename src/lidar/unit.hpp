@@ -36,7 +36,8 @@ struct Unit {
   // layers, it is the size of this span. The storage must be static or must outlive the packets.
   std::span<const LaserCorrection> corrections{};
   // Only for units whose points contain their own elevations: the elevations of the layers in
-  // ascending order, in units of 1/3,200 degree. The storage must have the same lifetime.
+  // ascending order, in units of 1/3,200 degree. The storage must also be static or outlive the
+  // packets.
   std::span<const std::int32_t> elevations{};
   // Used for formats whose packets do not contain these two values.
   std::uint16_t columns_per_turn = 0;

@@ -81,7 +81,7 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // The properties of its unit that a valid packet reveals.
+  // The properties of the unit that can be seen from a valid packet.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
   // Moves the view to this copy of the datagram.

@@ -1,9 +1,9 @@
 // Data packets of the Velodyne HDL-64E (HDL-64E S2 manual 63-HDL64ES2, S3 manual 63-HDL64ES3,
 // appendix on timing). Two blocks with the same azimuth contain a firing of all 64 lasers. The
-// block with the usual flag contains the upper bank, and the block with flag 0xDDFF contains the
-// lower bank. The lasers of a bank fire in eight groups of four, and both banks fire at the same
-// time. Bytes 1204 and 1205 contain a status that changes from packet to packet. The elevations
-// differ between units and are given in the car file.
+// block with flag 0xEEFF contains the upper bank, and the block with flag 0xDDFF contains the lower
+// bank. The lasers of a bank fire in eight groups of four, and both banks fire at the same time.
+// Bytes 1204 and 1205 contain a status that changes from packet to packet. The elevations differ
+// between units and are given in the car file.
 #pragma once
 
 #include <array>

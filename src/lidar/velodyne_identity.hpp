@@ -79,7 +79,7 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // Sums over the pairs of packets since the last result.
+  // Sums over all pairs of consecutive packets since the last result.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

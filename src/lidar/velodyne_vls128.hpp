@@ -1,7 +1,7 @@
 // Data packets of the Velodyne VLS-128, Alpha Prime (VLS-128 User Manual 63-9483, chapter 9). Four
 // blocks with the same azimuth contain a firing of all 128 lasers. Each block is a bank of 32
-// lasers with its own flag. Eight lasers fire at a time, to the left or right of the block's
-// azimuth, and the banks fire one after another. The unit of range is 4 mm. The mode with two
+// lasers with its own flag. The banks fire one after another. Within a bank, eight lasers fire at a
+// time, to the left or right of the block's azimuth. The unit of range is 4 mm. The mode with two
 // returns per beam is not supported, because no recording of it is available.
 #pragma once
 
@@ -41,7 +41,7 @@ class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
   static constexpr std::string_view kName = "Velodyne VLS-128";
   // The precision is 3 cm. One turn at 10 Hz takes 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
-  // Elevations by laser id, which means bank by bank and by channel within each bank.
+  // Elevations by laser id: bank by bank, and in each bank channel by channel.
   static constexpr std::array<double, 128> kElevationsDeg{
       -11.742, -1.99,   3.4,    -5.29,  -0.78, 4.61,    -4.08,   1.31,     //
       -6.5,    -1.11,   4.28,   -4.41,  0.1,   6.48,    -3.2,    2.19,     //

@@ -1,4 +1,4 @@
-// Detects a map that contradicts the sensors: beams do not pass through houses.
+// Detects a map that contradicts the sensors, because beams cannot pass through houses.
 //
 // Counts free cells deep inside buildings, where only a building is possible even after the blur.
 // The blur covers the errors of the map and the poses. In simulated drives, no such cells occur
@@ -28,8 +28,8 @@ class Agreement {
   // buildings.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  // Areas in cells of 0.1 m: 50 m2, below which a round is ignored, and 5 m2. The latter is needed
-  // because the map may show a wall too far out.
+  // Areas in cells of 0.1 m. A round with fewer than kFewestFree free cells (50 m2) is ignored. The
+  // second area (5 m2) is needed because the map may show a wall too far out.
   static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;

@@ -10,7 +10,7 @@ namespace iog::map {
 enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored
-  kInUse,         // of the block in use
+  kInUse,         // belongs to the block in use
   kOtherBlock,    // another block is being delivered
   kStranger,      // it does not come from the configured sender
   kTooShort,      // shorter than a message without bytes of a block

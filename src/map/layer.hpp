@@ -130,7 +130,7 @@ class Layer {
   std::int32_t cell_mm_ = geometry::kCellMm;
   std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
-  // Basis of the last frame without a cause:
+  // Basis of the last frame in which no cause prevented drawing:
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;

@@ -36,7 +36,8 @@ struct RowRange {
 // Collects the edges of a polygon in any order, then returns the cells inside the polygon.
 class Raster {
  public:
-  // Discards all edges. Results are valid only for these rows and for the same range of columns.
+  // Discards all edges. Later results are valid only in these rows, and in the columns with the
+  // same numbers.
   void clear(RowRange rows);
 
   // Returns the rows that an edge between these y coordinates crosses. If the edge crosses no row,

@@ -5,8 +5,8 @@
 
 namespace iog::map {
 
-// For each class of the map, the cells that may have the class. At least one class is possible in
-// each cell.
+// For each class of the map, the cells that may have this class. Each cell may have at least one
+// class.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};

@@ -32,7 +32,7 @@ enum class Drop : std::uint8_t {
   kPingIgnored,      // echo request to a broadcast or not from the peer, or peer unresolved
   kIcmpIgnored,      // ICMP message that is not an echo request
   kBadArp,           // ARP packet too short, or not for Ethernet and IPv4
-  kArpIgnored,       // ARP packet without a request for our address or an address that we need
+  kArpIgnored,       // ARP packet that neither requests our address nor contains one that we need
   kAddressConflict,  // another station uses our address in its ARP packet
   kReplyRingFull,    // no transmit buffer for an ARP or ping reply
 };

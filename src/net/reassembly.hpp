@@ -10,9 +10,9 @@
 // Only fragments from listed senders are stored. Each listed sender may have as many incomplete
 // datagrams as it has streams. Slots are reserved for them. If a sender starts too many datagrams,
 // its own oldest datagram is evicted. If unlisted senders are allowed, they share the remaining
-// slots. If these slots are full, a datagram of the unlisted address with the most datagrams is
-// evicted. It is the datagram with the fewest fragments, or the oldest such datagram. A flood of
-// orphaned fragments is therefore evicted before the datagram of a sensor.
+// slots. If these slots are full, a datagram of the unlisted sender with the most datagrams is
+// evicted: its datagram with the fewest fragments, and in a tie the oldest. A flood of orphaned
+// fragments is therefore evicted before the datagram of a sensor.
 #pragma once
 
 #include <array>
@@ -34,8 +34,9 @@ class FragmentSenders {
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // Allows this sender `datagrams` more incomplete datagrams at the same time. 0.0.0.0 stands for
-  // every unlisted sender. Unlisted senders use the slots that are not reserved for listed senders.
+  // Increases the number of incomplete datagrams that this sender may have at the same time.
+  // 0.0.0.0 means all unlisted senders. Unlisted senders use the slots that are not reserved for
+  // listed senders.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
   // The number of incomplete datagrams allowed for a sender (0 if none), and whether slots are

@@ -1,9 +1,10 @@
 // The angle of a direction.
 //
-// The angle is computed bit by bit, starting with the highest bit. The result is the largest of
-// 2^16 angles whose lower bound is not beyond the direction. The sign of a cross product makes this
-// comparison. The result is the nearest angle, but the sine error of 2^-21 can shift a bound by
-// 0.005 steps. The computation takes 15 steps with one sine and one cosine each.
+// The angle is computed bit by bit, starting with the highest bit. Of 2^16 angles, the result is
+// the largest whose lower bound is not beyond the direction. The bound and the direction are
+// compared by the sign of their cross product. The result is the nearest of the angles, except that
+// the sine error of 2^-21 can shift its lower bound by up to 0.005 steps. The computation takes 15
+// steps with one sine and one cosine each.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace iog::objects {
 
 struct ClaimGate {
   std::int32_t mm = 0;               // for hits that are not standing
-  std::int32_t speed_deviation = 0;  // the larger deviation of the two axes, mm/s
+  std::int32_t speed_deviation = 0;  // standard deviation, the larger of the two axes, mm/s
 };
 using ClaimGates = std::array<ClaimGate, kMostTracks>;
 

@@ -62,8 +62,7 @@ class FrameHits {
   void sort(std::size_t count);
 
   window::Area area_{};
-  // The distance in tiles of each tile column and row from the car, starting with the lowest column
-  // and row.
+  // For each column and row of tiles, lowest first, its distance from the car in tiles.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};

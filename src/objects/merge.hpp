@@ -8,8 +8,8 @@
 
 namespace iog::objects {
 
-// Two tracks are merged if they are close together, have similar speeds, and are together not too
-// large for one object. The older track remains and gets the hits of both tracks.
+// Merges two tracks if they are close together, have similar speeds, and together are not too large
+// for one object. The older track remains and gets the hits of both tracks.
 void merge(std::span<Track> tracks, std::span<FrameHit> hits);
 
 }  // namespace iog::objects

@@ -93,8 +93,8 @@ struct Box {
     const Direction axis = side_of(along, side);
     return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
   }
-  // Returns the distance of a point outside the box, on the axis on which this distance is larger.
-  // Returns 0 inside the box.
+  // Returns how far a point is outside the box: the larger of its distances along the two axes, or
+  // 0 inside the box.
   [[nodiscard]] constexpr std::int32_t outside(Point point) const {
     std::int32_t most = 0;
     for (const Side side : kSides) {

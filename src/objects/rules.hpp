@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cl
 // All tracks end if the time between two frames is longer than this or not positive. A spinning
 // unit that loses three turns of 100 ms causes a gap of 400 ms.
 inline constexpr std::int32_t kLongestStepMs = 450;
-// Without measurements for longer than this, no object is published or labelled.
+// If there are no measurements for longer than this, no object is published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
 
 // Recent hits are recorded in epochs of 80 ms.
@@ -30,11 +30,11 @@ inline constexpr int kOldEpochs = 4;  // a place that was first hit this many ep
 // Process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-// Used at speeds of kWheelsSpeed and above, because the velocity turns in bends.
+// Used at speeds of kWheelsSpeed and above, because the velocity changes direction in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
-inline constexpr std::int32_t kSmallMm = 1200;     // upper limits of a walker's size
-inline constexpr std::int32_t kSmallSpeed = 3000;  // and speed
+inline constexpr std::int32_t kSmallMm = 1200;     // a walker is at most this large
+inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
 // Tyres and legs limit the acceleration. After this many updates, the speed of a moving track along
@@ -140,12 +140,13 @@ inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that
                                               // its box
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// The trail of a receding track. A frame supports the trail if the track's own beams pass at least
-// kTrailPlaces of the places that the track has left, and if they pass at least kGoodOverBad times
-// as many places as are hit again. A beam passes a place if it misses the place by at most
-// kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
-// scans its layers one after the other. Such hits count for tracks below kLayersSpeed. Hits behind
-// a faster track may be its own, because its speed is not known well enough.
+// Parameters of a receding track's trail, the places that it has left. A frame supports the trail
+// if the track's own beams pass at least kTrailPlaces of the places that the track has left, and if
+// they pass at least kGoodOverBad times as many places as are hit again. A beam passes a place if
+// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
+// kLayersMs, even by a unit that scans its layers one after the other. Such hits count for tracks
+// below kLayersSpeed. Hits behind a faster track may be its own, because its speed is not known
+// well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;

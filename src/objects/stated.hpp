@@ -1,7 +1,7 @@
 // The reported standard deviation of a velocity. The filter's own value covers only the errors of
 // the measurements. It ignores that the visible part of a young object changes, and that both ends
 // of a near object may be hidden. For cars nearer than 8 m, half of the errors exceed twice the
-// filter's deviation.
+// filter's standard deviation.
 #pragma once
 
 #include <algorithm>

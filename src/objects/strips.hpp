@@ -57,8 +57,7 @@ class PlacedTracks {
       }
     }
   }
-  // Updates the rectangle of a track that has moved or grown, or that extends `reach_mm` beyond its
-  // box.
+  // Updates the rectangle of a track that has moved or grown. It extends `reach_mm` beyond the box.
   void place(std::size_t number, const Track& track, std::int32_t reach_mm = 0) {
     bounds_[number] = bounds_of(track.box()).grown(reach_mm);
     strips_[number] = Strips::of(bounds_[number], more_mm_);

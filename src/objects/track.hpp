@@ -85,8 +85,8 @@ class Track {
   [[nodiscard]] bool is_like_a_car() const;
   // Whether the track has the size of a car and a high confidence of moving that nothing opposes.
   // Standing hits in its box then belong to the car, because a slow car covers each place for so
-  // long that the grid classifies the place as standing. Walkers beside a parked car also have the
-  // size of a car, but they leave places that are standing.
+  // long that the grid classifies the place as standing. Walkers beside a parked car may form a
+  // track of the same size, but they leave places that are classified as standing.
   [[nodiscard]] bool is_sure_car() const;
   // Sets is_receding according to the velocity and the position relative to the car.
   void look_from(Point car);

@@ -1,7 +1,7 @@
 // Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
 // stationary objects.
 //
-// The squares below are stated in cells of 0.1 m. Squares of larger cells have the same length in
+// The sizes of squares below apply to cells of 0.1 m. With larger cells, a square keeps its size in
 // metres (Rules::around). The numbers of new hits do not change.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
@@ -9,11 +9,11 @@
 // that beams pass over them are therefore never classified as moving.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
-// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell is open and freed, and
-// the hit is not beside a standing object. A hit has moved if it is not beside a standing object
-// and its cell is either dense, or open with enough new hits in the 7 by 7 cells around it. Two new
-// hits are enough if the ground in the cell was found open three times. Elsewhere, seven new hits
-// are needed.
+// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and
+// no standing object is beside it. A hit has moved if it is not beside a standing object, and its
+// cell was either dense, or open with enough new hits in the 7 by 7 cells around it. Two new hits
+// are enough if the ground in the cell was found open three times. Elsewhere, seven new hits are
+// needed.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 
 namespace iog::perception {
 
-// Which hits on free ground are classified as moved.
+// The rule by which hits on free ground are classified as moved.
 enum class Moved : std::uint8_t {
   kOpenGround,  // see perception/arrivals.hpp
   kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
@@ -40,7 +40,7 @@ inline constexpr int kTallOverGroundWithin =
 // The distances, in cells, at which the rules of motion onset and open ground examine a cell's
 // surroundings. They correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
-  // A hit with a standing cell within this distance belongs to that object.
+  // A hit with a standing cell within this distance belongs to the standing object.
   int beside = 1;
   // Gaps between beams are closed with this radius, and all cells within it around a dense cell
   // must be seen.

@@ -11,7 +11,7 @@
 
 namespace iog::perception {
 
-// The numbers of standing cells that have evidence.
+// The numbers of standing cells that this frame confirms and contradicts.
 struct StandingCounts {
   std::uint32_t met = 0;      // confirmed: a hit within 0.2 m
   std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within 0.2 m
@@ -35,10 +35,10 @@ struct StandingCounts {
                                              const window::Plane& crossed,
                                              const Around& around = {});
 
-// Detects wrong poses. If the poses are wrong, beams pass through standing objects all around.
-// Counts are averaged over about eight frames, and the weight of a frame falls to one half after
-// five more frames. When a parked car drives off, beams also cross its cells, but walls, poles and
-// other cars are confirmed at the same time.
+// Detects wrong poses. If the poses are wrong, beams appear to pass through standing objects on all
+// sides. Counts are averaged over about eight frames, and the weight of a frame falls to one half
+// after five more frames. When a parked car drives off, beams also cross its cells, but walls,
+// poles and other cars are confirmed at the same time.
 //
 // If the poses are wrong from the start, few cells become standing, and a much larger fraction of
 // these cells is crossed. As long as the poses have never moved the car, fewer cells are therefore
@@ -55,8 +55,9 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved is true if the position or heading has changed since the first pose. Static objects
-  // are seen as edges, and an edge covers fewer cells if cells are larger.
+  // has_moved is true if the position or heading has changed since the first pose. The minimum
+  // numbers depend on the cell size, because sensors see the edges of static objects, and an edge
+  // covers fewer large cells than small ones.
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {

@@ -21,9 +21,9 @@ class TileBefore {
     count_ = 0;
   }
 
-  // Call it once for each group before the group changes. Undefined masses are not stored. The
-  // undefined masses are all masses of a group that was never aged, and the occupied masses of a
-  // group that has only free mass.
+  // Call it once for each group before the group changes. Undefined masses are not stored. If a
+  // group was never aged, all of its masses are undefined. If a group has only free mass, its
+  // occupied masses are undefined.
   void keep(const window::Tile& tile, std::size_t group) {
     Group& kept = groups_[count_];
     kept.number = static_cast<std::uint8_t>(group);

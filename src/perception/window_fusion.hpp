@@ -2,7 +2,7 @@
 //
 // In each frame, the window first follows the vehicle, then slices are added, and finally the frame
 // is finished in these steps:
-//   1. Lookups of neighbours use the state before the frame. If only low beams open cells
+//   1. Neighbouring cells are looked up in the state before the frame. If only low beams open cells
 //      (perception/opening.hpp), evidence without effect is removed.
 //   2. Groups with evidence are aged, fused and classified.
 //   3. Tiles whose slot plus frame number is a multiple of 8 are refreshed: their other groups
@@ -200,7 +200,7 @@ class WindowFusion {
   };
   static_assert(window::kGroupsPerTile <= 0xFF);
 
-  // Slots in rising order.
+  // Slots in ascending order.
   struct SlotList {
     std::size_t count = 0;
     std::array<std::uint16_t, window::kSlotCount> slots{};

@@ -1,5 +1,5 @@
 // Visits the 8 by 8 blocks of a window tile that may be near known cells of the slice grid. Moving
-// by eight steps at once gives exactly the same result as adding one step eight times.
+// an image by eight steps at once gives exactly the same result as adding one step eight times.
 #pragma once
 
 #include <cstddef>

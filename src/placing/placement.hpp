@@ -106,8 +106,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// Bounds of the images of a rectangle of cells. They are offsets from the image of the rectangle's
-// first cell to the lowest and the highest cell, both inclusive.
+// Bounds of the images of a rectangle of cells, relative to the image of its first cell. The lowest
+// and the highest cell are both included.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

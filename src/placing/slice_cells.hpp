@@ -93,8 +93,8 @@ class SliceCells {
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The grid is surrounded by unknown squares. They extend as far as a rectangle that overlaps the
-  // grid can reach.
+  // The grid has a margin of unknown squares of cells. It is as wide as a rectangle that overlaps
+  // the grid can extend beyond it.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =

@@ -36,7 +36,7 @@ enum class Cause : std::uint8_t {
   kLost,          // no message for kLostUs: the window is unknown
   kJump,          // too far from the prediction: the window is unknown
   kRestart,       // a new run of the sender: the window is unknown
-  kContradicted,  // beams pass through standing objects all around: the window is unknown
+  kContradicted,  // beams pass through standing objects on all sides: the window is unknown
   kDrifting,      // growing delay, with packets timed by arrival: the window is unknown
 };
 inline constexpr std::size_t kCauseCount = 8;

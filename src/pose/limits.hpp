@@ -16,8 +16,8 @@ inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
 inline constexpr std::uint32_t kMaxAgeUs = 200'000;
-// 146,000 years, so that sums and differences of clock values and of the target's time do not wrap
-// around.
+// The maximum clock value, 146,000 years. It keeps sums and differences of clock values and of the
+// target's time from wrapping around.
 inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 
 // The maximum time between a slice and a message, and the maximum time of prediction beyond a
@@ -54,10 +54,10 @@ inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
 // span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
-// Larger residuals are a jump. For the heading, the limit is the angle that corresponds to 300 mm
+// A larger residual is a jump. For the heading, the limit is the angle that corresponds to 300 mm
 // at kReachMm.
 inline constexpr std::int64_t kMaxResidualMm = 300;
-inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), to the nearest
+inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), rounded
 inline constexpr std::int64_t kMaxResidualAngle = kAnglePerRadian * kMaxResidualMm / kReachMm;
 
 }  // namespace iog::pose

@@ -21,8 +21,8 @@ inline constexpr std::uint16_t kPosePort = 15010;  // UDP
 inline constexpr std::size_t kContentBytes = 72;
 inline constexpr std::size_t kMessageBytes = protection::kProtectionBytes + kContentBytes;
 
-// Only the checks of a single message are used for this channel. The order of messages is
-// determined by their clock.
+// On this channel, each message is checked only by itself. The order of messages is determined by
+// their clock.
 inline constexpr protection::Channel kPoseChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8003, .interface_version = 1},
     .data_id = 0x494F4703,
@@ -71,7 +71,7 @@ struct Decoded {
   Message message{};            // only if the message is valid
 };
 
-// Accepts any bytes. The outcome is kUsed or kTooShort ... kTooOld.
+// Accepts any bytes. The outcome is kUsed or one of kTooShort to kTooOld.
 [[nodiscard]] Decoded decode(std::span<const std::byte> datagram);
 
 }  // namespace iog::pose

@@ -1,5 +1,5 @@
-// The target's view of the pose source: its senders, the outcome of each datagram, and the outcome
-// of each slice that needs a pose. All rejections are counted by cause.
+// Receives poses: checks their senders, decodes each datagram, and looks up a pose for each slice.
+// All rejections are counted by cause.
 //
 // The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
 // send from the configured address can change the vehicle's pose.

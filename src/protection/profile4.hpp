@@ -1,10 +1,10 @@
 // AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"): a 12-byte
 // big-endian header within the data that it protects.
 //
-//    0  u16 length of the data, this header included
+//    0  u16 length of the data, including this header
 //    2  u16 counter, + 1 for each message, wraps from 0xFFFF to 0
-//    4  u32 data id: unique in the vehicle, against messages that went astray
-//    8  u32 CRC-32/P4 over all the data but these four bytes
+//    4  u32 data id: unique in the vehicle, reveals misrouted messages
+//    8  u32 CRC-32/P4 over all data except these four bytes
 //
 // The counter starts at 0, because receivers expect 0 in the first message. A receiver that joins
 // later reports a wrong sequence once.
@@ -51,7 +51,7 @@ class Profile4Protector {
   constexpr explicit Profile4Protector(const Profile4& profile) : profile_{profile} {}
 
   // Fills in the header. `data` includes the header at the profile's offset and is at most 0xFFFF
-  // bytes long. A tail must lie behind the header.
+  // bytes long. A tail must lie after the header.
   void protect(std::span<std::byte> data, TailRemainder tail = {});
 
  private:

@@ -2,7 +2,7 @@
 // bytes in big-endian order.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
-//    4  u32 length: bytes behind this field, 8 of header included
+//    4  u32 length: bytes after this field, including 8 of this header
 //    8  u16 client id 0, u16 session id                    together the request id
 //   12  u8 protocol version 1
 //   13  u8 interface version: major version of the service

@@ -37,13 +37,13 @@
 
 namespace iog::sensor_model {
 
-// With 0.01, the smallest epsilon of a car, cell 3 would need a weight of 0.01. Its weight is only
-// 0.004.
+// With the smallest epsilon of a car, 0.01, cell 3 would need a weight of 0.01 to get an index, but
+// its weight is only 0.004.
 inline constexpr std::size_t kMaxArcCells = 3;
 
-// h of an ultrasonic sensor. The sensor often misses cloth, foam, thin poles, and planes that
-// reflect the sound away. The value is deliberately low, so that a detection outweighs a missing
-// echo.
+// The detection probability h of an ultrasonic sensor. The sensor often misses cloth, foam, thin
+// poles, and planes that reflect the sound away. The value is deliberately low, so that a detection
+// outweighs a missing echo.
 inline constexpr double kHeard = 0.2;
 
 struct Arc {

@@ -50,8 +50,8 @@ inline constexpr std::size_t kClassWindowBytes = 48;
   return window::Area({.a = classes.corner_a, .b = classes.corner_b});
 }
 
-// A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). 0 is unknown and has
-// no confidence.
+// A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). A cell of value 0 is
+// unknown, and its confidence is 0.
 inline constexpr std::uint8_t kClassCount = 9;
 inline constexpr std::uint8_t kSurenessCount = 8;
 

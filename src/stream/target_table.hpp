@@ -4,8 +4,8 @@
 // groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
 // class message of the frame (3.10). To add a counter, add its name here and to the struct that
 // counts it. Insert a link counter before the spare words and reduce their number. The loop finds
-// its place by name (stream/target_state.hpp); tests/lint/target_state generates the tables of
-// other readers.
+// its place by name (stream/target_state.hpp), and tests/lint/target_state generates the tables of
+// the other readers.
 #pragma once
 
 #include <cstddef>
@@ -36,11 +36,11 @@ enum class Group : std::uint8_t {
   kCore,
   // Frames without room at the port, its restarts ([drivers.md](drivers.md)), and their losses.
   kRestart,
-  // Starts with this one, and the end of the previous run (below).
+  // Starts including this one, and how the previous run ended (below).
   kRun,
   // The loop's times, 13 words each (below).
   kLoopTime,
-  // Room for later counters: 0, which receivers ignore.
+  // Reserved for later counters: 0; receivers ignore them.
   kLater,
   // Only with service discovery ([service_discovery.md](service_discovery.md)) or signed commands:
   // its datagrams, answers and subscriptions; messages copied to the subscriber, and messages for

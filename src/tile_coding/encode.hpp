@@ -35,7 +35,7 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Holds the intermediate data of an encoding in order to keep it off the stack.
+// Contains the intermediate data of an encoding, which would take too much of the stack.
 class Encoder {
  public:
   // Writes kRunStartsSince if there is a reference and kRunStarts if there is none. Writes kRaw if

@@ -18,7 +18,7 @@ namespace iog::tile_coding {
 // The maximum number of bits that BitWriter accepts in one call.
 inline constexpr unsigned kMostNumberBits = 31;
 
-// The largest base for which four digits fit in a number.
+// The largest base in which a four-digit number fits in kMostNumberBits bits.
 inline constexpr std::uint32_t kMostAlternatives = 215;
 
 struct Packing {

@@ -29,8 +29,8 @@
 // start may be on a border. If the start is on the lower or left border of its cell, all of the
 // above holds. If the start is on the upper left corner, the line is just below the upper border of
 // its row when it enters its first column. floor((e - 1) / r) keeps it in that row. If the start is
-// on the upper right corner, e_0 = 0, and the sum rises in the first column. The sum then enters
-// the cell above, although the line itself does not.
+// on the upper right corner, e_0 = 0, and the sum rises in the first column. The computed line then
+// enters the cell above, although the exact line does not.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@
 // +-2^29.
 //   * through() and before(): the fraction of the line is num / den with 0 <= num, 0 < den and
 //     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
-//   * All divisions are of non-negative numbers, and all rounding is down.
+//   * All dividends are non-negative, and all results are rounded down.
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,7 @@ struct Share {
   std::uint64_t denominator = 1;
 };
 
-// The length in millimetres of a beam's line, together with its reciprocal. The length is from 1 to
-// 1 ... 2^18 - 1.
+// The length in millimetres of a beam's line, 1 ... 2^18 - 1, together with its reciprocal.
 class LineLength {
  public:
   constexpr LineLength() = default;

@@ -35,7 +35,7 @@ struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Shortens this turn by the other turn, this many times.
+  // Combines this turn with `times` opposite turns, which makes its angle smaller.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;

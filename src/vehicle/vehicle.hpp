@@ -30,7 +30,7 @@ inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
 inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the ground
 
-inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file says another
+inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies another
 
 // The maximum number of cached lines of all level rotating sensors of a vehicle. There is one line
 // for each azimuth step. A line takes about 0.7 KB.
@@ -136,7 +136,7 @@ struct Sensor {
   // Consider a beam that ends on the ground. This is the fraction of its length in which it is
   // above the height band's lower limit, in units of 2^-30. Heights are measured from a straight
   // line between the ground below the sensor and the end of the beam. The value is 1 if the sensor
-  // is below the band's lower limit or looks over things.
+  // is below the band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;

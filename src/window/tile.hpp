@@ -1,8 +1,8 @@
 // One tile of the window in memory: 32 by 32 cells aligned to the local frame.
 //
-// An unknown tile contains only zeros, with two exceptions. First, groups that were never aged have
-// undefined masses, so clearing a tile does not write all of its memory. Second, the map content is
-// kept.
+// An unknown tile contains only zeros, with two exceptions. First, the masses of groups that were
+// never aged are undefined. Clearing a tile therefore need not write them. Second, the map content
+// is kept.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // Writes wire bytes sequentially and never past the end of the buffer.
 //
-// A write that does not fit writes nothing. All later writes also write nothing, even shorter ones,
-// and ok() is false from then on. An encoder can therefore write a whole message and then check
-// ok() once.
+// If a write does not fit, it and all later writes have no effect, even if they are shorter, and
+// ok() is false from then on. An encoder can therefore write a whole message and then check ok()
+// once.
 #pragma once
 
 #include <cstddef>

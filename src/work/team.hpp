@@ -24,7 +24,7 @@ namespace iog::work {
 enum class Loss : std::uint8_t {
   kNone,
   kNotAsked,  // the machine does not have this core, or fewer cores were requested
-  kNotUp,     // it did not come up
+  kNotUp,     // it did not start
   kFaulted,   // an exception or a broken requirement ended it
   kStuck,     // it did not finish its item
   kSilent,    // it has not answered a wake-up yet, and will be woken again

@@ -1,4 +1,4 @@
-// A PHY by IEEE 802.3 clause 22: its registers, and the link that they describe.
+// A PHY according to IEEE 802.3 clause 22: its registers, and the link that they describe.
 #pragma once
 
 #include <cstdint>
@@ -31,11 +31,11 @@ inline constexpr std::uint16_t kGigabitFull = 1u << 9;
 inline constexpr std::uint16_t kGigabitHalf = 1u << 8;
 inline constexpr std::uint16_t kNegotiateAnew = 1u << 12 | 1u << 9;
 
-// What both ends can do, as the four registers say it, best first (802.3 annex 28B.3). A partner
-// that does not negotiate leaves nothing in common: 10 Mbit/s half duplex.
+// The best mode that both ends support according to the four registers (802.3 annex 28B.3). If the
+// partner does not negotiate, the result is 10 Mbit/s half duplex.
 constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
                        std::uint16_t gigabit_control, std::uint16_t gigabit_status) {
-  // The partner's gigabit bits stand two places above our own.
+  // The partner's gigabit bits are two positions above our own.
   const unsigned gigabit = gigabit_control & (static_cast<unsigned>(gigabit_status) >> 2);
   const unsigned common = advertised & partner;
   if ((gigabit & (1u << 9 | 1u << 8)) != 0) {

@@ -1,4 +1,4 @@
-// Watches the link without ever waiting: each poll starts or finishes at most one MDIO access.
+// Monitors the link without blocking. Each poll starts or finishes at most one MDIO access.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ template <typename Mdio>
 class LinkMonitor {
  public:
   static constexpr std::uint32_t kPeriodUs = 100'000;
-  // An access takes 27 us at 2.4 MHz and 150 us at 0.4 MHz. One that takes twenty times as long has
-  // met a bus that is stuck.
+  // An access takes 27 us at 2.4 MHz and 150 us at 0.4 MHz. If it takes twenty times as long, the
+  // bus is stuck.
   static constexpr std::uint32_t kAccessTimeoutUs = 3000;
 
   explicit LinkMonitor(Mdio& mdio) : mdio_(mdio) {}
 
-  // The new state of the link if it has changed, nothing otherwise. Once per pass of the loop.
+  // Returns the new state of the link if it has changed. Call it once per pass of the loop.
   std::optional<Link> poll(std::uint64_t now_us) {
     if (!reading_) {
       if (now_us - began_us_ >= kPeriodUs) {
@@ -37,13 +37,15 @@ class LinkMonitor {
     return std::nullopt;
   }
 
-  // The access that has begun will not end: the controller was reset. The next round asks again.
+  // Call it after a reset of the controller, because a started access will then never finish. The
+  // next poll starts a new one.
   void abandon() { reading_ = false; }
 
   const Link& link() const { return link_; }
 
  private:
-  // Read in this order, the status in every round, the abilities only when the link has come up.
+  // The registers in reading order. The status is read in every round, the others only after the
+  // link has come up.
   static constexpr std::array<unsigned, 5> kSequence = {phy::kBasicStatus, phy::kAdvertised,
                                                         phy::kPartnerAbility, phy::kGigabitControl,
                                                         phy::kGigabitStatus};
@@ -58,8 +60,8 @@ class LinkMonitor {
   std::optional<Link> take(std::uint16_t value, std::uint64_t now_us) {
     values_[step_] = value;
     if (step_ == 0) {
-      // The link bit latches low: a loss between two polls is seen once, and the link is resolved
-      // anew.
+      // The link bit latches low. A loss between two polls is therefore seen once, and the mode is
+      // resolved again.
       constexpr std::uint16_t kReady = phy::kStatusLinkUp | phy::kStatusNegotiated;
       if ((value & kReady) != kReady || value == 0xffff) {
         return conclude(Link{});

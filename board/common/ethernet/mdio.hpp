@@ -1,6 +1,6 @@
-// The management bus of the PHY: the frames of IEEE 802.3 clause 22, for a controller with a
-// register whose 32 bits are such a frame without its preamble. A port starts a frame and shows how
-// it ends.
+// The management bus of the PHY, with the frames of IEEE 802.3 clause 22. The controller must have
+// a 32-bit register that contains such a frame without its preamble. A port starts a frame and
+// reports how it ends.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,28 @@ class Mdio {
  public:
   explicit Mdio(typename Port::Registers& registers) : port_(registers) {}
 
-  // Clocks the bus at no more than the 2.5 MHz of IEEE 802.3. Also after a reset of the controller,
-  // which ends an access that has begun.
+  // Sets the bus clock to at most 2.5 MHz (IEEE 802.3). Also call it after a reset of the
+  // controller, which ends a started access.
   void start() { port_.start(); }
 
-  // Whom every access from here on is for, 0 to 31.
+  // Sets the PHY address of all further accesses, 0 to 31.
   void select(unsigned phy_address) { phy_address_ = phy_address; }
 
-  // Selects the first PHY that answers at one of these addresses. Bounded.
+  // Selects the first PHY that answers at one of these addresses. All waits are bounded.
   phy::Identity find(unsigned first_address, unsigned last_address) {
     for (unsigned address = first_address; address <= last_address; ++address) {
       select(address);
       const std::uint32_t high = read(phy::kIdHigh).value_or(0xffff);
       const std::uint32_t low = read(phy::kIdLow).value_or(0xffff);
       const std::uint32_t id = high << 16 | low;
-      if (id != 0 && id != phy::Identity::kNobody) {  // 0: a wire that is held low
+      if (id != 0 && id != phy::Identity::kNobody) {  // 0: the wire is held low
         return {.address = address, .id = id};
       }
     }
     return {};
   }
 
-  // One access after the other, bounded waits. For start-up.
+  // Waits for the access, for a bounded time. Use it only during start-up.
   std::optional<std::uint16_t> read(unsigned phy_register) {
     begin_read(phy_register);
     if (!wait()) {
@@ -49,13 +49,13 @@ class Mdio {
     return wait();
   }
 
-  // For a PHY that find() has found, so it answers. Failures are ignored: start-up has no remedy,
-  // and a failed write later appears as a link that is down or loses frames.
+  // Call it only after find() has found the PHY. Failures are ignored, because start-up cannot
+  // correct them. After a failed write, the link stays down or loses frames.
   void set(unsigned phy_register, std::uint16_t value) {
     static_cast<void>(write(phy_register, value));
   }
 
-  // The same in two halves, for the loop: nothing waits.
+  // The same in two steps that do not wait, for the loop.
   void begin_read(unsigned phy_register) { port_.begin(frame(kRead, phy_register)); }
   bool finished() const { return port_.finished(); }
   std::uint16_t result() const { return port_.data(); }

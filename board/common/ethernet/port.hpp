@@ -150,15 +150,15 @@ class Port {
   // A copy of the newest good frame, in whole bursts.
   alignas(64) std::array<std::byte, kFrameBursts * machine::kBurstBytes> copy_{};
   std::span<const std::byte> frame_;  // of copy_, until release()
-  std::span<std::byte> acquired_;     // what acquire() returned and commit() has not queued
+  std::span<std::byte> acquired_;     // buffer from acquire(), until commit()
   phy::Identity phy_;
   MacAddress address_{};
   std::uint64_t groups_ = 0;         // bins of the filter's hash table for groups
   Link mode_;                        // the speed and duplex that the controller is set to
-  std::uint64_t restarted_us_ = 0;   // never: 0
-  std::uint64_t progress_us_ = 0;    // when a frame was last seen to leave, or none was in flight
-  std::uint32_t progress_sent_ = 0;  // frames that had left by then
-  std::uint64_t collected_us_ = 0;   // when the statistics were last read
+  std::uint64_t restarted_us_ = 0;   // 0 if never
+  std::uint64_t progress_us_ = 0;    // last time at which a frame left or none was in flight
+  std::uint32_t progress_sent_ = 0;  // frames sent by then
+  std::uint64_t collected_us_ = 0;   // last time at which the statistics were read
 };
 
 }  // namespace iog::board

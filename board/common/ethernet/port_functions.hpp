@@ -150,7 +150,7 @@ void Port<Controller>::pump() {
 // keeps its mode.
 template <typename Controller>
 bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
-  const bool stuck = is_stuck(now_us);  // always asked: it watches
+  const bool stuck = is_stuck(now_us);  // always called, because it keeps track of time
   const Link& link = link_monitor_.link();
   const bool mode_differs =
       link.up && (link.speed != mode_.speed || link.full_duplex != mode_.full_duplex);

@@ -1,10 +1,10 @@
-// Which buffer of a transmit ring is whose.
+// The owners of the buffers in a transmit ring.
 //
 //      sent                in flight            queued           free
 //   ... free | oldest_in_flight .... | oldest_queued ... | next ... free
 //
-// A buffer is free, then queued (committed, still ours), then in flight (the controller's), then
-// free.
+// A buffer is free, then queued (committed but still owned by the driver), then in flight (owned by
+// the controller), then free again.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@ class TransmitOrder {
  public:
   explicit TransmitOrder(std::size_t size) : size_(size) {}
 
-  // All buffers are free; what was queued or in flight is forgotten.
+  // Frees all buffers, including those that were queued or in flight.
   void start() { next_ = queued_ = in_flight_ = 0; }
 
   std::size_t room() const { return size_ - queued_ - in_flight_; }
   std::size_t queued() const { return queued_; }
   std::size_t in_flight() const { return in_flight_; }
-  // Frames that have left since the ring was made; wraps.
+  // The number of frames sent since the ring was constructed. It wraps.
   std::uint32_t sent() const { return sent_; }
 
-  // The first free one, unless there is none.
+  // The first free buffer. Requires a free buffer.
   std::size_t next() const { return next_; }
   std::size_t oldest_queued() const { return after(next_, size_ - queued_); }
   std::size_t oldest_in_flight() const { return after(oldest_queued(), size_ - in_flight_); }
 
-  // The buffers named above have become queued, in flight, free.
+  // The next buffers become queued, in flight or free.
   void commit() {
     next_ = after(next_, 1);
     ++queued_;
@@ -45,7 +45,7 @@ class TransmitOrder {
   }
 
  private:
-  // index < size and steps <= size; the Cortex-A9 has no division.
+  // Requires index < size and steps <= size. Needs no division, which the Cortex-A9 does not have.
   std::size_t after(std::size_t index, std::size_t steps) const {
     const std::size_t sum = index + steps;
     return sum >= size_ ? sum - size_ : sum;
@@ -54,7 +54,7 @@ class TransmitOrder {
   std::size_t size_;
   std::size_t next_ = 0;
   std::size_t queued_ = 0;     // counted back from next_
-  std::size_t in_flight_ = 0;  // counted back from the queued ones
+  std::size_t in_flight_ = 0;  // counted back from the queued buffers
   std::uint32_t sent_ = 0;
 };
 

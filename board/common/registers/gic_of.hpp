@@ -1,5 +1,6 @@
-// Generic Interrupt Controller with so many interrupts, ARM IHI 0048 (GIC architecture): what
-// version 1, of the Cortex-A9 MPCore, and version 2, the GIC-400, have in common.
+// Generic Interrupt Controller, ARM IHI 0048 (GIC architecture). Contains the registers that
+// version 1 (Cortex-A9 MPCore) and version 2 (GIC-400) have in common. The number of interrupts is
+// a parameter.
 #pragma once
 
 #include <cstddef>
@@ -33,10 +34,10 @@ struct GicDistributorOf {
 
   static constexpr std::uint32_t kCtlrEnable = 1u << 0;  // group 0
   static constexpr std::uint32_t kCtlrEnableGroup1 = 1u << 1;
-  static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit a core
+  static constexpr unsigned kSgirTargetShift = 16;  // CPUTargetList, one bit per core
 };
 
-// Checks the offsets of the manual.
+// Checks the offsets against the manual.
 template <typename D>
 inline constexpr bool kIsLaidOut = offsetof(D, igroupr) == 0x080 &&
                                    offsetof(D, isenabler) == 0x100 &&
@@ -55,7 +56,7 @@ struct GicCpuRegisters {
 
   static constexpr std::uint32_t kCtlrEnable = 1u << 0;  // group 0
   static constexpr std::uint32_t kCtlrEnableGroup1 = 1u << 1;
-  static constexpr std::uint32_t kCtlrFiq = 1u << 3;  // group 0 comes as fast interrupts
+  static constexpr std::uint32_t kCtlrFiq = 1u << 3;  // group 0 raises fast interrupts
   static constexpr std::uint32_t kPmrAll = 0xff;
 };
 

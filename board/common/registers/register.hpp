@@ -1,10 +1,11 @@
-// A device register says in its type what may be done to it.
+// The type of a device register specifies the permitted accesses.
 //
 //   Ro  read only                       Rw  read and write
-//   Wo  write only                      W1c event flags: reading tells, writing a one clears
+//   Wo  write only                      W1c event flags: writing a one clears
 //
-// W1c has no read-modify-write on purpose: `flags |= bit` would clear every flag that is set.
-// Registers of one peripheral form a struct that the linker places (linker/<board>_peripherals.ld).
+// W1c deliberately has no read-modify-write access, because `flags |= bit` would clear every set
+// flag. The registers of a peripheral form a struct that the linker places
+// (linker/<board>_peripherals.ld).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // A buffer descriptor of the ENET's DMA, in the legacy form of 8 bytes (IMX6DQRM, ENET, "Legacy
 // buffer descriptors"), in the little-endian order that ECR.DBSWP selects. The enhanced form would
-// add checksum offload and time stamps, which nothing here uses.
+// add checksum offload and time stamps, which this firmware does not use.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ static_assert(sizeof(Descriptor) == 8);
 
 namespace receive_flag {
 inline constexpr std::uint16_t kEmpty = 1u << 15;     // E: the controller owns it
-inline constexpr std::uint16_t kWrap = 1u << 13;      // W: the ring begins again after this one
+inline constexpr std::uint16_t kWrap = 1u << 13;      // W: last descriptor of the ring
 inline constexpr std::uint16_t kLast = 1u << 11;      // L: the frame ends in this buffer
 inline constexpr std::uint16_t kTooLong = 1u << 5;    // LG
 inline constexpr std::uint16_t kNonOctet = 1u << 4;   // NO

@@ -51,7 +51,7 @@ class Enet {
   L2Cache& cache_;
   Mdio mdio_{registers_};
   bool in_long_frame_ = false;        // the buffers up to the next "last" are of a dropped frame
-  std::uint32_t overflows_seen_ = 0;  // what ENET_IEEE_R_MACERR was when it was last collected
+  std::uint32_t overflows_seen_ = 0;  // the last value of ENET_IEEE_R_MACERR
 };
 
 using EnetPort = board::Port<Enet>;
@@ -59,8 +59,8 @@ using EnetMemory = board::PortMemory<DescriptorFormat>;
 static_assert(EnetMemory::kTransmitFrames == 1408);
 static_assert(sizeof(EnetMemory) <= 3u << 20, "fits three sections of the DMA region");
 
-// The memory of the firmware's only controller. Its definition is constinit. For processors, the
-// addresses below and behind the region are unmapped.
+// The memory of the firmware's only controller. Its definition is constinit. For the cores, the
+// addresses before and after the region are unmapped.
 extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)
 
 }  // namespace iog::imx6

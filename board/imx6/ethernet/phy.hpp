@@ -5,8 +5,8 @@
 
 namespace iog::imx6 {
 
-// Finds the PHY and selects its address; every later access of `mdio` is for it. If it is the
-// KSZ9021, sets its RGMII delays and has it negotiate as the master of 1000BASE-T. Bounded.
+// Finds the PHY and selects its address for all later accesses of `mdio`. A KSZ9021 gets its RGMII
+// delays and negotiates as the master of 1000BASE-T. All waits are bounded.
 phy::Identity start_phy(Mdio& mdio);
 
 }  // namespace iog::imx6

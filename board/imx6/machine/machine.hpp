@@ -1,6 +1,6 @@
-// The only door to the machine: one load or store of a device register or a DMA descriptor, a copy
-// out of a DMA buffer, the barriers, and sleep. Tests on the PC are built against another file of
-// this name (tests/host/fakes/machine.hpp), which records the same calls; CMake chooses.
+// The only access to the machine: single loads and stores of device registers and DMA descriptors,
+// copies from DMA buffers, barriers, and sleep. Tests on a PC use another file of this name
+// (tests/host/fakes/machine.hpp), which records the same calls. CMake selects the file.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 #include "machine_of_arm.hpp"
 
-// What boards share is at hand in this one.
+// Makes the code that boards share visible in this namespace.
 namespace iog::board {}
 namespace iog::imx6 {
 using namespace board;  // NOLINT(google-build-using-namespace): shared parts
@@ -18,9 +18,9 @@ namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 32;
 
-// Copies `bursts` times kBurstBytes, at least one; both sides are aligned to 8 bytes. Of uncached
-// memory an LDM is one burst of the bus, up to nine times 64 bits (Cortex-A9 TRM, ARM DDI 0388I,
-// 8.1.2), where loads of single fields are a journey to the DDR each.
+// Copies `bursts` times kBurstBytes. Requires bursts >= 1; both addresses must be aligned to 8
+// bytes. From uncached memory, an LDM is one bus burst of up to nine times 64 bits (Cortex-A9 TRM,
+// ARM DDI 0388I, 8.1.2), whereas each load of a single field is a separate DDR access.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
   __asm__ volatile(
       "1: ldmia %[from]!, {r4, r5, r6, r7, r8, r9, r10, r12}\n\t"
@@ -35,7 +35,7 @@ inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts
 inline void mask_interrupts() { __asm__ volatile("cpsid i" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("cpsie i\n\tisb" ::: "memory"); }
 
-// Which core this is, from MPIDR.
+// The number of this core, from MPIDR.
 inline std::size_t core_number() {
   std::uint32_t mpidr = 0;
   __asm__("mrc p15, 0, %0, c0, c0, 5" : "=r"(mpidr));

@@ -1,10 +1,10 @@
-// Translation tables as values: what every address may be used for, decided here and nowhere else.
+// Builds the translation tables, which alone define the permitted accesses to every address.
 //
-// Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables:
-// that of the stacks, so that the page below each can be left unmapped and these tables themselves
-// are only read, and the first of the image, where what is executed and what is only read lie in
-// pages of 4 and 64 KiB. Access to anything
-// else is a fault: null pointers, the boot ROM, the other peripherals, DDR past the end.
+// Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables. One
+// is the section of the stacks, in which the page below each stack is unmapped and the tables
+// themselves are read-only. The other is the first section of the image, which maps code and
+// constants in pages of 4 and 64 KiB. All other accesses fault: null pointers, the boot ROM, other
+// peripherals, and addresses past the end of DDR.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ enum class Memory : std::uint8_t {
 
 namespace detail {
 
-// TEX, C and B say the type of memory (ARM ARM table B3-10, TEX remap off); S makes it shareable,
-// which the Cortex-A9 wants of cached memory once ACTLR.SMP is set. AP[2:0]: 0b001 privileged read
-// and write, 0b101 privileged read only.
+// TEX, C and B specify the memory type (ARM ARM table B3-10, TEX remap off). S makes memory
+// shareable, which the Cortex-A9 requires of cached memory once ACTLR.SMP is set. AP[2:0]: 0b001
+// privileged read and write, 0b101 privileged read only.
 struct Attributes {
   std::uint32_t tex;
   std::uint32_t c;
@@ -60,8 +60,8 @@ inline constexpr std::uint32_t kAp10Privileged = 0b01;
 
 }  // namespace detail
 
-// The short descriptors of ARM ARM B3.5 for domain 0, privileged access only. Addresses are cut to
-// the grain.
+// The short descriptors of ARM ARM B3.5 for domain 0, privileged access only. Addresses are rounded
+// down to the section or page.
 constexpr std::uint32_t section(std::uint32_t address, Memory memory) {
   const detail::Attributes a = detail::attributes(memory);
   return (address & ~(kSectionBytes - 1)) | a.s << 16 | a.ap2 << 15 | a.tex << 12 |
@@ -74,7 +74,7 @@ constexpr std::uint32_t small_page(std::uint32_t address, Memory memory) {
          detail::kAp10Privileged << 4 | a.c << 3 | a.b << 2 | 0b10 | a.xn;
 }
 
-// It stands in 16 entries that follow one another.
+// A large page takes 16 consecutive entries.
 constexpr std::uint32_t large_page(std::uint32_t address, Memory memory) {
   const detail::Attributes a = detail::attributes(memory);
   return (address & ~(kLargePageBytes - 1)) | a.xn << 15 | a.tex << 12 | a.s << 10 | a.ap2 << 9 |
@@ -85,7 +85,7 @@ constexpr std::uint32_t page_table(std::uint32_t table_address) {
   return (table_address & ~0x3ffu) | 0b01;
 }
 
-// Addresses from begin up to, not including, end.
+// Addresses from begin to end, excluding end.
 struct Range {
   std::uint32_t begin;
   std::uint32_t end;
@@ -93,8 +93,8 @@ struct Range {
   constexpr bool contains(std::uint32_t address) const { return begin <= address && address < end; }
 };
 
-// What linker/imx6.ld laid out. In the sections that have a table, ranges begin and end on pages,
-// elsewhere on sections.
+// The map that linker/imx6.ld defines. In sections with a table, ranges begin and end at page
+// boundaries, elsewhere at section boundaries.
 struct MemoryMap {
   std::uint32_t image_section;     // has a table
   std::array<Range, 2> code;       // vectors, text
@@ -102,8 +102,8 @@ struct MemoryMap {
   Range data;
   Range dma;
   Range boot_record;
-  std::uint32_t stack_section;  // has the other one
-  Range tables;                 // in that section; the cores only read them once they are in force
+  std::uint32_t stack_section;  // has the other table
+  Range tables;                 // in that section; read-only once they are active
   std::span<const Range> stacks;
   std::span<const Range> devices;
 };
@@ -118,11 +118,12 @@ struct Tables {
   PageTable stacks;
 };
 
-// Fills the tables. bus_address(table) is where the hardware finds a page table.
+// Fills the tables. bus_address(table) is the bus address of a page table.
 void build(Tables& tables, const MemoryMap& map, std::uint32_t image_address,
            std::uint32_t stacks_address);
 
-// Is this the address of a guard page: in the section of the stacks, but of no stack and no table?
+// True if the address is in a guard page: in the section of the stacks, but in no stack and no
+// table.
 bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
 
 }  // namespace iog::imx6::mmu

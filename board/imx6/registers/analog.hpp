@@ -1,6 +1,6 @@
 // The analog block, i.MX6DQRM chapters "Power Management Unit (PMU)" (MISC0), "Temperature Monitor
 // (TEMPMON)" (TEMPSENSE0 and 1) and "Universal Serial Bus 2.0 Integrated PHY (USB-PHY)" (DIGPROG).
-// The registers beside each that set, clear and toggle its bits are not used.
+// The additional registers that set, clear and toggle bits are not used.
 #pragma once
 
 #include <cstddef>

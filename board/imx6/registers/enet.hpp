@@ -46,7 +46,7 @@ struct EnetRegisters {
   Rw32 tacc;
   Rw32 racc;
   Gap<0x1c8, 0x2d8> gap_1c8;
-  Rw32 ieee_r_macerr;  // frames that the receive FIFO had no room for
+  Rw32 ieee_r_macerr;  // frames that did not fit in the receive FIFO
 
   static constexpr std::uint32_t kEirBusError = 1u << 22;  // EBERR
   static constexpr std::uint32_t kEirMii = 1u << 23;

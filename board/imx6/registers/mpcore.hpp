@@ -1,4 +1,5 @@
-// The Cortex-A9 MPCore's own block, ARM DDI 0407 (MPCore TRM): snoop control unit and global timer.
+// The private peripherals of the Cortex-A9 MPCore, ARM DDI 0407 (MPCore TRM): snoop control unit
+// and global timer.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@ struct ScuRegisters {
   Wo32 invalidate_all;
 
   static constexpr std::uint32_t kControlEnable = 1u << 0;
-  static constexpr std::uint32_t kConfigurationCores = 0x3;  // their number less one
+  static constexpr std::uint32_t kConfigurationCores = 0x3;  // number of cores minus 1
   static constexpr std::uint32_t kInvalidateAllWaysAllCores = 0xffff;
 };
 

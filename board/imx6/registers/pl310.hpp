@@ -1,5 +1,5 @@
-// PL310 level-2 cache controller, ARM DDI 0246 (L2C-310 TRM). QEMU has none: all zeros, writes
-// vanish.
+// PL310 level-2 cache controller, ARM DDI 0246 (L2C-310 TRM). QEMU has none: reads return 0, and
+// writes have no effect.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace iog::imx6 {
 
-// Lockdown by way (section 3.3.9): a set bit keeps its way from being allocated.
+// Lockdown by way (section 3.3.9): a set bit prevents allocation in its way.
 struct Pl310Lockdown {
   Rw32 data;
   Rw32 instruction;
@@ -32,7 +32,7 @@ struct Pl310Registers {
   Gap<0x780, 0x7fc> gap_780;
   Rw32 clean_invalidate_by_way;
   Gap<0x800, 0x900> gap_800;
-  std::array<Pl310Lockdown, 8> lockdown;  // by master, if the controller has that option; else 0
+  std::array<Pl310Lockdown, 8> lockdown;  // by master, if the option exists; otherwise 0
   Gap<0x940, 0xf60> gap_940;
   Rw32 prefetch_control;
   Gap<0xf64, 0xf80> gap_f64;

@@ -1,4 +1,5 @@
-// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". Only the bits in use.
+// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". Contains only the bits in
+// use.
 #pragma once
 
 #include <cstddef>

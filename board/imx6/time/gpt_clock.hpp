@@ -1,10 +1,10 @@
-// Microseconds since start, from the General Purpose Timer. Satisfies hal::Clock.
+// Microseconds since start-up, from the General Purpose Timer. Satisfies hal::Clock.
 //
-// CLKSRC 5 is the 24 MHz crystal divided by eight, 3 MHz, on the i.MX6Q from revision 1.1 on and in
-// QEMU; the prescaler makes it 1 MHz. Revision 1.0, which QEMU reports, has no such source. There
-// the driver uses CLKSRC 1, ipg_clk: 66 MHz from the same crystal by PLL2, as the loader has left
-// it (as Linux does, clk-imx6q.c). CLKSRC 7 is 24 MHz in QEMU only, and the chip's own 24 MHz path
-// (EN_24M) exists only on the other i.MX6.
+// CLKSRC 5 is the 24 MHz crystal divided by eight, that is 3 MHz, in QEMU and on the i.MX6Q since
+// revision 1.1. The prescaler divides it to 1 MHz. Revision 1.0, which QEMU reports, has no such
+// source. There the driver uses CLKSRC 1 (ipg_clk): 66 MHz, which the boot loader derives from the
+// same crystal through PLL2 (Linux does the same, clk-imx6q.c). CLKSRC 7 is 24 MHz only in QEMU.
+// The 24 MHz path in the chip (EN_24M) exists only on other i.MX6 variants.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ class GptClock {
 
   void start(GptSource source = GptSource::kCrystal);
 
-  // Must be called at least once in 71 minutes, the period of the 32-bit counter: the loop does it
+  // Must be called at least once in 71 minutes, the period of the 32-bit counter. The loop calls it
   // every millisecond.
   std::uint64_t now_us();
 
-  // Busy-waits. For the start-up sequences that a data sheet times, never in the loop.
+  // Busy-waits. Only for start-up sequences with times from a data sheet, never in the loop.
   void wait_us(std::uint32_t duration_us);
 
  private:

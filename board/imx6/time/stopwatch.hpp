@@ -1,7 +1,7 @@
 // The Cortex-A9 global timer as a 32-bit stopwatch. Satisfies hal::Stopwatch.
 //
-// It counts PERIPHCLK, half the core clock: 396 MHz on the board as U-Boot leaves it, 100 MHz in
-// QEMU. Its rate is therefore measured at start, against the crystal.
+// It counts PERIPHCLK, which is half the core clock: 396 MHz on the board after U-Boot, 100 MHz in
+// QEMU. Its rate is therefore measured against the crystal at start-up.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ class Stopwatch {
  public:
   explicit Stopwatch(GlobalTimerRegisters& registers) : registers_(registers) {}
 
-  // Starts the counter and measures its rate, in about 2 ms (at most 8 ms) of the running clock.
+  // Starts the counter and measures its rate, which takes about 2 ms (at most 8 ms) of the running
+  // clock.
   void start(GptClock& clock);
 
   std::uint32_t ticks() const { return registers_.counter_low.read(); }

@@ -1,4 +1,4 @@
-// A periodic interrupt request that is never taken: it ends the sleep of the loop (see gic.hpp).
+// A periodic interrupt request that only ends the loop's sleep and is never taken (gic.hpp).
 #pragma once
 
 #include "registers/epit.hpp"

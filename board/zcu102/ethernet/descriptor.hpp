@@ -1,5 +1,5 @@
-// A buffer descriptor of the GEM's DMA with addresses of 64 bits: four words (UG1085, "Receive
-// buffer descriptor entry", "Transmit buffer descriptor entry").
+// A buffer descriptor of the GEM's DMA with 64-bit addresses: four words (UG1085, "Receive buffer
+// descriptor entry", "Transmit buffer descriptor entry").
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace iog::zcu102 {
 
 // UG1087 (receive_q_ptr, transmit_q_ptr) requires alignment to 64 bits.
 struct alignas(16) Descriptor {
-  std::uint32_t address;  // low half; when receiving, with wrap and owner in its lowest bits
+  std::uint32_t address;  // low half; for reception, its lowest bits are wrap and owner
   std::uint32_t control;
   std::uint32_t address_high;
   std::uint32_t unused;

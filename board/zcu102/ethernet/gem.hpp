@@ -38,7 +38,7 @@ class Gem {
   void collect(hal::PortCounters& counters);
   bool can_receive() const;
   bool has_bus_error() const;
-  // By UG1087, writing a one clears an event. In QEMU, reading clears it.
+  // According to UG1087, writing a one clears an event. In QEMU, reading clears it.
   void clear_event() { registers_.int_status.clear(registers_.int_status.read()); }
 
  private:
@@ -49,7 +49,7 @@ class Gem {
   GemRegisters& registers_;
   CrlApbRegisters& clocks_;
   Mdio mdio_{registers_};
-  std::uint32_t overflows_seen_ = 0;  // receive_overflows when the ring was last found full
+  std::uint32_t overflows_seen_ = 0;  // value of receive_overflows when the ring was last full
 };
 
 using GemPort = board::Port<Gem>;

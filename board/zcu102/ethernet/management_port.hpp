@@ -1,4 +1,4 @@
-// The management bus of the PHY, by the GEM's PHY_MANAGEMENT register.
+// The management bus of the PHY, accessed through the GEM's PHY_MANAGEMENT register.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,17 @@
 
 namespace iog::zcu102 {
 
-// NETWORK_CONFIG divides the clock by 224: at most 2.5 MHz of any clock up to 560 MHz, 0.45 MHz of
-// the 100 MHz that the loaders set.
+// NETWORK_CONFIG divides the clock by 224. This results in at most 2.5 MHz for any clock up to 560
+// MHz, and in 0.45 MHz for the 100 MHz that the boot loaders set.
 class ManagementPort {
  public:
   using Registers = GemRegisters;
-  // A management frame is 64 bits, 144 us. 10 000 reads of a device are 500 us or more.
+  // A management frame has 64 bits and takes 144 us. 10 000 reads of a device take at least 500 us.
   static constexpr unsigned kMaxPolls = 10'000;
 
   explicit ManagementPort(GemRegisters& registers) : registers_(registers) {}
 
-  // NETWORK_CONFIG and NETWORK_CONTROL have the clock and the switch of this bus; Gem sets
-  // both.
+  // Gem sets the clock in NETWORK_CONFIG and enables this bus in NETWORK_CONTROL.
   void start() {}
   void begin(std::uint32_t frame) { registers_.phy_management.write(frame); }
   bool finished() const {

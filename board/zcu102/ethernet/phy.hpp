@@ -5,9 +5,9 @@
 
 namespace iog::zcu102 {
 
-// Finds the PHY at any of the 32 addresses and selects it; every later access of `mdio` is for it.
-// If it is the DP83867, sets its RGMII delays and has it negotiate without the half duplex at
-// 1000 Mbit/s that the GEM does not have. Bounded.
+// Finds the PHY at any of the 32 addresses and selects it for all later accesses of `mdio`. A
+// DP83867 gets its RGMII delays and negotiates without half duplex at 1000 Mbit/s, which the GEM
+// does not support. All waits are bounded.
 phy::Identity start_phy(Mdio& mdio);
 
 }  // namespace iog::zcu102

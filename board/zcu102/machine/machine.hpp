@@ -1,6 +1,6 @@
-// The only door to the machine: one load or store of a device register or a DMA descriptor, the
-// barriers, sleep, and a call of the firmware beneath. Tests on the PC are built against another
-// file of this name (tests/host/fakes/machine.hpp).
+// The only access to the machine: single loads and stores of device registers and DMA descriptors,
+// barriers, sleep, and calls of the platform firmware. Tests on a PC use another file of this name
+// (tests/host/fakes/machine.hpp).
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 #include "machine_of_arm.hpp"
 
-// What boards share is at hand in this one.
+// Makes the code that boards share visible in this namespace.
 namespace iog::board {}
 namespace iog::zcu102 {
 using namespace board;  // NOLINT(google-build-using-namespace): shared parts
@@ -17,9 +17,9 @@ using namespace board;  // NOLINT(google-build-using-namespace): shared parts
 
 namespace iog::machine {
 
-inline constexpr std::size_t kBurstBytes = 64;  // a line of the caches
+inline constexpr std::size_t kBurstBytes = 64;  // a cache line
 
-// Copies `bursts` times kBurstBytes, at least one.
+// Copies `bursts` times kBurstBytes. Requires bursts >= 1.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
   std::memcpy(to, from, bursts * kBurstBytes);
 }
@@ -27,15 +27,15 @@ inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts
 inline void mask_interrupts() { __asm__ volatile("msr daifset, #2" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("msr daifclr, #2\n\tisb" ::: "memory"); }
 
-// Which core this is, from MPIDR_EL1.
+// The number of this core, from MPIDR_EL1.
 inline std::size_t core_number() {
   std::uint64_t mpidr = 0;
   __asm__("mrs %0, mpidr_el1" : "=r"(mpidr));
   return mpidr & 0xff;
 }
 
-// The generic timer (ARM ARM, D11): its counter, which no earlier instruction is read behind, and
-// its frequency, which the loader has set.
+// The generic timer (ARM ARM, D11): its counter, which is read after all earlier instructions, and
+// its frequency, which the boot loader has set.
 inline std::uint64_t counter() {
   std::uint64_t ticks = 0;
   __asm__ volatile("isb\n\tmrs %0, cntpct_el0" : "=r"(ticks)::"memory");
@@ -47,14 +47,14 @@ inline std::uint64_t counter_hz() {
   return hz;
 }
 
-// Its interrupt after so many ticks, or never.
+// Requests its interrupt after this many ticks, or never.
 inline void alarm_in(std::uint64_t ticks) {
   __asm__ volatile("msr cntp_tval_el0, %0\n\tmsr cntp_ctl_el0, %1\n\tisb" ::"r"(ticks),
                    "r"(std::uint64_t{1}));
 }
 inline void alarm_off() { __asm__ volatile("msr cntp_ctl_el0, xzr\n\tisb" :::); }
 
-// A call of PSCI (ARM DEN 0022) in the firmware beneath: TF-A, or QEMU itself.
+// Calls PSCI (ARM DEN 0022) in the platform firmware, which is TF-A or QEMU itself.
 inline std::int64_t call_psci(std::uint64_t function, std::uint64_t first = 0,
                               std::uint64_t second = 0, std::uint64_t third = 0) {
   register std::uint64_t x0 __asm__("x0") = function;

@@ -1,8 +1,8 @@
-// Translation tables as values: what every address may be used for, decided here and nowhere else.
+// Builds the translation tables, which alone define the permitted accesses to every address.
 //
-// Addresses are mapped one to one, from 0 to 4 GiB: blocks of 2 MiB, or pages of 4 KiB where a
-// range does not fill a block. Access to anything else is a fault: null pointers, other
-// peripherals, guards below the stacks, DDR past the end.
+// Addresses from 0 to 4 GiB are mapped one to one, in blocks of 2 MiB, or in pages of 4 KiB where a
+// range does not fill a block. All other accesses fault: null pointers, other peripherals, guards
+// below the stacks, and addresses past the end of DDR.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ enum class Memory : std::uint8_t {
   kDevice,     // never executed
 };
 
-// Lower and upper attributes of a VMSAv8-64 block or page for EL1 alone (ARM ARM, D5.3.3). The
-// index of the memory type is that of MAIR_EL1 in startup.S.
+// Lower and upper attributes of a VMSAv8-64 block or page for EL1 only (ARM ARM, D5.3.3). The
+// memory type is an index into MAIR_EL1, which startup.S sets.
 constexpr std::uint64_t attributes(Memory memory) {
   constexpr std::uint64_t kAccessed = 1u << 10;
   constexpr std::uint64_t kInnerShareable = 3u << 8;
@@ -56,7 +56,7 @@ constexpr std::uint64_t page(std::uint64_t address, Memory memory) {
 }
 constexpr std::uint64_t table(std::uint64_t address) { return address | 0b11; }
 
-// Addresses from begin up to, not including, end; both on pages.
+// Addresses from begin to end, excluding end. Both are page boundaries.
 struct Range {
   std::uint64_t begin;
   std::uint64_t end;
@@ -71,7 +71,7 @@ struct Tables {
   alignas(kPageBytes) std::array<Table, 10> pool;
 };
 
-// Fills the tables; they are where `bus_address` says.
+// Fills the tables, which are located at `bus_address`.
 void build(Tables& tables, std::span<const Range> ranges, std::uint64_t bus_address);
 
 }  // namespace iog::zcu102::mmu

@@ -1,4 +1,4 @@
-// Memory that is mapped uncached: nothing stands between a store and it but the core's own buffer.
+// Memory that is mapped uncached: stores pass only through the core's own store buffer.
 #pragma once
 
 #include "machine.hpp"

@@ -1,4 +1,4 @@
-// Time by the generic timer, at the frequency that the loader has set.
+// Time from the generic timer, at the frequency that the boot loader has set.
 #pragma once
 
 #include "hal/clock.hpp"
@@ -6,7 +6,7 @@
 
 namespace iog::zcu102 {
 
-// Microseconds since the counter began, before the firmware did. Satisfies hal::Clock.
+// Microseconds since the counter started, which was before the firmware. Satisfies hal::Clock.
 class Clock {
  public:
   std::uint64_t now_us() {
@@ -19,7 +19,7 @@ class Clock {
 };
 static_assert(hal::Clock<Clock>);
 
-// The same counter, for short times. Satisfies hal::Stopwatch.
+// The same counter, for short durations. Satisfies hal::Stopwatch.
 class Stopwatch {
  public:
   std::uint32_t ticks() const { return static_cast<std::uint32_t>(machine::counter()); }
