@@ -39,7 +39,8 @@ class BoardRun {
   void open_record(Memory& memory) {
     boot_ = open_boot_record(boot_record, memory);
   }
-  // Call it at the end of start-up, so that the tick count has passed waits on independent clocks.
+  // Call it at the end of start-up. By then, waits for independent clocks make `ticks` vary between
+  // cold starts.
   template <typename Memory>
   void number_run(std::uint32_t ticks, Memory& memory) {
     run_number_ =

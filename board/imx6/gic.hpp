@@ -1,4 +1,4 @@
-// Interrupts wake the loop. Only the watchdog's interrupts running code, and it ends the run.
+// Interrupts wake the loop. Only the watchdog's interrupt stops running code, and it ends the run.
 //
 // On core 0 the firmware is one loop; helper.hpp describes the interrupts of the other cores. CPSR
 // masks interrupts from the first instruction, and no code unmasks them. The GIC still passes three

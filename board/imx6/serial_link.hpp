@@ -2,7 +2,7 @@
 // Satisfies hal::SerialPort.
 //
 // On the SABRE Lite, UART1 is the RS-232 connector next to the console's. In QEMU, it is the first
-// -serial.
+// -serial option.
 //
 // Bytes wait in a ring. The transmitter's FIFO holds 32 of them, which take 2.8 ms to send. It
 // raises an interrupt when fewer than 16 are left, which last for 1.3 ms. While bytes wait, this

@@ -1,7 +1,7 @@
 // Reads the chip's temperature from its temperature monitor and the calibration in its fuses. Never
 // blocks.
 //
-// In QEMU, the temperature is not known: it only stores writes to the monitor, never finishes a
+// In QEMU, the temperature is not known: QEMU only stores writes to the monitor, never finishes a
 // measurement and has blank fuses.
 #pragma once
 

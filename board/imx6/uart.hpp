@@ -1,7 +1,8 @@
 // The common code of this board's UARTs, and the console: UART2, 115200 baud, eight bits, no
 // parity. Satisfies hal::Console. UART1 sends the grid (serial_link.hpp).
 //
-// On the SABRE Lite, UART2 is the connector that U-Boot uses. In QEMU, it is the second -serial.
+// On the SABRE Lite, UART2 is the connector that U-Boot uses. In QEMU, it is the second -serial
+// option.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // The serial link that carries the grid: UART1, transmit only. Satisfies hal::SerialPort. In QEMU,
-// it is the second -serial.
+// it is the second -serial option.
 //
 // Bytes wait in a ring. The transmitter's FIFO holds 64 of them, which take 5.6 ms to send. The
 // loop runs every millisecond, so the link stays busy without an interrupt.

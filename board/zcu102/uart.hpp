@@ -1,6 +1,6 @@
 // The common code of the UARTs, and the console: UART0, 115200 baud, eight bits, no parity.
 // Satisfies hal::Console. On the ZCU102, UART0 is the first port of the USB connector J83. In QEMU,
-// it is the first -serial.
+// it is the first -serial option.
 #pragma once
 
 #include <string_view>

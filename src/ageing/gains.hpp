@@ -16,10 +16,10 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// Constants of Kurdej 2015, section 7.3, for an object of length L = 3 m, which moves at least as
-// fast as V_min = 1 m/s and d = 0.5 m behind another one. The accumulator is full after L / V_min
-// (delta), and empty again after d / V_min (gamma = L / d = 6). A full accumulator specialises all
-// mass within one scan at the scan rate of the thesis.
+// Constants of Kurdej 2015, section 7.3, for an object of length L = 3 m that moves at V_min = 1
+// m/s or faster, d = 0.5 m behind another one. The accumulator is full after L / V_min (delta), and
+// empty again after d / V_min (gamma = L / d = 6). A full accumulator specialises all mass within
+// one scan at the scan rate of the thesis.
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;
@@ -38,7 +38,7 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// 1 - 0.7, the mass of crossing beams in 100 ms.
+// 1 minus the mass of crossing beams in 100 ms, which is 0.7.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
 // The mass of crossing beams after 1 ... 100 ms. Runs only on a PC or at compile time.

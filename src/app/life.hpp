@@ -38,8 +38,8 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // Longer than an emulated core may have to wait on a busy PC. Also longer than 2 s. Two periods
-  // of the slowest frames take 2 s, and missing data is reported after this time at the latest.
+  // Longer than an emulated core may have to wait on a busy PC. Also longer than two periods of the
+  // slowest frames (2 s), after which missing data is reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
   // docs/safety.md states that a complete memory check takes at most this time.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;

@@ -233,7 +233,7 @@ class FramePipeline {
 
   // Each tile and its reference are used once per frame. They must not evict data that the next
   // frame uses again: the tables and the cached lines. For raw tiles, which have no reference, and
-  // for classes, which use most of their data again, this would only cost time
+  // for classes, which use most of their data again, keeping the cache would only cost time
   // (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {

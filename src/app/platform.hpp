@@ -23,7 +23,7 @@ struct Vitals {
   std::int16_t temperature_dc = hal::kTemperatureNotKnown;  // of the chip, 1/10 degree Celsius
   std::size_t link_counter_count = 0;
   std::array<std::uint32_t, stream::kMaxLinkCounters>
-      link_counters{};  // since start-up, as docs/spec.md
+      link_counters{};  // since start-up, in the order of docs/spec.md
 };
 
 // Processing times of a frame.

@@ -5,7 +5,7 @@
 //
 // Content of a signature, big endian:
 //
-//    0  u16 bytes before the names, 12; u16 bytes of a name, 16
+//    0  u16 number of bytes before the names: 12; u16 bytes per name: 16
 //    4  u32 number of the target's run
 //    8  u16 number of names; u16 0
 //   12  one name per message in sending order: the first 128 bits of the SHA-256 of the whole

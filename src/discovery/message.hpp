@@ -5,14 +5,14 @@
 //   16  u8 flags: 0x80 reboot, 0x40 unicast, u24 0
 //   20  u32 bytes of the entries, 16 each
 //   24  entries:  0  u8 type
-//                 1  u8 number of the first option, u8 likewise of the second run of options
+//                 1  u8 number of the first option, u8 the same for the second run of options
 //                 3  u4 options of the first run, u4 of the second
 //                 4  u16 service, u16 instance, u8 major version, u24 time to live in seconds
-//                12  of services: u32 minor version
-//                    of event groups: u12 0, u4 counter, u16 event group
+//                12  for services: u32 minor version
+//                    for event groups: u12 0, u4 counter, u16 event group
 //    .  u32 bytes of the options
 //    .  options:  0  u16 bytes after the type, u8 type, u8 0
-//                 4  of an IPv4 endpoint: u32 address, u8 0, u8 protocol, u16 port
+//                 4  for an IPv4 endpoint: u32 address, u8 0, u8 protocol, u16 port
 //
 // The sender is not trusted, so all lengths are checked before any entry is read.
 #pragma once

@@ -57,8 +57,7 @@ inline constexpr Assignment kReinforced = make_reinforced();
 
 // The least committed mass with the pignistic probability p_n is |2 p_n - 1|, clamped to 0.95. This
 // assignment is for comparison only, because one hit of +2 has less weight than one beam of -14 and
-// is lost. Does not compile if the recursive set of epsilon needs more than kGradedIndexes to reach
-// 0.95.
+// is lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -70,8 +70,8 @@ class FreeSteps {
 
   [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
 
-  // The amount at the point where the line enters the grid, and the point of the last change.
-  // Nothing is carved beyond the last change.
+  // The amount carved where the line enters the grid, and the point of the last change. Nothing is
+  // carved beyond that point.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] Between last() const { return last_; }
 

@@ -41,7 +41,7 @@ class Beams {
   // Slope of a beam along its line, rounded down. end_z: the height of the beam's end in subcells.
   // The end is one sensor range away along the line.
   [[nodiscard]] Slope slope_to(std::int32_t end_z) const;
-  // Height over the car's plane at a distance along a beam's line, rounded down. Requires |rise| <
+  // Height above the car's plane at a distance along a beam's line, rounded down. Requires |rise| <
   // 2^30.
   [[nodiscard]] std::int32_t height_mm(Slope rise, std::uint32_t along_mm) const {
     const std::int64_t product =

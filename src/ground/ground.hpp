@@ -46,7 +46,8 @@ class Ground {
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // The exit ranges of the beams. Valid only for sensors whose layers share lines.
+  // The distances at which beams leave the height limits. Valid only for sensors whose layers share
+  // lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
   // The part of a beam that is low enough to open cells, given by distances along its line. It is

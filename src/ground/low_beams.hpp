@@ -38,7 +38,7 @@ class LowBeams {
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 
-  // If the sensor is mounted higher than low_mm over the car's plane, the stretch starts where the
+  // If the sensor is mounted higher than low_mm above the car's plane, the stretch starts where the
   // beam descends to low_mm. Otherwise the stretch extends from the start of the beam to the point
   // where it rises above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {

@@ -31,7 +31,7 @@ class Lows {
   }
 
   // Adds a return, given by its sector (< kSectors), its distance along the line and its height
-  // over the car's plane. A return beyond the last bin is ignored.
+  // above the car's plane. A return beyond the last bin is ignored.
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {

@@ -13,7 +13,7 @@ namespace iog::ground {
 
 class Surface {
  public:
-  // Heights over the car's plane in mm, at the start of each bin and at the end of the last bin.
+  // Heights above the car's plane in mm, at the start of each bin and at the end of the last bin.
   // Between two of these points the ground is straight.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
@@ -42,7 +42,7 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // The height of a return over the highest ground nearby. For this, each start is raised to the
+  // The height of a return above the highest ground nearby. For this, each start is raised to the
   // highest start within kNearBins on either side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {

@@ -4,12 +4,12 @@
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
 // the slope. The first ground of a sector must also be near the car's plane, or not much higher
-// than the surface of the last turn. Steps from a far and high first ground must be small. If the
-// lowest return is far below the prediction, it is always ground, because the supposed ground
-// before it must have been an object. It is also ground if it is not much higher than the lowest
-// return in the nearest adjacent sectors. A bin without ground of its own uses the ground of the
-// adjacent sectors if their heights fit. Otherwise its ground is interpolated between the nearest
-// bins with ground.
+// than the surface of the last turn. If the first ground is far and high, the steps after it must
+// be small. If the lowest return is far below the prediction, it is always ground, because the
+// supposed ground before it must have been an object. It is also ground if it is not much higher
+// than the lowest return in the nearest adjacent sectors. A bin without ground of its own uses the
+// ground of the adjacent sectors if their heights fit. Otherwise its ground is interpolated between
+// the nearest bins with ground.
 //
 // Each height is the median of three sectors, which suppresses a mirror image under the road. In
 // addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. Other

@@ -73,7 +73,7 @@ class Intake {
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // True if the sensor has not swept more than this many ticks of a sector in this frame.
+  // True if more than this many ticks of a sector were not swept by the sensor in this frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, std::size_t sensor,
                                       const lidar::Sector& sector) const {
     return trackers_[sensor].misses_more_than(ticks, sector);

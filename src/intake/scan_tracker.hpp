@@ -86,8 +86,8 @@ class ScanTracker {
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
-  // True if the next scan begins with this packet too soon after the last scan. Never true if
-  // timestamps stop or go back.
+  // True if this packet begins the next scan too soon after the last one. Never true if timestamps
+  // stop or go back.
   [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;

@@ -68,8 +68,8 @@ class ContinentalArs548 {
   }
 
   // Checks the whole list, including every detection, and keeps a view of it. The view is valid as
-  // long as the datagram. Returns kOk, kWrongLength, kWrongType or kWrongPoint. kWrongType means
-  // that the radar sent another type of message, such as an object list or a status message.
+  // long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint. kWrongType
+  // means that the radar sent another type of message, such as an object list or a status message.
   // kWrongPoint means more than 800 detections, or a valid detection at an impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 

@@ -46,7 +46,7 @@ class IbeoLux {
   }
 
   // Checks the whole message, including every point, and keeps a view of it. The view is valid as
-  // long as the datagram. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
+  // long as the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }

@@ -10,7 +10,7 @@ namespace iog::lidar {
 struct Laser {
   double elevation_deg = 0;  // -90 to 90, positive up
   double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 to 30
-  double height_m = 0;       // height of the beam's start over the origin, normal to the beam
+  double height_m = 0;       // height of the beam's start above the origin, normal to the beam
   double range_m = 0;        // offset added to every range, -10 to 10
 };
 

@@ -29,8 +29,8 @@
 
 namespace iog::lidar {
 
-// The differences between profiles. A range in mm is a word of the pixel that is masked and shifted
-// left. It is the first word. If each beam has two returns, a second such word follows.
+// The differences between profiles. A range in mm is the first word of the pixel, masked and
+// shifted left. If each beam has two returns, a second such word follows.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -50,8 +50,8 @@ struct OusterProfile {
 
 class OusterPacket {
  public:
-  // A column is an integer number of ticks with 512 or 1024 columns per turn, and 22.5 ticks with
-  // 2048 columns per turn. One degree is 128 ticks.
+  // With 512, 1024 or 2048 columns per turn, columns are 90, 45 or 22.5 ticks apart. One degree is
+  // 128 ticks.
   static constexpr std::int32_t kTicksPerTurn = 46'080;
   static constexpr bool kTurns = true;
   static constexpr bool kHasModes = true;

@@ -7,8 +7,8 @@
 // are integers. The car file specifies the elevations of the layers, and a point belongs to the
 // layer nearest to it.
 //
-// Two formats use this layout: one for spinning units, in which kTurns is true as in their own
-// decoders, and one for all other units.
+// Two formats use this layout. In the format for spinning units, kTurns is true, as in the decoders
+// of these units. The other format is for all other units.
 #pragma once
 
 #include <algorithm>

@@ -26,8 +26,8 @@ class TileDrawing {
   // `radius` is in cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 
-  // Whether no cell within the radius is in the extent. In this case, all cells of the tile may
-  // have any class.
+  // Whether all cells within the radius are outside the extent. In this case, all cells of the tile
+  // may have any class.
   [[nodiscard]] static bool is_outside(const Block& block, const TilePlace& place,
                                        std::int32_t radius) {
     return !place.box(radius).meets(block.extent());

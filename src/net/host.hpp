@@ -232,9 +232,9 @@ void Host<Port>::release_frame() {
   }
 }
 
-// The first poll() sends an ARP request immediately. This request also announces the target to the
-// network, because QEMU's user network forwards nothing to the target before it. If the ring is
-// full, the request is not stored. The next request is due one second later.
+// The first poll() sends an ARP request immediately. It also announces the target: QEMU's user
+// network forwards nothing to the target before this request. If the ring is full, the request is
+// not stored. The next request is due one second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
   const std::optional<MacAddress> whom = resolver.request_due(now_us);

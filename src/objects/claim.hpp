@@ -15,9 +15,9 @@ class Claim {
  public:
   // Sets the owner of each hit. The owner is a track whose gate contains the hit. If there are
   // several such tracks, the owner is the track with the nearest box. In a tie, it is the track
-  // with the lower slot. Standing hits are assigned only to tracks that are classified as moving,
-  // or to receding tracks whose visible face may be classified as standing. Hits that contradict a
-  // track are rejected and counted. Returns the result of TileTracks::list().
+  // with the lower slot. Hits on standing cells are assigned only to moving tracks, and to receding
+  // tracks whose visible face may cover standing cells. Hits that contradict a track are rejected
+  // and counted. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 

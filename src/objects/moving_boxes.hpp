@@ -28,8 +28,8 @@ class MovingBoxes {
   void clear() { count_ = 0; }
 
   // Returns the subset of the cells `asked` whose centre is at most kTailMm outside a box. The
-  // cells are in one row, and bit i is the cell i cells to the right of `first`. `asked` must not
-  // be 0.
+  // cells are in one row. Bit 0 is `first`, and bit i is the i-th cell to its right. `asked` must
+  // not be 0.
   [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
     const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
                      .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};

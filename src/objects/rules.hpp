@@ -79,16 +79,16 @@ inline constexpr std::int32_t kAssociateDeviations = 3;
 
 // A new track has at least this many hits and starts with a speed of 0.
 inline constexpr std::uint32_t kBirthHits = 2;
-inline constexpr std::int32_t kBirthPlaceMm = 100;  // deviations of position and speed
+inline constexpr std::int32_t kBirthPlaceMm = 100;  // standard deviations of position and speed
 inline constexpr std::int32_t kBirthSpeed = 10'000;
 
 // Measurement.
 inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost hit form an edge
 // A face of the box is visible if the car is more than this far outside the box on that side.
 inline constexpr std::int32_t kFacingMm = 300;
-inline constexpr std::int32_t kFaceMm = 50;        // deviation of a face
-inline constexpr std::int32_t kHitMm = 90;         // deviation of one hit of a face
-inline constexpr std::int32_t kEndMm = 80;         // deviation of an end
+inline constexpr std::int32_t kFaceMm = 50;        // standard deviation of a face
+inline constexpr std::int32_t kHitMm = 90;         // standard deviation of one hit of a face
+inline constexpr std::int32_t kEndMm = 80;         // standard deviation of an end
 inline constexpr std::int32_t kBeamsOfAMetre = 9;  // spacing of beams per metre of range
 inline constexpr std::int32_t kHiddenEndMm = 300;
 inline constexpr std::uint32_t kHiddenFrom = 6;  // updates
@@ -141,12 +141,11 @@ inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // Parameters of a receding track's trail, the places that it has left. A frame supports the trail
-// if the track's own beams pass at least kTrailPlaces of the places that the track has left, and if
-// they pass at least kGoodOverBad times as many places as are hit again. A beam passes a place if
-// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
-// kLayersMs, even by a unit that scans its layers one after the other. Such hits count for tracks
-// below kLayersSpeed. Hits behind a faster track may be its own, because its speed is not known
-// well enough.
+// if the track's own beams pass at least kTrailPlaces of these places, and at least kGoodOverBad
+// times as many as are hit again. A beam passes a place if it misses the place by at most
+// kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
+// scans its layers one after the other. Such hits count for tracks below kLayersSpeed. Hits behind
+// a faster track may be its own, because its speed is not known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -194,8 +193,8 @@ inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
 // Standing hits in the box of a car belong to the car under two conditions. The confidence of the
 // track must be at least kSureConfidence. At least kSureUnopposed frames must have supported the
-// motion of the car. A frame opposes the motion if there is more than one bad place for every
-// kGoodOverBad other places. Each such frame cancels kOpposed supporting frames. A frame that does
+// motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad good or neutral
+// places for each bad place. Each such frame cancels kOpposed supporting frames. A frame that does
 // not oppose the motion supports it if it has at least kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;

@@ -76,17 +76,17 @@ class Track {
   // The velocity of a moving track, or 0 for any other track.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
-  // The deviation of the speed over both axes, in mm/s.
+  // The standard deviation of the speed, from both axes, in mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
   // Whether the track is larger than a walker and slow, and most of its hits are standing. These
   // hits may belong to an object that is parked next to it.
   [[nodiscard]] bool is_mostly_standing() const;
   // Whether the track has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Whether the track has the size of a car and a high confidence of moving that nothing opposes.
-  // Standing hits in its box then belong to the car, because a slow car covers each place for so
-  // long that the grid classifies the place as standing. Walkers beside a parked car may form a
-  // track of the same size, but they leave places that are classified as standing.
+  // Whether the track has the size of a car and a high confidence, and recent frames support its
+  // motion. Standing hits in its box then belong to the car, because a slow car covers each place
+  // for so long that the grid classifies the place as standing. Walkers beside a parked car may
+  // form a track of the same size, but they leave places that are classified as standing.
   [[nodiscard]] bool is_sure_car() const;
   // Sets is_receding according to the velocity and the position relative to the car.
   void look_from(Point car);

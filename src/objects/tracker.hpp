@@ -8,8 +8,8 @@
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
 // Every step processes slots, hits (objects/frame_hits.hpp) and clusters in their order, so the
-// result does not depend on the order in which hits arrive. This class contains all memory of the
-// tracker, 2 MB.
+// result does not depend on the order in which hits arrive. The object takes up 2 MB, which is all
+// memory of the tracker.
 #pragma once
 
 #include <cstddef>

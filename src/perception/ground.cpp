@@ -17,7 +17,7 @@ window::Plane cells_beside(const window::Window& window, std::size_t slot, const
       window::gather<1>(window.around(slot, &window::Found::stands)), around.beside));
 }
 
-// A tile without a seen cell has no dense cell. A tile without a freed cell has no shut cell: each
+// A tile without a seen cell has no dense cell. A tile without a freed cell has no free space: each
 // of its cells lies in a square of at most 5 by 5 cells inside the tile, and the closing does not
 // fill an empty square.
 window::Plane cells_seen_around(const window::Window& window, std::size_t slot,

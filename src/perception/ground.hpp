@@ -1,11 +1,11 @@
 // Updates the ground memory after a frame.
 //
 // The memory of the 3 by 3 cells around a standing cell is cleared. Elsewhere, a cell becomes dense
-// if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are shut. The shut
-// cells are computed from the freed cells in two steps. First, gaps of up to four cells between
-// beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are removed.
-// If a cell is open again in a later period of 480 ms, its ticks increase by one, up to 3. Cells
-// outside the window are never shut, although the dilation extends there.
+// if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are free space.
+// The free space is computed from the freed cells in two steps. First, gaps of up to four cells
+// between beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are
+// removed. If a cell is open again in a later period of 480 ms, its ticks increase by one, up to 3.
+// Cells outside the window are never free space, although the dilation extends there.
 #pragma once
 
 #include <array>

@@ -33,8 +33,8 @@ class MovingNames {
 
   // Moving cells that were not hit in this frame become unknown, unless a moving object may cover
   // them. held(first, asked) returns the subset of the requested cells of a group that is covered.
-  // Bit i is the cell i cells to the right of `first`. Call note_tile() for all changed tiles
-  // first.
+  // Bit 0 is `first`, and bit i is the i-th cell to its right. Call note_tile() for all changed
+  // tiles first.
   template <typename Held>
   void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {

@@ -42,10 +42,10 @@ inline constexpr int kTallOverGroundWithin =
 struct Around {
   // A hit with a standing cell within this distance belongs to the standing object.
   int beside = 1;
-  // Gaps between beams are closed with this radius, and all cells within it around a dense cell
+  // Gaps between beams are closed with this radius. All cells within this distance of a dense cell
   // must be seen.
   int gaps = 2;
-  // All cells within it around an open cell must be free, and new hits are counted within it.
+  // All cells within this distance of an open cell must be free. New hits are counted within it.
   int open = 3;
   friend bool operator==(const Around&, const Around&) = default;
 };

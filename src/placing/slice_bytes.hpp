@@ -24,11 +24,11 @@ struct TileNotes {
   friend bool operator==(const TileNotes&, const TileNotes&) = default;
 };
 
-// Writes the bytes of a tile, row by row, without extra bits. The indexes must not be -128.
+// Writes the bytes of a tile, row by row, with all extra bits clear. The indexes must not be -128.
 [[nodiscard]] TileNotes write_bytes(const std::int8_t* indexes, std::int8_t* bytes);
 
-// Sets the extra bit of the given cells of a tile. The cells must be known and must not have the
-// extra bit yet.
+// Sets the extra bit of the given cells of a tile. The cells must be known, and their extra bits
+// must be clear.
 void set_beside(const window::Plane& cells, std::int8_t* bytes);
 
 }  // namespace iog::placing

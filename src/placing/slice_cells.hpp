@@ -93,8 +93,8 @@ class SliceCells {
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The grid has a margin of unknown squares of cells. It is as wide as a rectangle that overlaps
-  // the grid can extend beyond it.
+  // The width of the margin of unknown cells around the grid. No rectangle of is_known_near() that
+  // overlaps the grid extends farther beyond it.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =

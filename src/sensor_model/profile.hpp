@@ -2,8 +2,8 @@
 // scan point.
 //
 // See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the whole local grid
-// of a beam by the index of all cells well before the scan point, the indexes of the few cells
-// around the scan point, and the index 0 for all cells beyond them.
+// of a beam. It contains the index of all cells well before the scan point, and the indexes of the
+// few cells around it. All cells beyond them have index 0.
 #pragma once
 
 #include <array>

@@ -75,7 +75,7 @@ class GridSender {
   // than the link can transmit.
   static constexpr std::array<std::uint32_t, kFlows> kWeights{1, 3, 8};
 
-  // The part of a flow's grid that is still to be sent from this frame.
+  // The tiles that a flow may still send from this frame.
   struct Round {
     std::size_t next = 0;  // number of the next tile
     std::size_t left = 0;  // number of remaining tiles from `next` on, modulo the grid

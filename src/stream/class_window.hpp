@@ -1,5 +1,5 @@
 // The header of the world-aligned window in class tile messages (docs/spec.md 3.9). It contains the
-// window's position, the last pose of the vehicle, and the causes for which slices were not placed.
+// window's position, the last pose of the vehicle, and the reasons why slices were not placed.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace iog::stream {
 // After a break the whole window is unknown.
 inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
 inline constexpr std::uint16_t kCauseLost = 0x0002;          // no pose for 1 s; break
-inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose deviation too large
+inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose too imprecise
 inline constexpr std::uint16_t kCauseJump = 0x0008;          // pose far from prediction; break
 inline constexpr std::uint16_t kCauseRestart = 0x0010;       // pose source restarted; break
 inline constexpr std::uint16_t kCauseOverBudget = 0x0020;    // cells deferred to later frames
@@ -32,7 +32,7 @@ struct ClassWindow {
   std::int32_t corner_a = 0;
   std::int32_t corner_b = 0;
   pose::Pose pose{};          // pose at the end of the last slice; zero if unknown
-  pose::Sigma sigma{};        // deviation of the motion in the last second; maximum if unknown
+  pose::Sigma sigma{};        // standard deviations of the last second's motion; maximum if unknown
   std::uint8_t slices = 0;    // number of slices placed in this frame
   std::uint8_t slice_ms = 0;  // duration of a slice
   std::uint64_t slices_begin_us = 0;  // start of the first slice, by the pose source's clock

@@ -104,7 +104,7 @@ struct FrameEnd {
 };
 
 // The counters of one component, looked up by name (stream/target_state.hpp). Empty if the sender
-// does not send them, because it is a PC.
+// is a PC, which does not send them.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);

@@ -125,7 +125,8 @@ template <typename Counts>
   return places;
 }
 
-// True if each link counter belongs to exactly one of these structs, and no spare word to any.
+// True if each link counter belongs to exactly one of these structs, and no spare word belongs to
+// any of them.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};

@@ -14,7 +14,7 @@
 
 namespace iog::stream {
 
-// The comment above each group is its text in docs/spec.md.
+// The comment above a group is its description in docs/spec.md.
 enum class Group : std::uint8_t {
   // Ticks of the stopwatch.
   kStage,
@@ -71,7 +71,7 @@ enum class Kind : std::uint8_t {
 };
 inline constexpr std::size_t kSpareWords = 16;
 
-// names: separated by ", ". words: a description for readers that do not show the group; empty if
+// names: separated by ", ". words: a description for programs that do not show the group; empty if
 // the names suffice.
 struct Row {
   consteval Row(Group of, std::string_view all, Kind what = Kind::kCount,

@@ -23,7 +23,7 @@
 // This requires
 //     (n + 1) w_u < 2^32,
 // which is checked with most_columns(). If w_u = w_v, the step would be 2^32. Such a line rises in
-// every column. Phase 2^31 and step 2^32 - 1 give the same result for 2^31 columns.
+// every column. With phase 2^31 and step 2^32 - 1, the sum also carries in each of 2^31 columns.
 //
 // Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
 // start may be on a border. If the start is on the lower or left border of its cell, all of the

@@ -11,11 +11,11 @@
 // next to 0. As long as no error term of A lies in the strip, B crosses the same borders as A.
 //
 // How the strip is searched: A column step adds r A_y to the error term of A, a row step subtracts
-// r A_x. Modulo r A, each term is therefore the previous term plus r A_y. Divided by r and rounded
-// down, the terms are a rotation by A_y modulo A. Let t = floor((n + 2) |c| / B) + 1. The strip is
-// contained in [0, t] if c < 0 and in [-1 - t, -1] if c > 0. Mirroring x to -1 - x turns the second
-// case into the first case with a rotation by A_x. A variant of Euclid's algorithm finds the first
-// time that a rotation enters [0, t], in about ten steps.
+// r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms are divided
+// by r and rounded down, each step adds A_y modulo A. This is a rotation. Let t = floor((n + 2) |c|
+// / B) + 1. The strip is contained in [0, t] if c < 0 and in [-1 - t, -1] if c > 0. Mirroring x to
+// -1 - x turns the second case into the first case with a rotation by A_x. A variant of Euclid's
+// algorithm finds the first time that a rotation enters [0, t], in about ten steps.
 //
 // Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
 // < 2^12, because lines in different directions are not worth a closer look.
@@ -30,7 +30,7 @@
 
 namespace iog::traversal {
 
-// A turn of a rotation in one direction: its angle, and the number of steps that it takes.
+// Several steps of a rotation that together turn it up or down: their total angle and their number.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
@@ -42,10 +42,10 @@ struct Turn {
   }
 };
 
-// The number of the first term of a rotation that is at most `threshold`. If none of the first
-// `limit` terms is, the result is `limit`. The rotation starts at x. A step moves down by
-// `down_angle`. Modulo down_angle + up_angle, this is the same as moving up by `up_angle`. Requires
-// x < down_angle + up_angle < 2^31 and limit < 2^12.
+// Finds the first term of a rotation whose value is at most `threshold` and returns its number.
+// Returns `limit` if the first `limit` terms are all greater. The rotation starts at x. A step
+// moves down by `down_angle`. Modulo down_angle + up_angle, this is the same as moving up by
+// `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
 // The first such term must be smaller than all terms before it. The next term that is smaller than
 // all terms before it is reached by the first downward turn of at most x. Ever shorter downward

@@ -1,6 +1,6 @@
-// Derives members of a sensor from its other members. The loops use these reciprocals, sines, and
-// extents of the car and the height band along the sensor's lines. The code uses only integers. The
-// PC derives them for a car file. The target derives them for the car in its image.
+// Derives the members of a sensor that the loops use from its other members: reciprocals, sines,
+// and the extents of the car and the height band along the sensor's lines. The code uses only
+// integers. It runs on the PC for a car file, and on the target for the car in its image.
 #pragma once
 
 #include <algorithm>

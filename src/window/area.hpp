@@ -1,8 +1,8 @@
 // Position of the window: a square of 32 by 32 tiles of the local frame.
 //
-// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in sides of a cell. Tile (a, b)
-// contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile (a,
-// b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
+// b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile
+// (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
 // data is moved when the window moves. Coordinates of the local frame are int32 millimetres, so for
 // cells of 0.1 m, tile numbers are within +-671,089. For cells of 0.2 m and 0.5 m, they are closer
 // to 0.

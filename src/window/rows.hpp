@@ -22,8 +22,8 @@ inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;
 inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 
-// The planes of a tile and its neighbours, row by row from below. The tile's own plane is the
-// fifth. The pointers are never null.
+// The planes of a tile and its neighbours, row by row from below. The tile's own plane is in the
+// middle, at index 4. The pointers are never null.
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {

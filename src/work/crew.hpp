@@ -61,8 +61,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// The number of items that are needed for `things` elements if each item contains `in_each`
-// elements. The last item may contain fewer elements.
+// Returns how many items `things` elements need, with `in_each` elements per item. The last item
+// may contain fewer elements.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

@@ -3,8 +3,7 @@
 // Core 0 claims items like any helper, so a round is completed even without helpers. A helper that
 // faults or hangs while it runs an item is stopped and never used again, and core 0 runs its item.
 // A helper that does not answer a wake-up has not claimed an item, and may answer later. Losing a
-// core therefore only costs time. The time of each wait is limited to the patience, unless an item
-// takes longer.
+// core therefore only costs time. No wait is longer than patience_us, unless an item takes longer.
 #pragma once
 
 #include <algorithm>
