@@ -10,8 +10,8 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
-#include "tools/report/words.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/network_words.hpp"
 

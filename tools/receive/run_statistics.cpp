@@ -10,6 +10,7 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/report/names.hpp"
 #include "tools/report/words.hpp"
+#include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {

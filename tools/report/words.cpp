@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 namespace iog::tools {
 namespace {
@@ -21,16 +20,6 @@ std::string degrees_of(unsigned sector) {
 std::string words_of_temperature(std::int16_t dc) {
   return (dc < 0 ? "-" : "") + std::to_string(std::abs(dc) / 10) + "." +
          std::to_string(std::abs(dc) % 10) + " degrees Celsius";
-}
-
-std::string words_of_grid(const geometry::Grid& grid) {
-  const auto metres = [&grid](int cells) { return cells * grid.cell_mm / 1000.0; };
-  std::ostringstream words;
-  words << grid.columns << " x " << grid.rows << " cells of " << metres(1)
-        << " m: " << metres(grid.columns - grid.origin_column) << " m ahead, "
-        << metres(grid.origin_column) << " m behind, " << metres(grid.rows - grid.origin_row)
-        << " m left, " << metres(grid.origin_row) << " m right";
-  return words.str();
 }
 
 std::string words_of_sectors(std::uint64_t sectors) {

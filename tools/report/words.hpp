@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <string>
 
-#include "geometry/grid.hpp"
-
 namespace iog::tools {
 
 inline constexpr std::int16_t kWarmDc = 850;
@@ -21,8 +19,5 @@ inline constexpr std::int16_t kTooHotDc = 950;
 // Sectors around the vehicle that no sensor watches, or that are blocked (docs/spec.md 3.5): "90 to
 // 129, -129 to -90 degrees", counter-clockwise from straight ahead; "none", or "all around".
 [[nodiscard]] std::string words_of_sectors(std::uint64_t sectors);
-
-// "512 x 320 cells of 0.1 m: 51.2 m ahead, 0 m behind, 16 m left, 16 m right"
-[[nodiscard]] std::string words_of_grid(const geometry::Grid& grid);
 
 }  // namespace iog::tools
