@@ -40,7 +40,7 @@ class KeyedCar {
     vehicle_.has_objects = keys.has_objects.value_or(std::ranges::none_of(
         sensors_, [](const vehicle::Sensor& sensor) { return lidar::turns(sensor.format); }));
     vehicle_.frame_period_us = kFramePeriodUs;
-    vehicle::derive_rules(sensors_, vehicle_.window);
+    vehicle::derive_rules(sensors_, vehicle_.window, vehicle_.grid.cell_mm);
   }
   KeyedCar(const KeyedCar&) = delete;
   KeyedCar& operator=(const KeyedCar&) = delete;

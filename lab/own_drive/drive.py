@@ -52,13 +52,14 @@ class World:
 
     def __init__(self):
         self.tiles: dict[tuple[int, int], np.ndarray] = {}
-        self.cell_m = 0.0
+        self.cell_m = self.side_m = 0.0  # of the window
         self.way: list[tuple[float, float]] = []
 
     def add(self, frame: Frame) -> None:
         rows, columns = (side // 32 for side in frame.classes.shape)
         grid = frame.classes.reshape(rows, 32, columns, 32).swapaxes(1, 2)  # [tile y, tile x, y, x]
         (a, b), self.cell_m = frame.window.corner, frame.window.geometry.cell_m
+        self.side_m = self.cell_m * len(frame.classes)
         for y, x in np.argwhere(grid.any(axis=(2, 3))).tolist():
             tile = self.tiles.setdefault((a + x, b + y), np.zeros((32, 32), np.uint8))
             np.copyto(tile, grid[y, x], where=grid[y, x] != Class.UNKNOWN)
@@ -76,6 +77,7 @@ class Drive:
         self._followed: dict[int, Followed] = {}
         self.kept: list[tuple[float, Frame]] = []
         self.liveliest: tuple[float, Frame] | None = None
+        self.geometry, self.has_objects = None, False  # the geometry of the index grid
         self.worlds = [World()]  # one more when the poses' source has restarted: its frame is another
         self.not_watched, self.blocked, self.told = np.zeros(64, int), np.zeros(64, int), 0  # frames, by sector
         self.causes: collections.Counter[str] = collections.Counter()
@@ -83,7 +85,9 @@ class Drive:
     def add(self, frame: Frame, time_s: float) -> None:
         row = {"time_s": time_s, "is_whole": frame.is_whole, "has_indexes": frame.indexes is not None,
                "has_classes": frame.classes is not None, "has_pose": is_placed(frame), "way_m": 0.0}
+        self.has_objects |= frame.objects is not None
         if frame.geometry:
+            self.geometry = frame.geometry
             cell_m2 = frame.geometry.cell_m ** 2
             row |= {"hit": cell_m2 * (frame.indexes > 0).sum(), "passed": cell_m2 * (frame.indexes < 0).sum()}
         if frame.unwatched is not None:

@@ -47,9 +47,10 @@ def facts(drive: Drive) -> list[tuple[str, str]]:
         found.append((share(frames.has_pose.sum(), len(frames)), "of the frames have a pose"))
     if frames.has_pose.any():
         sure = sum(each.speed is not None for each in moved)
-        found += [(f"{frames.way_m.sum():,.0f} m", "driven, by the poses"),
-                  (str(len(moved)), f"objects were seen moving, {sure} with a sure speed"),
-                  (f"{drive.world.area_m2('free'):,.0f} m²", "free when last seen")]
+        found.append((f"{frames.way_m.sum():,.0f} m", "driven, by the poses"))
+        if drive.has_objects:
+            found.append((str(len(moved)), f"objects were seen moving, {sure} with a sure speed"))
+        found.append((f"{drive.world.area_m2('free'):,.0f} m²", "free when last seen"))
     return found
 
 
@@ -67,7 +68,10 @@ def attention(drive: Drive, fused: Rows, remarks: list[str], car: dict, budget: 
     frames, words = drive.frames, fused.loud + remarks
     words += [f"{key.capitalize()}: {value}" for key in ("not looked at", "capture") for value in fused.all(key)]
     words += [f"Poses: {value}" for value in fused.all("poses")[:-1] if not is_assumed(value)]
-    if not frames.has_classes.any():
+    if drive.geometry and drive.geometry.cell_m < 0.1:
+        words.append(f"This car sends the index grid alone, in cells of {drive.geometry.cell_m:g} m. Classes need cells of "
+                     "at least 0.1 m.")
+    elif not frames.has_classes.any():
         words.append("This car sends the index grid alone (the key grids of its file, or the default of its units). "
                      "With grids = \"both\" and poses, it also has classes, moving objects and a map.")
     elif not frames.has_pose.any():

@@ -60,6 +60,9 @@ void write_moving(const stream::ObjectList& list, tools::OutputFile& out) {
 void run(const std::string& capture_path, const std::string& car_path, const std::string& out_path,
          const char* moving_path) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::add_vehicle_file(car_path));
+  if (car.vehicle->grid.cell_mm != geometry::kUsualCellMm) {
+    throw UsageError(car_path + ": grid.cell_m: recorded drives are scored in cells of 0.1 m");
+  }
   tools::PcapReader capture(capture_path);
   tools::OutputFile out(out_path);
   std::optional<tools::OutputFile> moving;

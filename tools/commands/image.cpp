@@ -58,8 +58,7 @@ void add_image(CLI::App& program) {
   out->option_text("FILE");
   command->footer(
       "The file is written completely or not at all. Everything in a car file can change without a "
-      "compiler, except `grids` and the size of the grid. Exit status 1 if the firmware would "
-      "refuse the image.");
+      "compiler, except `grids`. Exit status 1 if the firmware would refuse the image.");
   command->callback([options] { change_or_show(*options); });
 }
 

@@ -194,14 +194,7 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
       ->check(CLI::PositiveNumber);
   command.add_flag("--maps", options.with_maps,
                    "Also write map_NNNNNN.pgm and map_NNNNNN.yaml for each picture");
-  command.add_option("--scale", options.pictures.scale.pixels_per_cell, "Pixels per cell")
-      ->option_text("N  (1 to 8, default 1)")
-      ->check(CLI::Range(1, 8));
-  command
-      .add_option("--radius", options.pictures.scale.radius_m,
-                  "Distance from the car that a picture shows; 51: the whole grid")
-      ->option_text("METRES  (5 to 51, default 51)")
-      ->check(CLI::Range(5, 51));
+  add_scale_options(command, options.pictures.scale);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/two_returns.hpp"
 #include "tools/vehicles/upward_mount.hpp"
@@ -44,6 +45,9 @@ void show_all() {
     }
     std::cout << entry.vehicle->name << '\n'
               << "  in a stream    " << hex(entry.vehicle->id) << '\n';
+    if (entry.vehicle->grid != geometry::Grid{}) {
+      std::cout << "  grid           " << words_of_grid(entry.vehicle->grid) << '\n';
+    }
     for (const description::SensorConfig& sensor : entry.sensors) {
       const description::MountConfig& mount = sensor.mount;
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port

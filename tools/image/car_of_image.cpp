@@ -11,6 +11,7 @@
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/network_words.hpp"
 
@@ -142,6 +143,7 @@ std::string words_of_image(const FirmwareImage& image) {
     return words;
   }
   words += row("car", std::string(car.vehicle.name) + ", in a stream " + hex(car.vehicle.id));
+  words += row_if(car.vehicle.grid != geometry::Grid{}, "  grid", words_of_grid(car.vehicle.grid));
   for (const vehicle::Sensor& sensor : car.vehicle.sensors) {
     words += words_of_sensor(sensor);
   }

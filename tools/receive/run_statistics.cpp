@@ -10,6 +10,7 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/report/names.hpp"
 #include "tools/report/words.hpp"
+#include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -67,6 +68,7 @@ void RunStatistics::add(const GridFrame& frame) {
     nothing_taken_ += frame.header.points_other > 0 ? 1U : 0U;
     return;
   }
+  grid_ = frame.shape;
   const FrameRecord record = record_of(frame);
   timed_out_ += record.is_timed_out ? 1U : 0U;
   records_.push_back(record);
@@ -294,7 +296,7 @@ std::string RunStatistics::table(bool has_target) const {
          row_if(incomplete_ + damaged_ > 0, "frames not whole",
                 std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
                     " damaged") +
-         rows_of_sensors() +
+         row_if(grid_ != geometry::Grid{}, "grid", words_of_grid(grid_)) + rows_of_sensors() +
          row_if(unwatched_.has_value(), "unwatched at the end",
                 words_of_sectors(unwatched_.value_or(0))) +
          row_if(blocked != 0, "blocked at the end",

@@ -69,6 +69,7 @@ class RunStatistics {
   std::uint64_t damaged_ = 0;     // not the grid that the target says, though all has come
   std::uint64_t too_slow_ = 0;    // the target has left points that it had no time for
   std::uint64_t nothing_taken_ = 0;
+  geometry::Grid grid_;  // of the newest frame with evidence
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};

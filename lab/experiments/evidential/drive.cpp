@@ -120,13 +120,17 @@ void add_late_maps(const EvidentialDrive& drive, DriveTables& tables) {
 }
 
 void add_firmware(const EvidentialDrive& drive, DriveTables& tables) {
-  Scores scores;
-  run_firmware(drive, [&](const TrueScan& truth, const ByteOf& byte_of) {
-    scores.add(truth, [&](const TruePoint& point) {
-      return word_of(static_cast<decision::Class>(byte_of(point.at) / 8), point.map_classes);
+  constexpr std::array<std::pair<const char*, double>, 3> kGrids{
+      {{"the firmware's", 0.1}, {"in cells of 0.2 m", 0.2}, {"in cells of 0.5 m", 0.5}}};
+  for (const auto& [name, cell_m] : kGrids) {
+    Scores scores;
+    run_firmware(drive, cell_m, [&](const TrueScan& truth, const ByteOf& byte_of) {
+      scores.add(truth, [&](const TruePoint& point) {
+        return word_of(static_cast<decision::Class>(byte_of(point.at) / 8), point.map_classes);
+      });
     });
-  });
-  tables.add("the firmware's", scores);
+    tables.add(name, scores);
+  }
 }
 
 // What is said of ground that is truly free and that the sensors alone call free, in a house that

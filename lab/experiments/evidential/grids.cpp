@@ -1,13 +1,15 @@
 #include "lab/experiments/evidential/grids.hpp"
 
-#include <array>
 #include <cmath>
 #include <ctime>
 
 #include "decision/cell.hpp"
 #include "geometry/cell.hpp"
-#include "lab/experiments/perception/perceived_drive.hpp"
+#include "lab/experiments/keyed_car.hpp"
+#include "lab/experiments/perceiver.hpp"
 #include "lab/reference/evidential/sensor_part.hpp"
+#include "tools/car/tables.hpp"
+#include "tools/simulate/drives/pose_source.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
@@ -100,27 +102,43 @@ GridRun run_grid(const EvidentialDrive& drive, const Region& region, const Scene
   return run;
 }
 
-void run_firmware(const EvidentialDrive& drive,
+void run_firmware(const EvidentialDrive& drive, double cell_m,
                   const std::function<void(const TrueScan&, const ByteOf&)>& use) {
-  const PerceivedDrive perceived{.scene = drive.name,
-                                 .seed = drive.seed,
-                                 .seconds = drive.seconds,
-                                 .poses = {.sigma_m = 0, .sigma_heading_rad = 0},
-                                 .shown_every = EvidentialDrive::kFramesOfScore};
-  constexpr std::array kOneRule{PerceptionRule{"default"}};
-  perceive_drive(perceived, kOneRule, [&](const PerceivedFrame& frame) {
-    const auto truth = drive.truth.find(frame.number);
-    if (truth == drive.truth.end()) {
-      return;
+  const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
+  description::Description description = *car.description;
+  description.grid.cell_m = cell_m;
+  std::vector<vehicle::Sensor> sensors;
+  for (const description::SensorConfig& config : car.sensors) {
+    sensors.push_back(description::sensor_of(config, description));
+  }
+  const bool has_objects = cell_m == car.description->grid.cell_m;
+  const KeyedCar keyed(description::vehicle_of(description, sensors), {.has_objects = has_objects});
+  Perceiver perceiver(keyed.vehicle(), {});
+  tools::Drive packets(car, drive.seed, drive.seconds, tools::find_scene(drive.name),
+                       tools::Motion::kContinuous);
+  tools::PoseFeed poses(tools::simulated_poses(
+      packets.scene(), {.sigma_m = 0, .sigma_heading_rad = 0}, drive.seed, drive.seconds + 0.1));
+  for (std::uint32_t number = 0; number < packets.frame_count(); ++number) {
+    for (const auto& datagram : tools::with_poses(packets.datagrams(number), poses)) {
+      perceiver.take(datagram);
     }
-    const auto number = [](double metres) {
-      return static_cast<std::int32_t>(std::floor(metres / kWindowCellM));
+    const auto truth = drive.truth.find(number);
+    if (truth == drive.truth.end()) {
+      continue;
+    }
+    const window::TileNumber corner = perceiver.area().corner();
+    const std::vector<std::int8_t> classes = perceiver.classes();
+    const auto number_in = [&](double metres, std::int32_t corner_tile) {
+      return static_cast<std::int32_t>(std::floor(metres / cell_m)) -
+             corner_tile * window::kTileSide;
     };
     use(truth->second, [&](const LocalToWorld::Point& at) -> std::int8_t {
-      const geometry::Cell cell{number(at.x_m), number(at.y_m)};
-      return frame.window.contains(cell) ? frame.classes.front()[frame.window.place_of(cell)] : 0;
+      const geometry::Cell cell{number_in(at.x_m, corner.a), number_in(at.y_m, corner.b)};
+      return window::kWindowCells.contains(cell)
+                 ? classes[static_cast<std::size_t>(geometry::number_of(cell))]
+                 : std::int8_t{0};
     });
-  });
+  }
 }
 
 ScoredRun score_grid(const EvidentialDrive& drive, const Region& region, const GridChoice& choice) {

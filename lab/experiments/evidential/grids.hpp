@@ -57,11 +57,11 @@ using GridUse = std::function<void(const DriveScan&, const reference::evidential
 GridRun run_grid(const EvidentialDrive& drive, const Region& region, const SceneMap& map,
                  const GridChoice& choice, const GridUse& use);
 
-// The firmware's grid of the same drive since its begin, at 0.1 m and 25 Hz, placed without error,
-// so that its local frame is the world. use(truth, byte_of): for each scan that is scored;
-// byte_of(place) is the class byte of a grid that knows no map, 0 beyond the window.
+// The firmware's grid of the same drive since its begin, at 25 Hz, placed without error, so that
+// its local frame is the world. use(truth, byte_of): for each scan that is scored; byte_of(place)
+// is the class byte of a grid that knows no map, 0 beyond the window.
 using ByteOf = std::function<std::int8_t(const LocalToWorld::Point&)>;
-void run_firmware(const EvidentialDrive& drive,
+void run_firmware(const EvidentialDrive& drive, double cell_m,
                   const std::function<void(const TrueScan&, const ByteOf&)>& use);
 
 // By the pignistic decision.

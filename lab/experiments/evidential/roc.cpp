@@ -50,7 +50,7 @@ Curves curves_of_firmware(const EvidentialDrive& drive, bool has_map) {
   constexpr auto kFree = static_cast<std::uint8_t>(decision::Class::kFree);
   constexpr auto kMoving = static_cast<std::uint8_t>(decision::Class::kMoving);
   Curves curves;
-  run_firmware(drive, [&](const TrueScan& truth, const ByteOf& byte_of) {
+  run_firmware(drive, 0.1, [&](const TrueScan& truth, const ByteOf& byte_of) {
     curves.add(
         truth, [&](const TruePoint& point) { return score_of(byte_of(point.at), kMoving); },
         [&](const TruePoint& point) {

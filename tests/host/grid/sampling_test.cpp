@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "fakes/compiled_car.hpp"
 #include "fakes/effort.hpp"
@@ -148,38 +149,85 @@ int expected_index(const Sensor& sensor, SubcellPoint end, Cell cell, std::int64
   return profile.at(static_cast<int>(j - k));
 }
 
+lidar::ScanPoint any_point(tests::Random& random) {
+  lidar::ScanPoint point;
+  point.azimuth_ticks = static_cast<std::uint16_t>(random.one_in(6) ? random.between(0, 7) * 1440
+                                                                    : random.between(0, 11519));
+  point.range_mm = static_cast<std::uint32_t>(random.one_in(3) ? random.between(1, 400) * 100
+                                                               : random.between(300, 50'000));
+  point.layer = static_cast<std::uint8_t>(random.between(0, 3));
+  return point;
+}
+
+// visit(cell, the index that the rule gives it), for all cells of the rectangle around the line of
+// the point, a border of two included.
+template <typename Visit>
+void for_each_expected(const Vehicle& vehicle, const lidar::ScanPoint& point, Visit&& visit) {
+  const Sensor& sensor = vehicle.sensors[0];
+  const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
+  const SubcellPoint end = end_of(sensor, line);
+  const Cell last = line.cell(line.before({1, 1}));
+  const Cell first = line.cell({});
+  for (int y = std::min(first.y, last.y) - 2; y <= std::max(first.y, last.y) + 2; ++y) {
+    for (int x = std::min(first.x, last.x) - 2; x <= std::max(first.x, last.x) + 2; ++x) {
+      if (vehicle.grid.area().contains({x, y})) {
+        visit(Cell{x, y}, expected_index(sensor, end, {x, y}, point.range_mm));
+      }
+    }
+  }
+}
+
 void expect_every_cell_as_the_rule_says(const Vehicle& vehicle, std::uint64_t seed, int beams) {
   const Sensor& sensor = vehicle.sensors[0];
   auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   tests::Random random(seed);
   for (int i = 0; i < beams; ++i) {
-    lidar::ScanPoint point;
-    point.azimuth_ticks = static_cast<std::uint16_t>(random.one_in(6) ? random.between(0, 7) * 1440
-                                                                      : random.between(0, 11519));
-    point.range_mm = static_cast<std::uint32_t>(random.one_in(3) ? random.between(1, 400) * 100
-                                                                 : random.between(300, 50'000));
-    point.layer = static_cast<std::uint8_t>(random.between(0, 3));
+    const lidar::ScanPoint point = any_point(random);
     const vehicle::Fate fate = fusion->add(sensor, point);
     fusion->finish();
     if (fate == vehicle::Fate::kUsed) {
-      const auto line = vehicle::aim(sensor, point.layer, point.azimuth_ticks).line;
-      const SubcellPoint end = end_of(sensor, line);
-      // All cells of the rectangle around the line, a border of two included.
-      const Cell last = line.cell(line.before({1, 1}));
-      const Cell first = line.cell({});
-      for (int y = std::min(first.y, last.y) - 2; y <= std::max(first.y, last.y) + 2; ++y) {
-        for (int x = std::min(first.x, last.x) - 2; x <= std::max(first.x, last.x) + 2; ++x) {
-          if (vehicle.grid.area().contains({x, y})) {
-            ASSERT_EQ(index_at(*fusion, {x, y}),
-                      expected_index(sensor, end, {x, y}, point.range_mm))
-                << "cell " << x << ", " << y << ", range " << point.range_mm << ", tick "
-                << point.azimuth_ticks << ", layer " << int{point.layer};
-          }
-        }
-      }
+      for_each_expected(vehicle, point, [&](Cell cell, int index) {
+        ASSERT_EQ(index_at(*fusion, cell), index)
+            << "cell " << cell.x << ", " << cell.y << ", range " << point.range_mm << ", tick "
+            << point.azimuth_ticks << ", layer " << int{point.layer};
+      });
     }
     fusion->clear();
   }
+}
+
+// A frame of beams within 1.25 degrees, of which each crosses cells that others hit: the sums of
+// docs/model.md section 3.
+void expect_each_sum_as_bayes_says(const Vehicle& vehicle, std::uint64_t seed, int beams) {
+  auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
+  auto alone = std::make_unique<fusion::FrameFusion>(vehicle);
+  std::vector<int> freed(geometry::kCellCount);
+  std::vector<int> marked(geometry::kCellCount);
+  tests::Random random(seed);
+  for (int i = 0; i < beams;) {
+    lidar::ScanPoint point = any_point(random);
+    point.azimuth_ticks %= 40;
+    if (alone->add(vehicle.sensors[0], point) != vehicle::Fate::kUsed) {
+      continue;
+    }
+    fusion->add(vehicle.sensors[0], point);
+    for_each_expected(vehicle, point, [&](Cell cell, int index) {
+      (index < 0 ? freed : marked)[static_cast<std::size_t>(geometry::number_of(cell))] += index;
+    });
+    ++i;
+  }
+  fusion->finish();
+  int mixed = 0;
+  for (int y = 0; y < vehicle.grid.rows; ++y) {
+    for (int x = 0; x < vehicle.grid.columns; ++x) {
+      const auto place = static_cast<std::size_t>(geometry::number_of({x, y}));
+      ASSERT_EQ(index_at(*fusion, {x, y}),
+                std::min(std::max(freed[place], -127) + marked[place], 127))
+          << x << ", " << y;
+      mixed += freed[place] < 0 && marked[place] > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(mixed, 0);
 }
 
 TEST(Sampling, EveryCellIsAsTheRuleSaysBlurring) {
@@ -192,6 +240,23 @@ TEST(Sampling, EveryCellIsAsTheRuleSaysOnEachGrid) {
   for (const description::GridConfig& grid : tests::kOtherGrids) {
     const tests::CarOn<OneLux> car(grid);
     expect_every_cell_as_the_rule_says(car.compiled.vehicle, 33, tests::effort(100, 2));
+  }
+}
+
+struct BayesLux : OneLux {
+  static constexpr description::Description kDescription = [] {
+    description::Description car = OneLux::kDescription;
+    car.rule = vehicle::FusionRule::kBayes;
+    return car;
+  }();
+};
+
+TEST(Sampling, EachSumIsAsBayesSaysOnEachGrid) {
+  expect_each_sum_as_bayes_says(tests::CarOn<BayesLux>({}).compiled.vehicle, 34,
+                                tests::effort(60, 20));
+  for (const description::GridConfig& grid : tests::kOtherGrids) {
+    const tests::CarOn<BayesLux> car(grid);
+    expect_each_sum_as_bayes_says(car.compiled.vehicle, 34, tests::effort(60, 20));
   }
 }
 

@@ -166,6 +166,36 @@ TEST(GridPicture, CanBeCroppedAndEnlarged) {
   EXPECT_EQ(picture.height(), 1200);
 }
 
+// Of each grid that a car may have: all of it, if nothing is asked, as large as 1024 pixels hold.
+TEST(GridPicture, EachGridIsShownAsLargeAsItFits) {
+  constexpr PictureScale kFitting{.pixels_per_cell = 0};
+  GridFrame frame;
+  for (const std::uint16_t cell_mm : geometry::kCellSizesMm) {
+    frame.shape = {.cell_mm = cell_mm};
+    EXPECT_EQ(picture_of(frame, kFitting).width(), 1024) << cell_mm;
+  }
+  const Canvas near = picture_of(frame, {.pixels_per_cell = 0, .radius_m = 60});
+  EXPECT_EQ(near.width(), 4 * 240);  // 240 cells of 0.5 m
+  frame.shape = {.columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
+  const Canvas ahead = picture_of(frame, kFitting);
+  EXPECT_EQ(ahead.width(), 2 * 320);
+  EXPECT_EQ(ahead.height(), 2 * 512);
+}
+
+// Rings of 10 m would be 20 pixels apart in cells of 0.5 m, and their numbers over each other.
+TEST(GridPicture, RingsAreAsFarApartAsTheirNumbersNeed) {
+  GridFrame frame;
+  const auto is_ring = [&](int cell_mm, int metres) {
+    frame.shape.cell_mm = static_cast<std::uint16_t>(cell_mm);
+    const Canvas picture = picture_of(frame, {});
+    return !(picture.at(512, 512 - metres * 1000 / cell_mm) == colour_of_index(0));
+  };
+  EXPECT_TRUE(is_ring(100, 10) && is_ring(100, 50));
+  EXPECT_TRUE(is_ring(200, 10) && is_ring(200, 90));
+  EXPECT_FALSE(is_ring(500, 10) || is_ring(500, 90));
+  EXPECT_TRUE(is_ring(500, 20) && is_ring(500, 240));
+}
+
 TEST(Canvas, IgnoresWhatLiesOutside) {
   Canvas canvas(10, 10, {});
   canvas.line(-100, -100, 100, 100, {255, 255, 255});
@@ -206,6 +236,20 @@ TEST(ClassPicture, ACellIsWhereItIsInTheWorld) {
     EXPECT_EQ(picture.at(298 + aside, 1020 - 1 - 698), colour_of_class(moving));
   }
   EXPECT_EQ(picture.at(598, 498), colour_of_class(0));
+}
+
+// A window of 205 or 512 m is shown to its end, and a part of it as large as 1024 pixels hold.
+TEST(ClassPicture, EachWindowIsShownAsLargeAsItFits) {
+  ClassGrid classes;
+  const std::int8_t standing = 6 * 8 + 7;
+  classes.cells[900 * 1024 + 20] = standing;
+  for (const int cell_mm : {100, 200, 500}) {
+    classes.cell_mm = static_cast<std::uint16_t>(cell_mm);
+    const Canvas picture = picture_of(classes, {}, {.pixels_per_cell = 0});
+    ASSERT_EQ(picture.width(), 1020) << cell_mm;
+    EXPECT_EQ(picture.at(18, 1020 - 1 - 898), colour_of_class(standing)) << cell_mm;
+  }
+  EXPECT_EQ(picture_of(classes, {}, {.pixels_per_cell = 0, .radius_m = 60}).width(), 4 * 240);
 }
 
 // One pixel of a wall is not seen among free cells. What moves lies over what stands.

@@ -225,6 +225,27 @@ TEST(RunTable, SaysHowMuchIsGroundOnceAnythingIs) {
   EXPECT_NE(wrong.table(false).find("MOUNT?"), std::string::npos);
 }
 
+TEST(RunTable, SaysTheGridIfItIsNotTheUsualOne) {
+  const auto table_of = [](const geometry::Grid& grid, std::uint16_t class_cell_mm) {
+    GridFrame frame;
+    frame.header.complete_sensors = 1;
+    frame.shape = grid;
+    frame.classes.emplace().cell_mm = class_cell_mm;
+    RunStatistics statistics;
+    statistics.add(frame);
+    return statistics.table(false);
+  };
+  const std::string ahead = table_of(
+      {.cell_mm = 50, .columns = 512, .rows = 320, .origin_column = 64, .origin_row = 160}, 500);
+  EXPECT_TRUE(contains(ahead,
+                       "grid                  512 x 320 cells of 0.05 m: 22.4 m ahead, 3.2 m "
+                       "behind, 8 m left, 8 m right\n"))
+      << ahead;
+  EXPECT_TRUE(contains(ahead, "class window          1024 x 1024 cells of 50 cm\n")) << ahead;
+  const std::string usual = table_of({}, 100);
+  EXPECT_FALSE(contains(usual, "\ngrid ") || contains(usual, "class window")) << usual;
+}
+
 // The frame that a target closes behind the last scan of a capture has no packets. Silence is
 // longer.
 TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {

@@ -36,6 +36,7 @@ constexpr std::array<Colour, stream::kClassCount> kClassColours{{
 }};
 
 constexpr auto kSides = static_cast<int>(geometry::kCellsPerSide);
+constexpr int kShownSides = 1020;  // of all of the window
 constexpr int kSmallestThing = 3;  // pixels; a smaller one is not seen among free cells
 
 // What is painted over what.
@@ -66,9 +67,10 @@ class ClassPainter {
   ClassPainter(const ClassGrid& classes, const FrameTitle& title, const PictureScale& scale)
       : classes_(&classes),
         title_(title),
-        scale_(scale.pixels_per_cell),
         cells_in_metre_(1000 / classes.cell_mm),
-        side_(std::min(kSides, 2 * scale.radius_m * cells_in_metre_)),
+        side_(scale.radius_m == 0 ? kShownSides
+                                  : std::min(kSides, 2 * scale.radius_m * cells_in_metre_)),
+        scale_(scale.pixels_of_cell(side_)),
         canvas_(side_ * scale_, side_ * scale_, kNothing) {
     if (has_car()) {
       x_ = first_around(car_x());
@@ -200,7 +202,7 @@ class ClassPainter {
   // As long as can be read, and a quarter of the picture at most.
   void paint_bar() {
     int metres = 1;
-    for (const int longer : {2, 5, 10, 20}) {
+    for (const int longer : {2, 5, 10, 20, 50, 100}) {
       metres = longer * cells_in_metre_ * 4 <= side_ ? longer : metres;
     }
     const int scale = letter_scale();
@@ -218,9 +220,9 @@ class ClassPainter {
 
   const ClassGrid* classes_;
   FrameTitle title_;
-  int scale_;
   int cells_in_metre_;
-  int side_;   // cells on a side of the picture
+  int side_;  // cells on a side of the picture
+  int scale_;
   int x_ = 0;  // the first of them
   int y_ = 0;
   Canvas canvas_;

@@ -18,10 +18,10 @@ namespace iog::tools {
 // What a class is called in the legend.
 [[nodiscard]] const char* name_of_class(decision::Class what);
 
-// The picture shows scale.radius_m around the car, or around the window's middle if no slice of the
-// frame has a place. A cell that is occupied is at least three pixels wide, and what moves lies
-// over what stands. The car has the outline of its description, or is an arrow of 4 m if nobody
-// here knows it. A bar has the length that stands beside it.
+// The picture shows all of the window or scale.radius_m around the car, or around the window's
+// middle if no slice of the frame has a place. A cell that is occupied is at least three pixels
+// wide, and what moves lies over what stands. The car has the outline of its description, or is an
+// arrow of 4 m if nobody here knows it. A bar has the length that stands beside it.
 [[nodiscard]] Canvas picture_of(const ClassGrid& classes, const FrameTitle& title,
                                 const PictureScale& scale);
 

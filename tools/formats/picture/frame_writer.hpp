@@ -17,7 +17,7 @@ namespace iog::tools {
 struct PictureOptions {
   std::string folder;       // empty: no pictures
   std::uint64_t every = 0;  // 0: only the last
-  PictureScale scale;
+  PictureScale scale{.pixels_per_cell = 0};
 };
 
 class FrameWriter {
@@ -40,11 +40,13 @@ class FrameWriter {
   std::uint64_t last_drawn_ = 0;
 };
 
-// --out, --every, --scale and --radius; what stands below them in --help.
+// --scale and --radius; with --out and --every; what stands below them in --help.
+void add_scale_options(CLI::App& command, PictureScale& scale);
 void add_picture_options(CLI::App& command, PictureOptions& options);
 inline constexpr const char* kPictureFooter =
-    "Pictures show the car from above, with x (forward) up, y to the left and rings every 10 m. "
-    "Pale blue is free, orange to red is occupied, and dark is unknown. A stronger colour is a "
+    "Pictures show the car from above, with x (forward) up, y to the left and rings at "
+    "the distances that they state. Pale blue is free, orange to red is occupied, and dark is "
+    "unknown. A stronger colour is a "
     "stronger index.\n"
     "Occupied cells are drawn at least 3 pixels wide. map.pgm and map.yaml contain the last frame "
     "of whole scans for ROS map_server, with x to the right and y up. classes_NNNNNN.png shows the "

@@ -25,7 +25,6 @@ constexpr Colour kRing{150, 160, 170};
 constexpr Colour kCar{250, 250, 250};
 constexpr Colour kSensor{20, 170, 150};
 
-constexpr int kWholeGridM = geometry::kCellsPerSide * geometry::kCellMm / 2000;
 constexpr int kSmallestHit = 3;  // pixels; a smaller one is not seen among free cells
 
 // The range of cells that a picture shows along an axis.
@@ -47,10 +46,10 @@ class Painter {
  public:
   Painter(const GridFrame& frame, const PictureScale& scale)
       : frame_(&frame),
-        scale_(scale.pixels_per_cell),
         cells_per_metre_(1000 / frame.shape.cell_mm),
         x_(frame.shape.columns, frame.shape.origin_column, radius_cells(scale)),
         y_(frame.shape.rows, frame.shape.origin_row, radius_cells(scale)),
+        scale_(scale.pixels_of_cell(std::max(x_.count(), y_.count()))),
         canvas_(y_.count() * scale_, x_.count() * scale_, kUnknown) {}
 
   Canvas paint() {
@@ -67,8 +66,7 @@ class Painter {
 
  private:
   [[nodiscard]] int radius_cells(const PictureScale& scale) const {
-    return scale.radius_m >= kWholeGridM ? geometry::kCellsPerSide
-                                         : scale.radius_m * cells_per_metre_;
+    return scale.radius_m == 0 ? geometry::kCellsPerSide : scale.radius_m * cells_per_metre_;
   }
   [[nodiscard]] double pixels(double metres) const { return metres * cells_per_metre_ * scale_; }
   [[nodiscard]] double column(double y_m) const {
@@ -100,7 +98,7 @@ class Painter {
   }
 
   void paint_rings() {
-    for (int radius = kRingM; radius <= reach_m(); radius += kRingM) {
+    for (int radius = ring_m(); radius <= reach_m(); radius += ring_m()) {
       canvas_.circle(column(0), row(0), pixels(radius), kRing, 0.45);
     }
   }
@@ -108,7 +106,7 @@ class Painter {
   // Above everything that may be there; behind the car on its right, where the road seldom is.
   void label_rings() {
     const int scale = letter_scale();
-    for (int radius = kRingM; radius <= reach_m(); radius += kRingM) {
+    for (int radius = ring_m(); radius <= reach_m(); radius += ring_m()) {
       const std::string label = std::to_string(radius) + " m";
       const int width = Canvas::text_width(label, scale) - scale;
       const double aside_m = radius * std::numbers::sqrt2 / 2;
@@ -173,13 +171,14 @@ class Painter {
     put_text(column + 4 * scale, row, words, kInk);
   }
 
-  static constexpr int kRingM = 10;
+  // So far apart that their numbers do not cover each other.
+  [[nodiscard]] int ring_m() const { return pixels(10) < 40 ? 20 : 10; }
 
   const GridFrame* frame_;
-  int scale_;
   int cells_per_metre_;
   Shown x_;
   Shown y_;
+  int scale_;
   Canvas canvas_;
 };
 

@@ -2,6 +2,7 @@
 // (forward) points up, and its y axis points left.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -11,8 +12,12 @@
 namespace iog::tools {
 
 struct PictureScale {
-  int pixels_per_cell = 1;
-  int radius_m = 51;  // from the car to the edges; 51: the whole grid
+  int pixels_per_cell = 1;  // 0: 1 to 8, as many as 1024 pixels hold
+  int radius_m = 0;         // from the car to the edges; 0: the whole grid
+
+  [[nodiscard]] int pixels_of_cell(int cells) const {
+    return pixels_per_cell > 0 ? pixels_per_cell : std::clamp(1024 / cells, 1, 8);
+  }
 };
 
 // The colour of a cell. An index between two whole ones is that of a probability between theirs.

@@ -1,7 +1,7 @@
 // What is true of the cells of the world: what stands or moves in them, and how fast.
 //
-// Cells are those of the perception grid: 0.1 m, aligned to the world; cell (x, y) holds
-// x <= 10 X / m < x + 1 of a point (X, Y), likewise y.
+// Cells are as large as the car's and aligned to the world: cell (x, y) holds x <= X / cell_m < x +
+// 1 of a point (X, Y), likewise y.
 #pragma once
 
 #include <cstddef>
