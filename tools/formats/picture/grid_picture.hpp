@@ -2,7 +2,6 @@
 // (forward) points up, and its y axis points left.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "tools/formats/picture/canvas.hpp"
