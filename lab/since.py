@@ -7,7 +7,6 @@ frames, counted in QEMU in half a minute, say how far it has gone since; the pag
 import csv
 import dataclasses
 import functools
-import pathlib
 import shlex
 import typing
 

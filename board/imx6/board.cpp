@@ -26,7 +26,7 @@ Board::Board(const MacAddress& address)
       watchdog_(wdog1),
       tick_(epit1),
       l2_cache_(pl310),
-      ethernet_({enet, l2_cache_}, EnetPort::rings_of(enet_memory), l2_cache_, clock_),
+      ethernet_(Enet(enet), EnetPort::rings_of(enet_memory), l2_cache_, clock_),
       cores_(src, scu, gic_distributor, clock_, all_helpers, helper_entry()),
       thermometer_(analog, ocotp) {
   // It has run since start_memory().

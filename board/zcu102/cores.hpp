@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "hal/cores.hpp"
 #include "helper_cores.hpp"

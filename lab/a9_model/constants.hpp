@@ -16,7 +16,6 @@
 //   NXP       M.-O. Westerburg, "i.MX6 DDR3 RAM-Performance", community.nxp.com/thread/329671
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>

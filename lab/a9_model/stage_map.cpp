@@ -5,7 +5,6 @@
 #include <elfutils/libdw.h>
 #include <fcntl.h>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <unistd.h>

@@ -6,7 +6,6 @@
 #include "lab/baseline/printed_fusion.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "geometry/grid.hpp"
 
@@ -15,7 +14,6 @@ namespace {
 
 using index::OccupancyIndex;
 using vehicle::Beam;
-using vehicle::BeamLine;
 using vehicle::Sensor;
 
 constexpr std::int32_t kSide = geometry::kResolution;
@@ -108,7 +106,7 @@ void PrintedFusion::add(const Sensor& sensor, const lidar::ScanPoint& point) {
 
 std::optional<PrintedFusion::Segment> PrintedFusion::segment_of(
     const Sensor& sensor, const Beam& beam, const lidar::ScanPoint& point) const {
-  const BeamLine& line = beam.line;
+  const vehicle::BeamLine& line = beam.line;
   const bool has_echo = point.range_mm > 0;
   const std::uint32_t reach_mm =
       std::min(sensor.layers[point.layer].along_line_mm(has_echo ? point.range_mm

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-
-#include "tools/simulate/truth/cell_truth.hpp"
 
 namespace iog::lab {
 namespace {

@@ -2,14 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "lab/experiments/side_by_side.hpp"
 #include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/program.hpp"
 #include "tools/program/progress.hpp"
@@ -90,21 +89,19 @@ void run(const Options& options) {
 
 void add_options(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  program.add_option("--out", options->out, "Write a CSV file for each table there")
-      ->option_text("FOLDER")
+  tools::add_option(program, "--out", "FOLDER", options->out,
+                    "Write a CSV file for each table there")
       ->required();
-  program
-      .add_option("--recording", options->recordings,
-                  "A capture and its vehicle, for what only real scans show; may be repeated")
-      ->option_text("FILE:VEHICLE");
-  program.add_option("--seed", options->input.seed, "The simulated drive's seed")
-      ->option_text("N  (default 1)")
+  tools::add_option(program, "--recording", "FILE:VEHICLE", options->recordings,
+                    "A capture and its vehicle, for what only real scans show; may be repeated");
+  tools::add_option(program, "--seed", "N  (default 1)", options->input.seed,
+                    "The simulated drive's seed")
       ->check(CLI::NonNegativeNumber);
-  program.add_option("--seconds", options->input.seconds, "Its length, 25 frames a second")
-      ->option_text("N  (1 to 600, default 2)")
+  tools::add_option(program, "--seconds", "N  (1 to 600, default 2)", options->input.seconds,
+                    "Its length, 25 frames a second")
       ->check(CLI::Range(1U, tools::Drive::kMaxSeconds));
-  program.add_option("--hills", options->input.hills, "Drives of each car through hills")
-      ->option_text("N  (1 to 12, default 2)")
+  tools::add_option(program, "--hills", "N  (1 to 12, default 2)", options->input.hills,
+                    "Drives of each car through hills")
       ->check(CLI::Range(1U, 12U));
   std::vector<std::string> names;
   std::string list;
@@ -113,10 +110,8 @@ void add_options(CLI::App& program) {
     names.emplace_back(experiment.page);
     list.append(list.empty() ? "" : ", ").append(experiment.name);
   }
-  program
-      .add_option("--only", options->only,
-                  "One experiment alone, or those of a page; may be repeated")
-      ->option_text("NAME")
+  tools::add_option(program, "--only", "NAME", options->only,
+                    "One experiment alone, or those of a page; may be repeated")
       ->check(CLI::IsMember(names));
   program.footer("Experiments: " + list +
                  "\n"

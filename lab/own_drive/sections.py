@@ -1,7 +1,5 @@
 """The sentences and tables of the page that need more than a number of the drive."""
 
-import numpy as np
-
 from drawings import COLOURS, HIT, NOTHING, PASSED, class_picture, index_picture
 from drive import NAMED, Drive, Followed, directions_of, is_placed, spans_of
 from iogrid import Class

@@ -11,8 +11,6 @@
 namespace iog::lab {
 namespace {
 
-using vehicle::Fate;
-
 PointMetres in_metres(double x_subcells, double y_subcells) {
   return {x_subcells / geometry::kSubcellsPerMetre - kHalfSideM,
           y_subcells / geometry::kSubcellsPerMetre - kHalfSideM};
@@ -42,7 +40,7 @@ void append(const SensorPoint& seen, PeerFrame& frame, PeerFrames& result) {
     const auto leaves = static_cast<double>(part.to.numerator);
     share = std::min(share, leaves / static_cast<double>(part.to.denominator));
   }
-  const bool is_too_far = classification.fate == Fate::kTooFar && part.is_whole;
+  const bool is_too_far = classification.fate == vehicle::Fate::kTooFar && part.is_whole;
   frame.push_back({.sensor = seen.sensor,
                    .point = seen.point,
                    .origin = in_metres(sensor.origin.x, sensor.origin.y),

@@ -11,7 +11,7 @@ import pathlib
 
 import numpy as np
 
-from car import BLOCK_S, BLOCKS_OF_PACKET, FIRES_AFTER_S, Car, Hdl64e
+from car import BLOCK_S, BLOCKS_OF_PACKET, FIRES_AFTER_S, Hdl64e
 from drive import Drive
 from trajectories import MOVES_ABOVE_MPS, Trajectory, speed_band
 

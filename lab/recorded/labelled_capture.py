@@ -22,7 +22,7 @@ import numpy as np
 
 from car import Car
 from evaluate import (ARRIVES_WITHIN_S, FIRST_CLOUD, OWN_MARGIN_M, Counts, Frames, Results, areas_of, said_of)
-from trajectories import MOVES_ABOVE_MPS, MovingObjects, Trajectory, speed_band
+from trajectories import MOVES_ABOVE_MPS, Trajectory, speed_band
 
 GROUND = np.arange(6, 13)
 ROADS = {"road": (7, 8, 9, 10), "sidewalk": (11,)}

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "lab/reference/fusion.hpp"
-#include "lidar/ibeo_lux.hpp"
 #include "numeric/division.hpp"
 #include "numeric/elementary.hpp"
 

@@ -1,7 +1,6 @@
 #include "lab/scenarios/lossy_link.hpp"
 
 #include <set>
-#include <utility>
 
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/frames/live_grid.hpp"

@@ -6,10 +6,8 @@
 // echoes a beam. The others are forged: the format allows them, so a bound has to cover them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

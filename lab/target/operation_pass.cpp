@@ -7,8 +7,6 @@
 
 namespace iog::lab {
 
-using grid::OccupancyIndex;
-
 template <typename Work>
 auto OperationPass::measured(std::uint64_t& sum, Work&& work) {
   const std::uint32_t start = counter_.now();
@@ -62,7 +60,7 @@ void OperationPass::take_tile_apart(std::size_t tile, stream::GridHash& hash) {
     return;
   }
   // What it takes to copy a tile and clear it, less what it takes to copy it.
-  std::array<OccupancyIndex, tile_coding::kTileBytes> cells;
+  std::array<grid::OccupancyIndex, tile_coding::kTileBytes> cells;
   std::uint64_t copied = 0;
   std::uint64_t taken = 0;
   static_cast<void>(measured(copied, [&] { return view.copy_tile(tile, cells); }));

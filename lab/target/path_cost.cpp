@@ -2,7 +2,6 @@
 // it (docs/carving.md). Runs in QEMU with instruction counting (lab/target/run_image); prints a
 // line of key=value pairs. Lines of 50 m in all directions, from a point inside a cell in the
 // grid's middle.
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "stream/class_hash.hpp"
 #include "wire/byte_order.hpp"

@@ -6,7 +6,6 @@
 //
 // Counted are decoding the scans, fusing their points and setting the grid back to unknown: what
 // frame_cost calls fuse, mark and clear.
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <span>
-#include <string_view>
 
 #include "instruction_counter.hpp"
 #include "lab/a9_model/marker.hpp"

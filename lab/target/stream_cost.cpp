@@ -21,9 +21,6 @@
 namespace iog::lab {
 namespace {
 
-using tile_coding::Encoding;
-using tile_coding::kTileBytes;
-
 InstructionCounter counter;
 Grid current;
 Grid before;
@@ -76,7 +73,7 @@ struct Cost {
     print("bytes", bytes);
     print("instructions", instructions);
     print("most", most);
-    print("raw_tiles", chosen[static_cast<std::size_t>(Encoding::kRaw)]);
+    print("raw_tiles", chosen[static_cast<std::size_t>(tile_coding::Encoding::kRaw)]);
     std::puts("");
   }
 };

@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
-#include "lidar/ibeo_lux.hpp"
 #include "require/require.hpp"
+#include "tools/formats/lux/lux_message.hpp"
 #include "tools/simulate/random.hpp"
-#include "wire/byte_writer.hpp"
 
 namespace iog::lab {
 namespace {
 
-using lidar::IbeoLux;
-
 constexpr std::int32_t kEdgeTicks = 1600;
-constexpr std::uint32_t kLayers = IbeoLux::kElevationsDeg.size();
+constexpr std::uint32_t kLayers = lidar::IbeoLux::kElevationsDeg.size();
 constexpr std::uint32_t kColumnsOfMessage = 33;  // 132 points: 1,388 bytes
 constexpr std::uint32_t kMostMessages = 25;      // of kMostAzimuths
 constexpr std::uint32_t kLayersApartCm = 30;     // layers of a direction see about the same
@@ -23,41 +20,16 @@ std::int16_t angle_of(const Fan& fan, std::uint32_t column) {
   return static_cast<std::int16_t>(kEdgeTicks - step * static_cast<std::int32_t>(column));
 }
 
-void write_head(const Fan& fan, std::uint32_t sensor, std::uint32_t scan, std::uint32_t first,
-                std::uint32_t end, wire::ByteWriter& out) {
-  const std::uint32_t points = (end - first) * kLayers;
-  out.u32_be(IbeoLux::kMagic);
-  out.u32_be(0);
-  out.u32_be(IbeoLux::kScanBytes + IbeoLux::kPointBytes * points);
-  out.u8(0);
-  out.u8(static_cast<std::uint8_t>(sensor));
-  out.u16_be(IbeoLux::kDataType);
-  out.u64_be(0);
-  out.u16_le(static_cast<std::uint16_t>(scan));
-  out.u16_le(0);
-  out.u16_le(0);
-  out.u64_le(0);
-  out.u64_le(0);
-  out.u16_le(static_cast<std::uint16_t>(IbeoLux::kTicksPerTurn));
-  out.i16_le(angle_of(fan, first));
-  out.i16_le(angle_of(fan, std::min(end, fan.azimuths - 1)));
-  out.u16_le(static_cast<std::uint16_t>(points));
-  for (int value = 0; value < 7; ++value) {
-    out.u16_le(0);  // mounting and flags
-  }
-}
-
 void write_column(const Fan& fan, std::uint32_t column, tools::Random& random,
                   wire::ByteWriter& out) {
   const std::uint32_t range_cm =
       fan.range_cm - static_cast<std::uint32_t>(random.below(1 + fan.range_cm / 10));
   for (std::uint32_t layer = 0; layer < kLayers; ++layer) {
-    out.u8(static_cast<std::uint8_t>(layer));
-    out.u8(0);
-    out.i16_le(angle_of(fan, column));
-    out.u16_le(static_cast<std::uint16_t>(range_cm - random.below(kLayersApartCm)));
-    out.u16_le(0);
-    out.u16_le(0);
+    tools::write_lux_point(
+        {.layer = static_cast<std::uint8_t>(layer),
+         .angle_ticks = angle_of(fan, column),
+         .range_cm = static_cast<std::uint16_t>(range_cm - random.below(kLayersApartCm))},
+        out);
   }
 }
 
@@ -73,7 +45,11 @@ std::span<const std::byte> SyntheticScan::write(const Fan& fan, std::uint32_t se
   const std::uint32_t end = std::min(first + kColumnsOfMessage, fan.azimuths);
   tools::Random random(1 + sensor, std::uint64_t{scan} * kMostMessages + message);
   wire::ByteWriter out(bytes_);
-  write_head(fan, sensor, scan, first, end, out);
+  tools::write_lux_head({.device_id = static_cast<std::uint8_t>(sensor),
+                         .scan_number = static_cast<std::uint16_t>(scan),
+                         .start_ticks = angle_of(fan, first),
+                         .end_ticks = angle_of(fan, std::min(end, fan.azimuths - 1))},
+                        (end - first) * kLayers, out);
   for (std::uint32_t column = first; column < end; ++column) {
     write_column(fan, column, random, out);
   }

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <span>
 
+#include "tools/formats/lux/lux_message.hpp"
+
 namespace iog::lab {
 
 struct Fan {
@@ -27,7 +29,7 @@ class SyntheticScan {
                                                  std::uint32_t scan, std::uint32_t message);
 
  private:
-  std::array<std::byte, 1400> bytes_{};
+  std::array<std::byte, tools::kMaxLuxDatagramBytes> bytes_{};
 };
 
 }  // namespace iog::lab

@@ -1,7 +1,6 @@
 #include "wire.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "lab/a9_model/marker.hpp"
 #include "peripherals.hpp"
@@ -21,7 +20,7 @@ Wire& Wire::of_machine() {
 }
 
 Wire::Wire()
-    : port_({imx6::enet, cache_}, imx6::EnetPort::rings_of(imx6::enet_memory), cache_, clock_),
+    : port_(imx6::Enet(imx6::enet), imx6::EnetPort::rings_of(imx6::enet_memory), cache_, clock_),
       cache_(imx6::pl310),
       clock_(imx6::gpt) {
   clock_.start();

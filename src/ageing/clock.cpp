@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ageing/gains.hpp"
-
 namespace iog::ageing {
 
 void Clock::advance(std::uint64_t stamp_us) {

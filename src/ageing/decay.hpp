@@ -73,8 +73,5 @@ constexpr Decays make_decays(double dynamic_rate, double static_rate) {
           .shared = make_decay(dynamic_rate / 4 + static_rate * 3 / 4)};
 }
 inline constexpr Decays kUsualDecays = make_decays(kDynamicRate, kStaticRate);
-inline constexpr const DecayTable& kDynamicDecay = kUsualDecays.dynamic;
-inline constexpr const DecayTable& kStaticDecay = kUsualDecays.fixed;
-inline constexpr const DecayTable& kSharedDecay = kUsualDecays.shared;
 
 }  // namespace iog::ageing

@@ -26,7 +26,7 @@ std::uint32_t left_of_occupied(std::uint32_t ms, Discounting discounting, const 
 }  // namespace
 
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting, const Decays& decays) {
-  if (ms > kLongestMs) {
+  if (ms > 65'535) {
     return evidence::kForgotten;
   }
   const std::uint32_t dynamic = decay(decays.dynamic, ms);

@@ -18,10 +18,8 @@ enum class Discounting : std::uint8_t {
   kProportional,  // {I, M, S, U} decays with weights of 1/4 for moving and 3/4 for static objects
 };
 
-// After more than this many milliseconds, all masses are 0.
-inline constexpr std::uint32_t kLongestMs = 65'535;
-
-// Returns the ageing factors after a time. There is no decay after 0 ms.
+// Returns the ageing factors after a time. There is no decay after 0 ms, and all masses are 0 after
+// more than 65,535 ms.
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting,
                             const Decays& decays = kUsualDecays);
 

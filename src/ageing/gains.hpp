@@ -100,9 +100,6 @@ inline constexpr GainsTable kGainsOfScan =
 constexpr const evidence::Gains& gains_after(std::uint32_t ms, const GainsTable& table) {
   return table[std::min(ms, kLongestGainMs)];
 }
-constexpr const evidence::Gains& gains_after(std::uint32_t ms, Weighing weighing) {
-  return gains_after(ms, weighing == Weighing::kByTime ? kGainsByTime : kGainsOfScan);
-}
 
 // The tables of a car file with its own evidential constants (docs/vehicles.md).
 struct Tables {

@@ -13,8 +13,6 @@
 // all packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 

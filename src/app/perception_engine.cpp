@@ -1,6 +1,5 @@
 #include "app/perception_engine.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

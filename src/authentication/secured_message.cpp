@@ -1,8 +1,5 @@
 #include "authentication/secured_message.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "require/require.hpp"
 #include "wire/byte_order.hpp"
 

@@ -111,7 +111,7 @@ std::string_view text_of(Refusal refusal) {
     case Refusal::kNotACar:
       return "its bytes are no description";
     case Refusal::kOtherGrid:
-      return "it is made for another size of grid or cells";
+      return "its tables are for another cell or grid size";
     case Refusal::kOtherGrids:
       return "it asks for grids that this firmware has not";
     case Refusal::kLimit:

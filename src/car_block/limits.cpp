@@ -1,9 +1,7 @@
 #include "car_block/limits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 

@@ -1,7 +1,6 @@
 #include "decision/decision.hpp"
 
 #include <cstddef>
-#include <cstdint>
 
 #include "decision/cell.hpp"
 #include "evidence/cell.hpp"

@@ -1,8 +1,5 @@
 #include "ground/surface.hpp"
 
-#include <algorithm>
-#include <cstdint>
-
 #include "numeric/division.hpp"
 
 namespace iog::ground {

@@ -5,7 +5,6 @@
 // including the constants of its members.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 namespace iog::health {

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "intake/packet.hpp"
 #include "lidar/sampling.hpp"

@@ -1,6 +1,5 @@
 #include "intake/scan_tracker.hpp"
 
-#include <algorithm>
 #include <span>
 
 namespace iog::intake {

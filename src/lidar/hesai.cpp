@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lidar/fingerprint.hpp"
-#include "wire/byte_order.hpp"
 
 namespace iog::lidar {
 namespace {

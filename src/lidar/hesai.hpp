@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "lidar/data_sheet.hpp"
 #include "lidar/echo_pair.hpp"

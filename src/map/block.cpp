@@ -1,10 +1,5 @@
 #include "map/block.hpp"
 
-#include <algorithm>
-#include <optional>
-
-#include "checksum/crc32.hpp"
-
 namespace iog::map {
 namespace {
 

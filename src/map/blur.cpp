@@ -7,7 +7,6 @@
 // by step.
 #include "map/blur.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>

@@ -12,8 +12,6 @@
 // not negative and below 2^25, and the biased dividends below 2^54.9.
 #include "map/raster.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 

@@ -18,7 +18,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "net/counters.hpp"
 #include "net/ipv4.hpp"

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "placing/look_up.hpp"
-#include "placing/placement.hpp"
 #include "placing/slice_hits.hpp"
 #include "require/require.hpp"
 

@@ -2,7 +2,6 @@
 // tools expect, and a data id that its CRC covers (docs/spec.md 3.1).
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "protection/protected_message.hpp"

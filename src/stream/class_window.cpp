@@ -1,7 +1,5 @@
 #include "stream/class_window.hpp"
 
-#include <algorithm>
-
 #include "pose/wire_format.hpp"
 
 namespace iog::stream {

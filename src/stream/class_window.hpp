@@ -2,7 +2,6 @@
 // window's position, the last pose of the vehicle, and the reasons why slices were not placed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -5,7 +5,6 @@
 
 #include "tile_coding/bit_stream.hpp"
 #include "tile_coding/digits.hpp"
-#include "tile_coding/symbol_packing.hpp"
 
 namespace iog::tile_coding {
 namespace {

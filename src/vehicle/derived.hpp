@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "lidar/formats.hpp"
 #include "numeric/sine_table.hpp"

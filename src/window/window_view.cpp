@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lanes/eight_bytes.hpp"
-#include "window/tile.hpp"
 
 namespace iog::window {
 namespace {

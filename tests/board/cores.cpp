@@ -18,8 +18,6 @@
 namespace {
 
 using iog::board::Board;
-using iog::board::TextLine;
-using iog::work::Loss;
 
 // Under counted instructions the cores run in turns of 100 ms, and one that hangs takes all of its
 // turn: the others come within three of them. The watchdog waits for two seconds.
@@ -95,7 +93,7 @@ class Pile {
 using Team = iog::work::Team<iog::board::Cores>;
 
 void report(Board& board, const Team& team, std::uint32_t sum) {
-  TextLine line;
+  iog::board::TextLine line;
   line.text("sum ").hex(sum).text(" redone ").decimal(team.redone()).text("\n");
   board.console().write(line.view());
   iog::app::report_cores(board.console(), team);
@@ -126,7 +124,7 @@ int main() {
   team.start(iog::hal::kMaxCores);
   work(board, team, pile, 0);
   for (std::size_t core = 1; core < iog::hal::kMaxCores; ++core) {
-    if (team.loss(core) == Loss::kNone) {
+    if (team.loss(core) == iog::work::Loss::kNone) {
       work(board, team, pile, core);
     }
   }

@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "board.hpp"
-#include "memory.hpp"
 #include "peripherals.hpp"
 #include "text_line.hpp"
 

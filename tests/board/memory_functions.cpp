@@ -3,7 +3,6 @@
 // watchdog end the run.
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 
 #include "board.hpp"

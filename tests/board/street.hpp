@@ -8,11 +8,10 @@
 #include <cstdint>
 #include <span>
 
-#include "lidar/ibeo_lux.hpp"
 #include "numeric/sine_table.hpp"
 #include "pose/message.hpp"
 #include "require/require.hpp"
-#include "wire/byte_writer.hpp"
+#include "tools/formats/lux/lux_message.hpp"
 
 namespace iog::tests {
 
@@ -38,9 +37,20 @@ class Street {
       returns += ranges_cm[column - first] != 0 ? 1U : 0U;
     }
     wire::ByteWriter out(bytes_);
-    write_head(frame, sensor, angle_of(first), angle_of(end - 1), returns * kLayers, out);
+    const std::uint64_t begin_us = kBeginUs + frame * kFramePeriodUs;
+    tools::write_lux_head({.device_id = static_cast<std::uint8_t>(sensor),
+                           .scan_number = static_cast<std::uint16_t>(frame),
+                           .start_ntp = ntp_of(begin_us),
+                           .end_ntp = ntp_of(begin_us + kScanUs),
+                           .start_ticks = angle_of(first),
+                           .end_ticks = angle_of(end - 1)},
+                          returns * kLayers, out);
     for (std::uint32_t column = first; column < end; ++column) {
-      write_column(angle_of(column), ranges_cm[column - first], out);
+      const std::uint16_t range = ranges_cm[column - first];
+      for (std::uint8_t layer = 0; range != 0 && layer < kLayers; ++layer) {
+        tools::write_lux_point({.layer = layer, .angle_ticks = angle_of(column), .range_cm = range},
+                               out);
+      }
     }
     require(out.ok());
     return out.written();
@@ -69,6 +79,7 @@ class Street {
   static constexpr std::uint32_t kColumns = 201;          // of half a degree, from left to right
   static constexpr std::uint32_t kColumnsOfMessage = 33;  // 132 points: 1,388 bytes
   static constexpr std::uint32_t kLayers = 4;
+  static constexpr std::uint64_t kScanUs = 1000;
   static constexpr std::int32_t kTicksOfColumn = 16;
   static constexpr std::int32_t kTurn = 720;  // half degrees
   static constexpr std::uint64_t kBeginUs = 1'700'000'000'000'000;
@@ -107,42 +118,6 @@ class Street {
     return 0;
   }
 
-  void write_head(std::uint32_t frame, std::uint32_t sensor, std::int16_t first, std::int16_t last,
-                  std::uint32_t points, wire::ByteWriter& out) const {
-    using lidar::IbeoLux;
-    constexpr std::uint32_t kScanUs = 1000;
-    constexpr std::uint32_t kScanBytes{IbeoLux::kScanBytes};
-    constexpr std::uint32_t kPointBytes{IbeoLux::kPointBytes};
-    const std::uint64_t begin_us = kBeginUs + frame * kFramePeriodUs;
-    out.u32_be(IbeoLux::kMagic);
-    out.u32_be(0);
-    out.u32_be(kScanBytes + kPointBytes * points);
-    out.u16_be(static_cast<std::uint16_t>(sensor));
-    out.u16_be(IbeoLux::kDataType);
-    out.u64_be(0);
-    out.u16_le(static_cast<std::uint16_t>(frame));
-    out.u32_le(0);
-    out.u64_le(ntp_of(begin_us));
-    out.u64_le(ntp_of(begin_us + kScanUs));
-    out.u16_le(static_cast<std::uint16_t>(IbeoLux::kTicksPerTurn));
-    out.i16_le(first);
-    out.i16_le(last);
-    out.u16_le(static_cast<std::uint16_t>(points));
-    for (int value = 0; value < 7; ++value) {
-      out.u16_le(0);  // mounting and flags
-    }
-  }
-
-  static void write_column(std::int16_t angle, std::uint16_t range_cm, wire::ByteWriter& out) {
-    for (std::uint32_t layer = 0; range_cm != 0 && layer < kLayers; ++layer) {
-      out.u8(static_cast<std::uint8_t>(layer));
-      out.u8(0);
-      out.i16_le(angle);
-      out.u16_le(range_cm);
-      out.u32_le(0);
-    }
-  }
-
   // NTP counts from 1900, in units of 2^-32 s.
   static std::uint64_t ntp_of(std::uint64_t unix_us) {
     const std::uint64_t seconds = unix_us / 1'000'000 + 2'208'988'800;
@@ -151,7 +126,7 @@ class Street {
 
   static constexpr std::int64_t kOne = std::int64_t{1} << numeric::kSineFractionBits;
 
-  std::array<std::byte, 1400> bytes_{};
+  std::array<std::byte, tools::kMaxLuxDatagramBytes> bytes_{};
   pose::Encoder encoder_;
   std::array<std::byte, pose::kMessageBytes> pose_{};
 };

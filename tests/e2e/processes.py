@@ -4,6 +4,7 @@ import os
 import pathlib
 import signal
 import subprocess
+import time
 
 PATIENCE_S = 900  # on a PC that is busy with other work
 TIME_TO_END_S = 10
@@ -24,6 +25,15 @@ def called(*command) -> subprocess.CompletedProcess:
             said, _ = run.communicate()
         raise AssertionError(f"{command[0]}: not done in {PATIENCE_S} s\n{said}") from None
     return subprocess.CompletedProcess(command, run.returncode, said)
+
+
+def until(is_true, what: str):
+    """Waits for it, and returns it."""
+    end = time.monotonic() + PATIENCE_S
+    while not (found := is_true()):
+        assert time.monotonic() < end, what
+        time.sleep(0.01)
+    return found
 
 
 def stat_of(pid: int) -> tuple[str, str, int, str] | None:

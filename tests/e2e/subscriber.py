@@ -11,7 +11,7 @@ import struct
 import time
 
 import ethernet
-from sabrelite import GRID_PORT, GRID_SOURCE_PORT, IP, MAC, PEER_MAC, Sabrelite, to_board
+from sabrelite import GRID_SOURCE_PORT, IP, MAC, Sabrelite, to_board
 from scapy.contrib.automotive.someip import (SD, SOMEIP, SDEntry_EventGroup, SDEntry_Service,
                                              SDOption_IP4_EndPoint)
 

@@ -1,21 +1,15 @@
 """What the page says of a place: the words of a cell for mouse and touch, and the distance between two cells."""
 
-import math
-
 from selenium.webdriver.common.keys import Keys
 
 from browser import Browser
-from made_classes import JUMP, OCCUPIED, STANDING, class_byte
+from made_classes import JUMP, OCCUPIED, class_byte
 from made_objects import Thing
 from object_parts import MOVES
 from view_classes import Street, picture_of_window
 from viewer import GridPage, Viewer, free_port
 
 CAR = Thing(7, MOVES, x_m=9, y_m=0, turns=0.25, velocity=(0, -6), sigma=(0.7, 0.2))
-
-
-def words_of(page: GridPage) -> str:
-    return " ".join(page.text("hover").split())
 
 
 def wait_for_words(page: GridPage, *words: str) -> None:

@@ -45,8 +45,8 @@ def executed(folder: pathlib.Path) -> dict[pathlib.Path, set[int]]:
     return found
 
 
-def lines_of(image: pathlib.Path, root: pathlib.Path, names: set[str]) -> dict[tuple[str, int], set[int]]:
-    """By file below the root and line, the addresses of its instructions."""
+def lines_of(image: pathlib.Path, names: set[str]) -> dict[tuple[str, int], set[int]]:
+    """By file and line, the addresses of its instructions."""
     table = subprocess.run(["arm-none-eabi-objdump", "--dwarf=decodedline", "-WL", str(image)], check=True, text=True,
                            errors="replace", stdout=subprocess.PIPE).stdout
     found: dict[tuple[str, int], set[int]] = collections.defaultdict(set)

@@ -20,12 +20,10 @@ namespace iog::fuzz {
 namespace {
 
 using ground::Bins;
-using ground::kBins;
 using ground::kSectors;
 using ground::Lows;
 using ground::Samples;
 using ground::Surface;
-using ground::Tilt;
 
 struct Return {
   std::uint32_t sector;
@@ -58,7 +56,7 @@ Lows lows_of(Bins bins, const std::vector<Return>& turn, Keep&& keep) {
 }
 
 void check_low(Bins bins, const Lows& real, const Surface& surface) {
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
+  for (std::size_t bin = 0; bin < ground::kBins; ++bin) {
     const std::int32_t most = bins.most_plausible_mm(static_cast<std::uint32_t>(bin));
     for (std::size_t sector = 0; sector < kSectors; ++sector) {
       const std::int32_t low = real.ring(bin)[sector];
@@ -113,7 +111,7 @@ class Ground {
         expected_samples.push_back({its.along_mm, over});
       }
     }
-    const Tilt tilt = tilt_of(samples.all(), 12);
+    const ground::Tilt tilt = tilt_of(samples.all(), 12);
     const tests::ReferenceTilt expected = tests::ReferenceLine().of(expected_samples, 12);
     law(tilt.up_mm == expected.up_mm && tilt.slope == expected.slope, "a tilt is the reference's");
   }

@@ -11,7 +11,6 @@ namespace iog::fuzz {
 namespace {
 
 using net::testing::Frame;
-using net::testing::kConfig;
 
 constexpr std::size_t kIpOffset = 14;
 constexpr std::size_t kMaxFrameBytes = 1514;
@@ -28,7 +27,7 @@ void repair(Frame& frame) {
   if (frame.size() < kIpOffset + 20) {
     return;
   }
-  std::ranges::copy(std::as_bytes(std::span(kConfig.mac.octets)), frame.begin());
+  std::ranges::copy(std::as_bytes(std::span(net::testing::kConfig.mac.octets)), frame.begin());
   wire::store_be16(std::span(frame).subspan<12, 2>(), 0x0800);
   const auto ip = std::span(frame).subspan(kIpOffset);
   ip[0] = std::byte{0x45};

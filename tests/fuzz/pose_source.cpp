@@ -14,7 +14,6 @@
 namespace iog::fuzz {
 namespace {
 
-using pose::Cause;
 using pose::Fate;
 using pose::Message;
 using pose::Placed;

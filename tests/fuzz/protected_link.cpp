@@ -1,7 +1,6 @@
 // A receiver of protected messages at the end of a link that loses, repeats, exchanges and spoils
 // them, or sends something of its own. The input says what the link does.
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "law.hpp"
@@ -11,22 +10,20 @@
 namespace iog::fuzz {
 namespace {
 
-using protection::Channel;
 using protection::CheckStatus;
 using protection::kProtectionBytes;
 using protection::Received;
 using protection::SomeIpStatus;
-using protection::Supervision;
 using Bytes = std::vector<std::byte>;
 
-constexpr Channel kChannel{
+constexpr protection::Channel kChannel{
     .event = {.service_id = 0x1234, .event_id = 0x8001, .interface_version = 1},
     .data_id = 0x0A0B0C0D,
     .max_delta_counter = 8};
-constexpr Supervision kSupervision{.window = 8,
-                                   .init = {.min_ok = 2, .max_errors = 2},
-                                   .valid = {.min_ok = 1, .max_errors = 4},
-                                   .invalid = {.min_ok = 4, .max_errors = 0}};
+constexpr protection::Supervision kSupervision{.window = 8,
+                                               .init = {.min_ok = 2, .max_errors = 2},
+                                               .valid = {.min_ok = 1, .max_errors = 4},
+                                               .invalid = {.min_ok = 4, .max_errors = 0}};
 static_assert(kSupervision.is_valid());
 
 class Link {

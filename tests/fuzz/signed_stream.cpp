@@ -4,7 +4,6 @@
 // or counted.
 #include "tools/frames/signed_stream.hpp"
 
-#include <algorithm>
 #include <map>
 #include <vector>
 

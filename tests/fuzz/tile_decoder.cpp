@@ -12,10 +12,7 @@ namespace {
 
 using tile_coding::decode;
 using tile_coding::DecodeStatus;
-using tile_coding::EncodedTile;
-using tile_coding::Encoder;
 using tile_coding::Encoding;
-using tile_coding::kNoIndex;
 using tile_coding::kTileBytes;
 using tile_coding::Reference;
 using Tile = std::array<std::byte, kTileBytes>;
@@ -52,7 +49,7 @@ bool is_as_client_reads(Encoding encoding, std::span<const std::byte> payload,
 
 void check(std::span<const std::byte> input) {
   static const Tile receivers_tile = reference_cells();
-  static Encoder encoder;
+  static tile_coding::Encoder encoder;
   wire::ByteReader in(input);
   const auto encoding = static_cast<Encoding>(in.u8());
   const std::uint32_t frame_number = in.u8();
@@ -71,9 +68,10 @@ void check(std::span<const std::byte> input) {
     return;
   }
   law(cells == others, "every cell is the payload's");
-  law(std::ranges::find(cells, kNoIndex) == cells.end(), "every cell is an index");
+  law(std::ranges::find(cells, tile_coding::kNoIndex) == cells.end(), "every cell is an index");
   Tile again{};
-  const EncodedTile encoded = encoder.encode(cells, reference.frame_number + 1, reference, again);
+  const tile_coding::EncodedTile encoded =
+      encoder.encode(cells, reference.frame_number + 1, reference, again);
   law(encoded.bytes <= kTileBytes, "no code is longer than a raw tile");
   law(decode(encoded.encoding, std::span(again).first(encoded.bytes), reference.frame_number + 1,
              reference, others) == DecodeStatus::kOk &&

@@ -10,11 +10,6 @@
 namespace iog::fuzz {
 namespace {
 
-using tile_coding::decode;
-using tile_coding::DecodeStatus;
-using tile_coding::EncodedTile;
-using tile_coding::Encoder;
-using tile_coding::kNoIndex;
 using tile_coding::kTileBytes;
 using tile_coding::kTileSide;
 using tile_coding::Reference;
@@ -22,7 +17,7 @@ using Tile = std::array<std::byte, kTileBytes>;
 
 std::byte index_of(std::uint8_t value) {
   const auto byte = static_cast<std::byte>(value);
-  return byte == kNoIndex ? std::byte{0} : byte;
+  return byte == tile_coding::kNoIndex ? std::byte{0} : byte;
 }
 
 void draw(wire::ByteReader& in, Tile& tile) {
@@ -39,13 +34,13 @@ void draw(wire::ByteReader& in, Tile& tile) {
 
 void check_encoding(const Tile& tile, const std::optional<Reference>& reference) {
   constexpr std::uint32_t kFrame = 0x01020306;
-  static Encoder encoder;
+  static tile_coding::Encoder encoder;
   Tile payload{};
-  const EncodedTile result = encoder.encode(tile, kFrame, reference, payload);
+  const tile_coding::EncodedTile result = encoder.encode(tile, kFrame, reference, payload);
   law(result.bytes <= kTileBytes, "no payload is longer than raw");
   Tile decoded{};
-  law(decode(result.encoding, std::span(payload).first(result.bytes), kFrame, reference, decoded) ==
-          DecodeStatus::kOk,
+  law(tile_coding::decode(result.encoding, std::span(payload).first(result.bytes), kFrame,
+                          reference, decoded) == tile_coding::DecodeStatus::kOk,
       "it is accepted");
   law(decoded == tile, "and is the tile");
 }

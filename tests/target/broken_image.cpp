@@ -1,6 +1,5 @@
 // An image that fails in the way its argument names, to test tests/target/run_image.
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 namespace {

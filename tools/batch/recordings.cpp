@@ -75,7 +75,7 @@ std::vector<ListedCapture> in_list(const std::string& list) {
   for (std::string name : read_lines(list)) {
     name.erase(name.find_last_not_of('\r') + 1);
     if (name.find('\0') != std::string::npos) {
-      throw UsageError(list + ": no list of recordings, which is a text file, one path a line");
+      throw UsageError(list + ": a list of recordings is a text file with one path on each line");
     }
     if (name.empty()) {
       continue;

@@ -144,7 +144,7 @@ void Summary::read_rows() {
   const std::vector<std::byte> bytes = read_file(path_);
   const Rows known = rows_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   if (known.rows.empty() || known.rows[0][0] != "name" || known.rows[0][1] != "status") {
-    throw UsageError(path_ + ": no table of iog batch; give another --out");
+    throw UsageError(path_ + ": iog batch did not write this table; give another --out");
   }
   for (const auto& [name, status] : std::span(known.rows).subspan(1)) {
     names_.insert(name);

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "tools/program/table.hpp"
 

@@ -1,5 +1,4 @@
 // What a budget says to a person.
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <string_view>

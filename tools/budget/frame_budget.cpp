@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <numbers>
 #include <span>
-#include <sstream>
-#include <string_view>
 
 #include "geometry/grid.hpp"
 #include "grid/cone.hpp"

@@ -8,7 +8,6 @@
 // y, then roll about x: R = Rz(yaw) Ry(pitch) Rx(roll), so a positive pitch looks down.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

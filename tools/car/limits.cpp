@@ -17,7 +17,6 @@ namespace iog::description {
 namespace {
 
 using car_block::kFarthestM;
-using vehicle::Fault;
 using vehicle::is_within;
 using vehicle::Tell;
 

@@ -1,10 +1,7 @@
 #include "tools/clouds/cloud_conversion.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <limits>
-#include <utility>
 
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"

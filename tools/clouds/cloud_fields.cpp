@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "tools/clouds/point_cloud.hpp"

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
-#include <string_view>
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"

@@ -17,6 +17,7 @@
 #include "tools/batch/summary.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/hexadecimal.hpp"
@@ -239,20 +240,18 @@ void add_batch(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "batch", "Run `iog fuse` on many recordings, side by side, into one table");
   const auto options = std::make_shared<BatchOptions>();
-  command
-      ->add_option("RECORDINGS", options->recordings,
-                   "Folder whose captures are taken, those in folders below among them, or a text "
-                   "file that lists captures, one a line")
-      ->option_text("FOLDER | LIST_FILE")
+  add_option(*command, "RECORDINGS", "FOLDER | LIST_FILE", options->recordings,
+             "Folder whose captures are taken, those in folders below among them, or a text "
+             "file that lists captures, one a line")
       ->required();
   add_vehicle_options(*command, options->vehicle);
-  command->add_option("--out", options->out, "Folder for summary.csv, one row per recording")
-      ->option_text("FOLDER")
+  add_option(*command, "--out", "FOLDER", options->out,
+             "Folder for summary.csv, one row per recording")
       ->required();
   const long online = sysconf(_SC_NPROCESSORS_ONLN);
   options->processes = static_cast<std::size_t>(std::max(online, 1L));
-  command->add_option("-j,--jobs", options->processes, "Processes at a time")
-      ->option_text("N  (1 to 1024, default one per processor)")
+  add_option(*command, "-j,--jobs", "N  (1 to 1024, default one per processor)", options->processes,
+             "Processes at a time")
       ->check(CLI::Range(1, 1024));
   struct Handed {
     const char* name;

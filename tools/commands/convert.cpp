@@ -18,6 +18,7 @@
 #include "tools/formats/lux/raw_recording.hpp"
 #include "tools/formats/ros/recorded_packets.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
 
@@ -194,38 +195,26 @@ void add_convert(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "convert", "Make a capture from raw messages, KITTI clouds and poses, or packets in a bag");
   const auto options = std::make_shared<ConvertOptions>();
-  auto* const raw =
-      command
-          ->add_option("--raw", options->raw,
-                       "Raw recording and its sensor, by name or number; may be repeated")
-          ->option_text("FILE:SENSOR")
-          ->take_all();
-  auto* const kitti =
-      command
-          ->add_option("--kitti", options->kitti,
-                       "Folder of KITTI raw or odometry data, for the car's Velodyne")
-          ->option_text("FOLDER[:SENSOR]")
-          ->excludes(raw);
+  auto* const raw = add_option(*command, "--raw", "FILE:SENSOR", options->raw,
+                               "Raw recording and its sensor, by name or number; may be repeated")
+                        ->take_all();
+  auto* const kitti = add_option(*command, "--kitti", "FOLDER[:SENSOR]", options->kitti,
+                                 "Folder of KITTI raw or odometry data, for the car's Velodyne")
+                          ->excludes(raw);
   auto* const bag =
-      command
-          ->add_option(
-              "--bag", options->bag,
-              "Recording of ROS 2 with packets of velodyne_msgs, nebula_msgs or pandar_msgs")
-          ->option_text("FILE | FOLDER[:SENSOR]")
+      add_option(*command, "--bag", "FILE | FOLDER[:SENSOR]", options->bag,
+                 "Recording of ROS 2 with packets of velodyne_msgs, nebula_msgs or pandar_msgs")
           ->excludes(raw)
           ->excludes(kitti);
-  command->add_option("--topic", options->topic, "Topic of the recording")
-      ->option_text("TOPIC  (default the one with packets)")
+  add_option(*command, "--topic", "TOPIC  (default the one with packets)", options->topic,
+             "Topic of the recording")
       ->needs(bag);
-  command
-      ->add_option("--mount", options->mount_m,
-                   "Position of the receiver of KITTI's raw data in the vehicle frame")
-      ->option_text("X Y  (metres, default 0 0)")
+  add_option(*command, "--mount", "X Y  (metres, default 0 0)", options->mount_m,
+             "Position of the receiver of KITTI's raw data in the vehicle frame")
       ->expected(2)
       ->needs(kitti);
   add_vehicle_options(*command, options->vehicle);
-  command->add_option("--out", options->out, "Capture to write (.pcap)")
-      ->option_text("FILE  (required)")
+  add_option(*command, "--out", "FILE  (required)", options->out, "Capture to write (.pcap)")
       ->required();
   command->footer(
       "A raw recording consists of ibeo 0x2202 messages of a LUX, or of Velodyne payloads of 1206 "

@@ -21,6 +21,7 @@
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
 #include "tools/map/block_file.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
@@ -275,50 +276,34 @@ void add_fuse(CLI::App& program) {
   const auto options = std::make_shared<FuseOptions>();
   add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
-  command
-      ->add_option("--frame", options->frame, "Frame to write; 0 is the first frame with evidence")
-      ->option_text("N  (default the last of whole scans)")
+  add_option(*command, "--frame", "N  (default the last of whole scans)", options->frame,
+             "Frame to write; 0 is the first frame with evidence")
       ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--out-raw", options->out_raw,
-                   "Write the occupancy indexes of this frame as bytes")
-      ->option_text("FILE");
+  add_option(*command, "--out-raw", "FILE", options->out_raw,
+             "Write the occupancy indexes of this frame as bytes");
   add_picture_options(*command, options->pictures);
-  command->add_option("--rule", options->rule, "Fusion rule to use instead of the car's")
-      ->option_text("hits_win | bayes")
+  add_option(*command, "--rule", "hits_win | bayes", options->rule,
+             "Fusion rule to use instead of the car's")
       ->check(CLI::IsMember({"hits_win", "bayes"}));
-  command->add_option("--hashes", options->hashes, "Write one line per frame with evidence")
-      ->option_text("FILE");
-  command
-      ->add_option("--summary", options->summary,
-                   "Write the numbers of the table as key=value lines")
-      ->option_text("FILE");
-  command
-      ->add_option("--stream", options->stream,
-                   "Write the messages that the target would send, as a capture (.pcap)")
-      ->option_text("FILE");
-  command
-      ->add_option("--run-number", options->run_number,
-                   "Run number in these messages, as if the target had restarted")
-      ->option_text("N  (default 1)")
+  add_option(*command, "--hashes", "FILE", options->hashes,
+             "Write one line per frame with evidence");
+  add_option(*command, "--summary", "FILE", options->summary,
+             "Write the numbers of the table as key=value lines");
+  add_option(*command, "--stream", "FILE", options->stream,
+             "Write the messages that the target would send, as a capture (.pcap)");
+  add_option(*command, "--run-number", "N  (default 1)", options->run_number,
+             "Run number in these messages, as if the target had restarted")
       ->needs("--stream");
-  command
-      ->add_option("--classes-hashes", options->classes_hashes,
-                   "Write one line per frame of the perception grid; needs poses")
-      ->option_text("FILE");
-  command
-      ->add_option("--classes-png", options->classes_png,
-                   "Draw the perception grid of this frame, or of the last frame with a pose, as a "
-                   ".png file")
-      ->option_text("FILE");
-  command
-      ->add_option("--as-received", options->as_received,
-                   "Repeat the arrival times of this recorded stream, to reproduce classes of "
-                   "unsynchronised sensors")
-      ->option_text("FILE");
-  command
-      ->add_option("--map", options->map, "City map that the target has from the start (.iogmap)")
-      ->option_text("FILE");
+  add_option(*command, "--classes-hashes", "FILE", options->classes_hashes,
+             "Write one line per frame of the perception grid; needs poses");
+  add_option(*command, "--classes-png", "FILE", options->classes_png,
+             "Draw the perception grid of this frame, or of the last frame with a pose, as a "
+             ".png file");
+  add_option(*command, "--as-received", "FILE", options->as_received,
+             "Repeat the arrival times of this recorded stream, to reproduce classes of "
+             "unsynchronised sensors");
+  add_option(*command, "--map", "FILE", options->map,
+             "City map that the target has from the start (.iogmap)");
   command->footer(
       "fuse processes the capture as if `iog replay` sent it. It assigns packets to sensors by "
       "destination port and does not check source addresses. Time is that of the capture. A pause "

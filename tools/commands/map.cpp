@@ -13,6 +13,7 @@
 #include "tools/map/map_maker.hpp"
 #include "tools/map/map_readers.hpp"
 #include "tools/map/refusal_text.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 
@@ -86,35 +87,26 @@ void add_map(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "map", "Make a target's city map from OpenStreetMap, GeoJSON or a Shapefile");
   const auto options = std::make_shared<MapCommandOptions>();
-  command
-      ->add_option("FILE", options->from,
-                   "Map to read (.osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson, .shp)")
-      ->option_text(" ")
+  add_option(*command, "FILE", " ", options->from,
+             "Map to read (.osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson, .shp)")
       ->required();
-  command->add_option("--out", options->out, "Map to write (.iogmap)")
-      ->option_text("FILE  (required)")
+  add_option(*command, "--out", "FILE  (required)", options->out, "Map to write (.iogmap)")
       ->required();
-  command
-      ->add_option("--origin", options->origin,
-                   "Origin of the map's plane, in degrees within 80 and 180")
-      ->option_text("LAT,LON  (default the middle)");
-  command
-      ->add_option("--extent", options->extent,
-                   "Part of the map to use: a distance from the origin, or limits in degrees")
-      ->option_text("METRES or S,W,N,E  (default all)")
+  add_option(*command, "--origin", "LAT,LON  (default the middle)", options->origin,
+             "Origin of the map's plane, in degrees within 80 and 180");
+  add_option(*command, "--extent", "METRES or S,W,N,E  (default all)", options->extent,
+             "Part of the map to use: a distance from the origin, or limits in degrees")
       ->delimiter(',')
       ->expected(1, 4);
-  command
-      ->add_option("--accuracy", options->accuracy_mm,
-                   "95 of 100 corners are closer than this to their true position")
-      ->option_text("MM  (default 500 of OpenStreetMap, else 100)")
+  add_option(*command, "--accuracy", "MM  (default 500 of OpenStreetMap, else 100)",
+             options->accuracy_mm, "95 of 100 corners are closer than this to their true position")
       ->check(CLI::Range(1U, map::kMaxAccuracyMm));
-  command->add_option("--kind", options->kind, "Kind of the polygons that do not state theirs")
-      ->option_text("building | road")
+  add_option(*command, "--kind", "building | road", options->kind,
+             "Kind of the polygons that do not state theirs")
       ->check(CLI::IsMember({"building", "road"}));
-  command->add_option("--attribution", options->attribution, "Owner of the map data")
-      ->option_text("TEXT  (required, except for OpenStreetMap)");
-  command->add_option("--png", options->png, "Also draw the map (.png)")->option_text("FILE");
+  add_option(*command, "--attribution", "TEXT  (required, except for OpenStreetMap)",
+             options->attribution, "Owner of the map data");
+  add_option(*command, "--png", "FILE", options->png, "Also draw the map (.png)");
   command->footer(
       "GeoJSON and Shapefiles may use any coordinate reference system that PROJ converts with an "
       "accuracy of 1 m. docs/map.md lists the parts of the data that are used.");

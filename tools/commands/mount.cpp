@@ -1,6 +1,5 @@
 // iog mount: how the units that turn are mounted, by the ground that they see.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "tools/commands/next_steps.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <filesystem>
 #include <unistd.h>
 

@@ -25,6 +25,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/replay/pace.hpp"
@@ -239,31 +240,27 @@ void add_points(CLI::App& program) {
   auto* const command =
       program.add_subcommand("points", "Make a capture from point clouds or 2D scans of any lidar");
   const auto options = std::make_shared<PointsOptions>();
-  command
-      ->add_option(
-          "FILE", options->inputs,
-          "Recordings of ROS 2 with clouds or scans (.mcap, .db3, folders), point clouds (.pcd, "
-          ".ply, KITTI's .bin), or folders of KITTI")
-      ->option_text("...")
+  add_option(*command, "FILE", "...", options->inputs,
+             "Recordings of ROS 2 with clouds or scans (.mcap, .db3, folders), point clouds (.pcd, "
+             ".ply, KITTI's .bin), or folders of KITTI")
       ->required();
-  command->add_option("--out", options->out, "Capture to write (.pcap)")->option_text("FILE");
-  command
-      ->add_option("--target", options->target,
-                   "Or IPv4 address to send to, at the recording's pace")
-      ->option_text("ADDRESS");
-  command->add_option("--sensor", options->sensor, "Sensor of the car, by name or number")
-      ->option_text("NAME  (default the only one of type points)");
-  command->add_option("--topic", options->topic, "Topic of a recording")
-      ->option_text("TOPIC  (default the one with clouds)");
+  add_option(*command, "--out", "FILE", options->out, "Capture to write (.pcap)");
+  add_option(*command, "--target", "ADDRESS", options->target,
+             "Or IPv4 address to send to, at the recording's pace");
+  add_option(*command, "--sensor", "NAME  (default the only one of type points)", options->sensor,
+             "Sensor of the car, by name or number");
+  add_option(*command, "--topic", "TOPIC  (default the one with clouds)", options->topic,
+             "Topic of a recording");
   static const std::map<std::string, TimeUnit> units{{"s", TimeUnit::kSeconds},
                                                      {"ms", TimeUnit::kMilliseconds},
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
-  command->add_option("--time-unit", options->unit, "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
+  add_option(*command, "--time-unit",
+             "s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)", options->unit,
+             "Unit of the points' own times")
       ->transform(CLI::CheckedTransformer(units));
-  command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
-      ->option_text("HZ  (default 10)")
+  add_option(*command, "--rate", "HZ  (default 10)", options->clouds_per_second,
+             "Files of clouds per second")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
   command->footer(

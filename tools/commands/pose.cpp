@@ -19,6 +19,7 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/standing_car.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
@@ -162,23 +163,16 @@ void convert(const PoseLogOptions& options) {
 
 void add_map_options(CLI::App& command, PoseLogOptions& options) {
   CLI::Option* const map =
-      command
-          .add_option(
-              "--map", options.map,
-              "State the position on this map of `iog map` (.iogmap); for oxts, nmea and ubx")
-          ->option_text("FILE");
-  command.add_option("--origin", options.origin, "Origin of the map, instead of --map")
-      ->option_text("LAT,LON  (degrees)")
+      add_option(command, "--map", "FILE", options.map,
+                 "State the position on this map of `iog map` (.iogmap); for oxts, nmea and ubx");
+  add_option(command, "--origin", "LAT,LON  (degrees)", options.origin,
+             "Origin of the map, instead of --map")
       ->excludes(map);
-  command
-      .add_option("--map-sigma", options.map_sigma_mm,
-                  "Standard deviation of the logged position on the earth")
-      ->option_text("MM  (required with a map)")
+  add_option(command, "--map-sigma", "MM  (required with a map)", options.map_sigma_mm,
+             "Standard deviation of the logged position on the earth")
       ->check(CLI::Range(1.0, 65'535.0));
-  command
-      .add_option("--map-heading-sigma", options.map_heading_sigma_mrad,
-                  "Standard deviation of the logged heading against true north")
-      ->option_text("MRAD  (default 2)")
+  add_option(command, "--map-heading-sigma", "MRAD  (default 2)", options.map_heading_sigma_mrad,
+             "Standard deviation of the logged heading against true north")
       ->check(CLI::Range(0.01, 655.35));
 }
 
@@ -188,44 +182,31 @@ void add_pose(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "pose", "Make pose messages from a log of positions, or send them to a target");
   const auto options = std::make_shared<PoseLogOptions>();
-  command->add_option("--from", options->from, "Log to read")->option_text("FILE | FOLDER");
-  command
-      ->add_option("--standing", options->standing,
-                   "Copy this capture of a standing car to --out, with poses")
-      ->option_text("FILE");
-  command
-      ->add_option("--format", options->format,
-                   "Format of the log, if name and content do not show it")
-      ->option_text("csv | oxts | nmea | ubx | tum | kitti | mcap")
+  add_option(*command, "--from", "FILE | FOLDER", options->from, "Log to read");
+  add_option(*command, "--standing", "FILE", options->standing,
+             "Copy this capture of a standing car to --out, with poses");
+  add_option(*command, "--format", "csv | oxts | nmea | ubx | tum | kitti | mcap", options->format,
+             "Format of the log, if name and content do not show it")
       ->check(CLI::IsMember(std::vector<std::string>(kPoseFormats.begin(), kPoseFormats.end())));
-  command->add_option("--out", options->out, "Capture to write (.pcap)")->option_text("FILE");
-  command->add_option("--target", options->target, "IPv4 address to send to, instead of --out")
-      ->option_text("ADDRESS");
-  command->add_option("--port", options->port, "UDP port of the target")
-      ->option_text("PORT  (default 15010)")
+  add_option(*command, "--out", "FILE", options->out, "Capture to write (.pcap)");
+  add_option(*command, "--target", "ADDRESS", options->target,
+             "IPv4 address to send to, instead of --out");
+  add_option(*command, "--port", "PORT  (default 15010)", options->port, "UDP port of the target")
       ->check(CLI::Range(1, 65'535));
-  command
-      ->add_option("--speed", options->speed,
-                   "Speed: 1 as logged, 2 twice as fast, 0 as fast as possible")
-      ->option_text("X")
+  add_option(*command, "--speed", "X", options->speed,
+             "Speed: 1 as logged, 2 twice as fast, 0 as fast as possible")
       ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--mount", options->mount_m,
-                   "Position of the logged receiver in the vehicle frame")
-      ->option_text("X Y  (metres, default 0 0)")
+  add_option(*command, "--mount", "X Y  (metres, default 0 0)", options->mount_m,
+             "Position of the logged receiver in the vehicle frame")
       ->expected(2);
-  command
-      ->add_option("--sigma", options->sigma_mm,
-                   "Standard deviation of the distance driven in one second, if the log has none")
-      ->option_text("MM  (default 50)")
+  add_option(*command, "--sigma", "MM  (default 50)", options->sigma_mm,
+             "Standard deviation of the distance driven in one second, if the log has none")
       ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--heading-sigma", options->heading_sigma_mrad,
-                   "Standard deviation of the heading change in one second, if the log has none")
-      ->option_text("MRAD  (default 2)")
+  add_option(*command, "--heading-sigma", "MRAD  (default 2)", options->heading_sigma_mrad,
+             "Standard deviation of the heading change in one second, if the log has none")
       ->check(CLI::PositiveNumber);
-  command->add_option("--run", options->run, "Run number of the pose source")
-      ->option_text("N  (default 1; with --target from the clock)")
+  add_option(*command, "--run", "N  (default 1; with --target from the clock)", options->run,
+             "Run number of the pose source")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
   add_clock_offset_option(*command, options->clock_offset_s);
   add_map_options(*command, *options);

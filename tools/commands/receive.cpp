@@ -21,6 +21,7 @@
 #include "tools/formats/picture/frame_writer.hpp"
 #include "tools/frames/chosen_frame.hpp"
 #include "tools/frames/frame_assembler.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
@@ -327,52 +328,38 @@ void add_receive(CLI::App& program) {
   auto* const command =
       program.add_subcommand("receive", "Receive the grids of a target, check them and draw them");
   const auto options = std::make_shared<ReceiveOptions>();
-  command->add_option("--port", options->port, "UDP port to receive on")
-      ->option_text("PORT  (this or --serial)")
+  add_option(*command, "--port", "PORT  (this or --serial)", options->port,
+             "UDP port to receive on")
       ->check(CLI::Range(1, 65'535));
-  command->add_option("--bind", options->bind, "IPv4 address to receive on")
-      ->option_text("ADDRESS  (default 127.0.0.1)");
+  add_option(*command, "--bind", "ADDRESS  (default 127.0.0.1)", options->bind,
+             "IPv4 address to receive on");
   add_serial_options(*command, options->serial);
   add_believing_option(*command, options->key);
   add_vehicle_file_option(*command);
   add_picture_options(*command, options->pictures);
-  command->add_option("--frames", options->frames, "End after this number of frames with evidence")
-      ->option_text("N  (default the number in --expect)")
+  add_option(*command, "--frames", "N  (default the number in --expect)", options->frames,
+             "End after this number of frames with evidence")
       ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--idle-timeout", options->idle_timeout_s,
-                   "End after this time without a frame with evidence")
-      ->option_text("SECONDS")
+  add_option(*command, "--idle-timeout", "SECONDS", options->idle_timeout_s,
+             "End after this time without a frame with evidence")
       ->check(CLI::PositiveNumber);
   command->add_flag("--notify", options->notify,
                     "Print `listening`, `heard` at the first message, then `frame N` or `nothing "
                     "taken` per frame");
-  command
-      ->add_option("--hashes", options->hashes,
-                   "Write one line per frame, as `iog fuse --hashes` does")
-      ->option_text("FILE");
-  command
-      ->add_option("--expect", options->expect,
-                   "Compare the frames with a file of --hashes; exit status 1 if they differ")
-      ->option_text("FILE");
-  command
-      ->add_option(
-          "--classes-hashes", options->classes_hashes,
-          "Write one line per frame of the perception grid, as `iog fuse --classes-hashes` does")
-      ->option_text("FILE");
-  command
-      ->add_option(
-          "--expect-classes", options->expect_classes,
-          "Compare the frames with a file of --classes-hashes; exit status 1 if they differ")
-      ->option_text("FILE");
-  command
-      ->add_option("--stream", options->stream, "Write the received messages as a capture (.pcap)")
-      ->option_text("FILE");
+  add_option(*command, "--hashes", "FILE", options->hashes,
+             "Write one line per frame, as `iog fuse --hashes` does");
+  add_option(*command, "--expect", "FILE", options->expect,
+             "Compare the frames with a file of --hashes; exit status 1 if they differ");
+  add_option(
+      *command, "--classes-hashes", "FILE", options->classes_hashes,
+      "Write one line per frame of the perception grid, as `iog fuse --classes-hashes` does");
+  add_option(*command, "--expect-classes", "FILE", options->expect_classes,
+             "Compare the frames with a file of --classes-hashes; exit status 1 if they differ");
+  add_option(*command, "--stream", "FILE", options->stream,
+             "Write the received messages as a capture (.pcap)");
   command->add_flag("--strict", options->strict, "Exit status 1 also if a message was lost");
-  command
-      ->add_option("--summary", options->summary,
-                   "Write the numbers of the table as key=value lines")
-      ->option_text("FILE");
+  add_option(*command, "--summary", "FILE", options->summary,
+             "Write the numbers of the table as key=value lines");
   command->footer(
       "Ctrl-C also ends the reception. The table is still printed, with --notify on standard "
       "error.\n"

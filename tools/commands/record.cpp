@@ -1,7 +1,6 @@
 // iog record: a stream into files that other tools open.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/identity/capture_identity.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/record/mcap_recording.hpp"
@@ -139,58 +139,47 @@ void record(RecordOptions options) {
 
 void add_sources(CLI::App& command, RecordOptions& options) {
   auto* const sources = command.add_option_group("source");
-  sources
-      ->add_option("--port", options.live.port,
-                   "Record the stream that a target sends to this UDP port")
-      ->option_text("PORT")
+  add_option(*sources, "--port", "PORT", options.live.port,
+             "Record the stream that a target sends to this UDP port")
       ->check(CLI::Range(1, 65'535));
   auto* const pcap = add_drive_options(command, *sources, options.drive,
                                        "Fuse this capture of sensors (.pcap, .pcapng; also .gz or "
                                        ".zst); several are merged by time");
-  sources->add_option("--stream", options.stream, "Record from a stream in FILE.pcap or FILE.mcap")
-      ->option_text("FILE");
+  add_option(*sources, "--stream", "FILE", options.stream,
+             "Record from a stream in FILE.pcap or FILE.mcap");
   sources->require_option(1);
   add_vehicle_options(command, options.vehicle, "NAME  (with --pcap; default reference_car)");
-  command.add_option("--map", options.map, "City map that the target has from the start (.iogmap)")
-      ->option_text("FILE  (with --pcap)")
+  add_option(command, "--map", "FILE  (with --pcap)", options.map,
+             "City map that the target has from the start (.iogmap)")
       ->needs(pcap);
-  command.add_option("--bind", options.live.bind, "IPv4 address to receive on")
-      ->option_text("ADDRESS  (with --port; default 127.0.0.1)");
-  command
-      .add_option("--frames", options.live.frames, "End after this number of frames with evidence")
-      ->option_text("N  (with --port)")
+  add_option(command, "--bind", "ADDRESS  (with --port; default 127.0.0.1)", options.live.bind,
+             "IPv4 address to receive on");
+  add_option(command, "--frames", "N  (with --port)", options.live.frames,
+             "End after this number of frames with evidence")
       ->check(CLI::NonNegativeNumber);
-  command
-      .add_option("--idle-timeout", options.live.idle_timeout_s,
-                  "End after this time without a frame with evidence")
-      ->option_text("SECONDS  (with --port)")
+  add_option(command, "--idle-timeout", "SECONDS  (with --port)", options.live.idle_timeout_s,
+             "End after this time without a frame with evidence")
       ->check(CLI::PositiveNumber);
   command.add_flag("--notify", options.live.notify,
                    "Print `listening`, then `frame N` or `nothing taken` per frame");
 }
 
 void add_destinations(CLI::App& command, RecordOptions& options) {
-  command
-      .add_option("--out", options.out,
-                  "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
-      ->option_text("FILE | FOLDER  (required)")
+  add_option(command, "--out", "FILE | FOLDER  (required)", options.out,
+             "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
       ->required();
-  command.add_option("--topics", options.topics, "Topics of an MCAP file: " + list_of_topics())
-      ->option_text("TOPIC,...  (default all but /points)")
+  add_option(command, "--topics", "TOPIC,...  (default all but /points)", options.topics,
+             "Topics of an MCAP file: " + list_of_topics())
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
   command.add_flag("--points", options.has_points, "Also record scan points on /points")
       ->option_text("(needs --pcap)")
       ->needs(command.get_option("--pcap"));
   command.add_flag("--uncompressed", options.is_uncompressed, "Do not compress MCAP files");
-  command
-      .add_option(
-          "--stamp", options.stamp,
-          "Clock of the timestamps in an MCAP file: of the target, of this PC, or of the poses")
-      ->option_text("target | arrival | poses  (default target)")
+  add_option(command, "--stamp", "target | arrival | poses  (default target)", options.stamp,
+             "Clock of the timestamps in an MCAP file: of the target, of this PC, or of the poses")
       ->check(CLI::IsMember({"target", "arrival", "poses"}));
-  command.add_option("--every", options.pictures.every, "Draw every Nth frame")
-      ->option_text("N  (default 1)")
+  add_option(command, "--every", "N  (default 1)", options.pictures.every, "Draw every Nth frame")
       ->check(CLI::PositiveNumber);
   command.add_flag("--maps", options.with_maps,
                    "Also write map_NNNNNN.pgm and map_NNNNNN.yaml for each picture");

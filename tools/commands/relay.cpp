@@ -14,6 +14,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/replay/udp_sender.hpp"
@@ -123,17 +124,13 @@ void add_relay(CLI::App& program) {
       "relay", "Read a car's ibeo units by TCP and send their scans to a target");
   const auto options = std::make_shared<RelayOptions>();
   add_vehicle_options(*command, options->vehicle);
-  command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default the car's)");
-  command
-      ->add_option("--port-base", options->port_base,
-                   "First of consecutive ports that replace those of the car's sensors")
-      ->option_text("PORT")
+  add_option(*command, "--target", "ADDRESS  (default the car's)", options->target,
+             "IPv4 address to send to");
+  add_option(*command, "--port-base", "PORT", options->port_base,
+             "First of consecutive ports that replace those of the car's sensors")
       ->check(CLI::Range(1, 65'535));
-  command
-      ->add_option("--unit", options->units,
-                   "Connect to these sensors only, at these addresses; default TCP port 12002")
-      ->option_text("NAME=ADDRESS[:PORT] ...");
+  add_option(*command, "--unit", "NAME=ADDRESS[:PORT] ...", options->units,
+             "Connect to these sensors only, at these addresses; default TCP port 12002");
   command->footer(
       "relay connects to ibeo LUX and SICK LD-MRS units, which are TCP servers. Without --unit, it "
       "uses the source_ipv4 of each sensor in the car file. It sends nothing to a unit, which must "

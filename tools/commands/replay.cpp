@@ -21,6 +21,7 @@
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
 #include "tools/map/block_file.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
@@ -314,22 +315,18 @@ void add_replay(CLI::App& program) {
   const auto options = std::make_shared<ReplayOptions>();
   add_drive_options(*command, *command, options->drive, kCapturesHelp)->required();
   add_vehicle_options(*command, options->vehicle);
-  command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default the car's; with --port-base 127.0.0.1)");
-  command
-      ->add_option("--port-base", options->port_base,
-                   "First of consecutive ports that replace the car's: of its sensors, then of "
-                   "poses and maps")
-      ->option_text("PORT")
+  add_option(*command, "--target", "ADDRESS  (default the car's; with --port-base 127.0.0.1)",
+             options->target, "IPv4 address to send to");
+  add_option(*command, "--port-base", "PORT", options->port_base,
+             "First of consecutive ports that replace the car's: of its sensors, then of "
+             "poses and maps")
       ->check(CLI::Range(1, 65'535));
-  command
-      ->add_option("--speed", options->speed,
-                   "Speed: 1 as recorded, 2 twice as fast, 0 as fast as possible")
-      ->option_text("X  (default 1; with --step 0)")
+  add_option(*command, "--speed", "X  (default 1; with --step 0)", options->speed,
+             "Speed: 1 as recorded, 2 twice as fast, 0 as fast as possible")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--step", options->step,
                     "Report each frame as sent, then wait for a line on standard input");
-  command->add_option("--map", options->map, "Send this map first (.iogmap)")->option_text("FILE");
+  add_option(*command, "--map", "FILE", options->map, "Send this map first (.iogmap)");
   add_signing_options(*command, options->signing);
   add_listening_options(*command, options->signing);
   command->add_flag("--loop", options->loop, "Restart at the end, until interrupted");

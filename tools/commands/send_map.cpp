@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "map/chunk.hpp"
@@ -15,6 +14,7 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/map/refusal_text.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/udp_receiver.hpp"
@@ -208,30 +208,24 @@ void add_send_map(CLI::App& program) {
   auto* const command =
       program.add_subcommand("send-map", "Send a city map to a target until the target uses it");
   const auto options = std::make_shared<SendMapOptions>();
-  command->add_option("FILE", options->file, "Map of `iog map` (.iogmap)")
-      ->option_text("(required)")
+  add_option(*command, "FILE", "(required)", options->file, "Map of `iog map` (.iogmap)")
       ->required();
-  command->add_option("--target", options->target, "IPv4 address to send to")
-      ->option_text("ADDRESS  (default 127.0.0.1)");
-  command->add_option("--port", options->port, "UDP port of the target")
-      ->option_text("PORT  (default 15011)")
+  add_option(*command, "--target", "ADDRESS  (default 127.0.0.1)", options->target,
+             "IPv4 address to send to");
+  add_option(*command, "--port", "PORT  (default 15011)", options->port, "UDP port of the target")
       ->check(CLI::Range(1, 65'535));
-  command
-      ->add_option(
-          "--listen", options->listen,
-          "Receive the target's stream on this UDP port, and end when the target uses the map")
-      ->option_text("PORT")
+  add_option(*command, "--listen", "PORT", options->listen,
+             "Receive the target's stream on this UDP port, and end when the target uses the map")
       ->check(CLI::Range(1, 65'535));
-  command->add_option("--bind", options->bind, "IPv4 address to listen on")
-      ->option_text("ADDRESS  (default 127.0.0.1)")
+  add_option(*command, "--bind", "ADDRESS  (default 127.0.0.1)", options->bind,
+             "IPv4 address to listen on")
       ->needs("--listen");
   add_signing_options(*command, options->signing);
-  command->add_option("--rate", options->rate, "Chunks of 1280 bytes per second")
-      ->option_text("N  (default 1000)")
+  add_option(*command, "--rate", "N  (default 1000)", options->rate,
+             "Chunks of 1280 bytes per second")
       ->check(CLI::Range(1.0, 100'000.0));
-  command
-      ->add_option("--rounds", options->rounds, "Maximum number of times that each chunk is sent")
-      ->option_text("N  (default 5)")
+  add_option(*command, "--rounds", "N  (default 5)", options->rounds,
+             "Maximum number of times that each chunk is sent")
       ->check(CLI::Range(1, 1'000));
   command->footer(
       "Exit status 1 if the target does not use the map at the end. Without --listen, all rounds "

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tools/frames/frame_assembler.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/receive/udp_receiver.hpp"
@@ -71,34 +72,27 @@ Freshness heard_freshness(const authentication::Key& key, const std::string& add
 }  // namespace
 
 void add_signing_options(CLI::App& command, SigningOptions& options) {
-  command
-      .add_option("--key", options.key,
-                  "Sign with the key of this file, for a car with `authentication`")
-      ->option_text("FILE");
-  command
-      .add_option("--freshness", options.freshness,
-                  "Run and last counter of the target, as `iog receive` shows them")
-      ->option_text("RUN:LAST")
+  add_option(command, "--key", "FILE", options.key,
+             "Sign with the key of this file, for a car with `authentication`");
+  add_option(command, "--freshness", "RUN:LAST", options.freshness,
+             "Run and last counter of the target, as `iog receive` shows them")
       ->needs("--key");
 }
 
 void add_listening_options(CLI::App& command, SigningOptions& options) {
-  command
-      .add_option("--listen", options.listen,
-                  "UDP port of the target's stream, which states both, instead of --freshness")
-      ->option_text("PORT")
+  add_option(command, "--listen", "PORT", options.listen,
+             "UDP port of the target's stream, which states both, instead of --freshness")
       ->needs("--key")
       ->excludes("--freshness")
       ->check(CLI::Range(1, 65'535));
-  command.add_option("--bind", options.bind, "IPv4 address to listen on")
-      ->option_text("ADDRESS  (default 127.0.0.1)")
+  add_option(command, "--bind", "ADDRESS  (default 127.0.0.1)", options.bind,
+             "IPv4 address to listen on")
       ->needs("--listen");
 }
 
 void add_believing_option(CLI::App& command, std::string& key) {
-  command
-      .add_option("--key", key, "Accept only messages that are signed with the key of this file")
-      ->option_text("FILE");
+  add_option(command, "--key", "FILE", key,
+             "Accept only messages that are signed with the key of this file");
 }
 
 CommandSigner signer_of(const SigningOptions& options) {

@@ -16,6 +16,7 @@
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/map/map_readers.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
@@ -249,76 +250,56 @@ void simulate(const SimulateOptions& options) {
 }
 
 void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
-  command
-      .add_option("--truth", options.truth,
-                  "Write the true occupancy as truth_NNNNNN.pgm into this folder")
-      ->option_text("FOLDER");
-  command
-      .add_option("--truth-cells", options.truth_cells,
-                  "Write the ground truth of the cells as a .csv file")
-      ->option_text("FILE  (needs --moving)")
+  add_option(command, "--truth", "FOLDER", options.truth,
+             "Write the true occupancy as truth_NNNNNN.pgm into this folder");
+  add_option(command, "--truth-cells", "FILE  (needs --moving)", options.truth_cells,
+             "Write the ground truth of the cells as a .csv file")
       ->needs(moving);
-  command
-      .add_option("--truth-points", options.truth_points,
-                  "Write the ground truth of the points as a .csv file")
-      ->option_text("FILE  (needs --moving)")
+  add_option(command, "--truth-points", "FILE  (needs --moving)", options.truth_points,
+             "Write the ground truth of the points as a .csv file")
       ->needs(moving);
-  command
-      .add_option("--truth-every", options.truth_every, "Write the ground truth of every Nth frame")
-      ->option_text("N  (default 25)")
+  add_option(command, "--truth-every", "N  (default 25)", options.truth_every,
+             "Write the ground truth of every Nth frame")
       ->check(CLI::PositiveNumber);
 }
 
 void add_pose_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
-  command.add_option("--pose-rate", options.pose_rate_hz, "Poses per second")
-      ->option_text("HZ  (1 to 125, default 100)")
+  add_option(command, "--pose-rate", "HZ  (1 to 125, default 100)", options.pose_rate_hz,
+             "Poses per second")
       ->check(CLI::Range(1.0, 125.0))
       ->needs(moving);
-  command
-      .add_option("--pose-sigma", options.pose_sigma_mm,
-                  "Standard deviation of the distance driven in one second, on each axis")
-      ->option_text("MM  (default 20)")
+  add_option(command, "--pose-sigma", "MM  (default 20)", options.pose_sigma_mm,
+             "Standard deviation of the distance driven in one second, on each axis")
       ->check(CLI::Range(0.0, 10'000.0))
       ->needs(moving);
-  command
-      .add_option("--pose-heading-sigma", options.pose_heading_sigma_mrad,
-                  "Standard deviation of the heading change in one second")
-      ->option_text("MRAD  (default 1)")
+  add_option(command, "--pose-heading-sigma", "MRAD  (default 1)", options.pose_heading_sigma_mrad,
+             "Standard deviation of the heading change in one second")
       ->check(CLI::Range(0.0, 500.0))
       ->needs(moving);
-  command.add_option("--pose-gap", options.pose_gaps, "Send no poses from SECOND on, for SECONDS")
-      ->option_text("SECOND:SECONDS ...")
+  add_option(command, "--pose-gap", "SECOND:SECONDS ...", options.pose_gaps,
+             "Send no poses from SECOND on, for SECONDS")
       ->needs(moving);
-  command
-      .add_option("--pose-freeze", options.pose_freezes,
-                  "Repeat the pose of SECOND with speed 0, for SECONDS")
-      ->option_text("SECOND:SECONDS ...")
+  add_option(command, "--pose-freeze", "SECOND:SECONDS ...", options.pose_freezes,
+             "Repeat the pose of SECOND with speed 0, for SECONDS")
       ->needs(moving);
-  command
-      .add_option("--pose-jump", options.pose_jumps,
-                  "Shift all poses to the left by METRES, from SECOND on")
-      ->option_text("SECOND:METRES ...")
+  add_option(command, "--pose-jump", "SECOND:METRES ...", options.pose_jumps,
+             "Shift all poses to the left by METRES, from SECOND on")
       ->needs(moving);
-  command
-      .add_option("--pose-restart", options.pose_restarts_s, "Restart the pose source at SECOND")
-      ->option_text("SECOND ...")
+  add_option(command, "--pose-restart", "SECOND ...", options.pose_restarts_s,
+             "Restart the pose source at SECOND")
       ->needs(moving);
 }
 
 void add_town_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving,
                       CLI::Option* scene) {
   CLI::Option* const town =
-      command
-          .add_option("--town", options.town,
-                      "Drive through this town of OpenStreetMap, not through a scene")
-          ->option_text("FILE  (.osm, .osm.pbf, ...; needs --moving)")
+      add_option(command, "--town", "FILE  (.osm, .osm.pbf, ...; needs --moving)", options.town,
+                 "Drive through this town of OpenStreetMap, not through a scene")
           ->needs(moving)
           ->excludes(scene)
           ->excludes(command.get_option("--osm"));
-  command
-      .add_option("--town-origin", options.town_origin,
-                  "Origin of the map and start of the drive; give the same to `iog map --origin`")
-      ->option_text("LAT,LON  (default the middle)")
+  add_option(command, "--town-origin", "LAT,LON  (default the middle)", options.town_origin,
+             "Origin of the map and start of the drive; give the same to `iog map --origin`")
       ->needs(town);
 }
 
@@ -328,19 +309,16 @@ void add_simulate(CLI::App& program) {
   auto* const command = program.add_subcommand(
       "simulate", "Simulate a drive and write the packets of the car's scanners as a capture");
   const auto options = std::make_shared<SimulateOptions>();
-  command->add_option("--out", options->out, "Capture to write (.pcap)")
-      ->option_text("FILE  (required; without it, --osm writes only the map)");
-  command->add_option("--seed", options->seed, "Seed of the random world")
-      ->option_text("N  (default 1)")
+  add_option(*command, "--out", "FILE  (required; without it, --osm writes only the map)",
+             options->out, "Capture to write (.pcap)");
+  add_option(*command, "--seed", "N  (default 1)", options->seed, "Seed of the random world")
       ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--seconds", options->seconds, "Length of the drive, with 25 frames per second")
-      ->option_text("N  (1 to 600, default 10)")
+  add_option(*command, "--seconds", "N  (1 to 600, default 10)", options->seconds,
+             "Length of the drive, with 25 frames per second")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));
-  CLI::Option* const scene =
-      command->add_option("--scene", options->scene, "Where the drive goes: " + scene_names())
-          ->option_text("NAME  (default city)")
-          ->check(known_scenes());
+  CLI::Option* const scene = add_option(*command, "--scene", "NAME  (default city)", options->scene,
+                                        "Where the drive goes: " + scene_names())
+                                 ->check(known_scenes());
   add_vehicle_options(*command, options->vehicle);
   CLI::Option* const moving =
       command->add_flag("--moving", options->is_moving,

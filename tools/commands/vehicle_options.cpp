@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tools/program/add_option.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -27,10 +28,10 @@ CLI::Validator known_vehicles() { return CLI::Validator('{' + vehicle_names() + 
 CLI::Validator known_scenes() { return CLI::Validator('{' + scene_names() + '}'); }
 
 void add_vehicle_options(CLI::App& command, std::string& name, const std::string& text) {
-  auto* const by_name = command.add_option("--vehicle", name, "A car that `iog vehicles` lists")
-                            ->option_text(text)
-                            ->check(known_vehicles())
-                            ->each([](const std::string& given) { give_vehicle(given); });
+  auto* const by_name =
+      add_option(command, "--vehicle", text, name, "A car that `iog vehicles` lists")
+          ->check(known_vehicles())
+          ->each([](const std::string& given) { give_vehicle(given); });
   command
       .add_option_function<std::string>(
           "--vehicle-file", [&name](const std::string& path) { name = add_vehicle_file(path); },
@@ -47,20 +48,17 @@ CLI::Option* add_vehicle_file_option(CLI::App& command) {
 }
 
 CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds) {
-  return command
-      .add_option("--clock-offset", seconds,
-                  "Add this to the times of the poses, if the clock of the packets is ahead")
-      ->option_text("SECONDS  (default 0; 37: packets by TAI, poses by UTC)")
+  return add_option(command, "--clock-offset",
+                    "SECONDS  (default 0; 37: packets by TAI, poses by UTC)", seconds,
+                    "Add this to the times of the poses, if the clock of the packets is ahead")
       ->check(CLI::Range(-kMostClockOffsetS, kMostClockOffsetS));
 }
 
 CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::string& text) {
   auto* const poses = command.add_option("--poses", drive.poses, text);
   poses->option_text("FILE | FOLDER");
-  command
-      .add_option("--poses-mount", drive.poses_mount,
-                  "Position of the logged receiver or lidar in the vehicle frame")
-      ->option_text("X Y [YAW]  (metres, degrees)")
+  add_option(command, "--poses-mount", "X Y [YAW]  (metres, degrees)", drive.poses_mount,
+             "Position of the logged receiver or lidar in the vehicle frame")
       ->expected(2, 3)
       ->needs(poses);
   return poses;

@@ -10,7 +10,6 @@
 
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
-#include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/car_words.hpp"

@@ -13,6 +13,7 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/foxglove/live_feed.hpp"
 #include "tools/map/block_file.hpp"
+#include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/interrupt.hpp"
@@ -148,15 +149,13 @@ void view_grid(const ViewOptions& options) {
 
 // An option of one kind of source does nothing for another.
 void add_sources(CLI::App& command, ViewOptions& options) {
-  command.add_option("--port", options.port, "UDP port of the target's stream")
-      ->option_text("PORT  (default 15000)")
+  add_option(command, "--port", "PORT  (default 15000)", options.port,
+             "UDP port of the target's stream")
       ->check(CLI::Range(1, 65'535));
   auto* const bind = command.add_option("--bind", options.bind, "IPv4 address to receive on");
   bind->option_text("ADDRESS  (default 127.0.0.1)");
-  command
-      .add_option("--forward", options.forward,
-                  "Forward each message to this port of this PC, for `iog receive`")
-      ->option_text("PORT")
+  add_option(command, "--forward", "PORT", options.forward,
+             "Forward each message to this port of this PC, for `iog receive`")
       ->check(CLI::Range(1, 65'535));
   auto* const pcap = add_drive_options(
       command, command, options.drive,
@@ -168,12 +167,11 @@ void add_sources(CLI::App& command, ViewOptions& options) {
   simulate->option_text("SCENE")->check(known_scenes())->excludes(pcap);
   bind->excludes(pcap)->excludes(simulate);
   add_vehicle_options(command, options.vehicle);
-  command.add_option("--seed", options.seed, "Seed of the simulated drive")
-      ->option_text("N  (default 1)")
+  add_option(command, "--seed", "N  (default 1)", options.seed, "Seed of the simulated drive")
       ->check(CLI::NonNegativeNumber)
       ->needs(simulate);
-  command.add_option("--speed", options.speed, "Speed of the recording; 2: twice as fast")
-      ->option_text("FACTOR  (default 1)")
+  add_option(command, "--speed", "FACTOR  (default 1)", options.speed,
+             "Speed of the recording; 2: twice as fast")
       ->check(CLI::Range(0.01, 100.0))
       ->needs(pcap);
   command.add_flag("--loop", options.loop, "Repeat the recording")
@@ -188,30 +186,22 @@ void add_view(CLI::App& program) {
       "view", "Show grids live in a browser: of a target, a capture or a simulated drive");
   const auto options = std::make_shared<ViewOptions>();
   add_sources(*command, *options);
-  command->add_option("--http", options->http, "TCP port of the page; 0: any free port")
-      ->option_text("PORT  (default 8080, or a free one)")
+  add_option(*command, "--http", "PORT  (default 8080, or a free one)", options->http,
+             "TCP port of the page; 0: any free port")
       ->check(CLI::Range(0, 65'535));
-  command
-      ->add_option(
-          "--http-bind", options->http_bind,
-          "IP address of the page and of --foxglove; only this PC reaches a loopback address")
-      ->option_text("ADDRESS  (default 127.0.0.1)");
-  command
-      ->add_option("--foxglove", options->foxglove,
-                   "Also serve Foxglove by its WebSocket protocol; 0: any free port")
-      ->option_text("[PORT]  (default 8765)")
+  add_option(*command, "--http-bind", "ADDRESS  (default 127.0.0.1)", options->http_bind,
+             "IP address of the page and of --foxglove; only this PC reaches a loopback address");
+  add_option(*command, "--foxglove", "[PORT]  (default 8765)", options->foxglove,
+             "Also serve Foxglove by its WebSocket protocol; 0: any free port")
       ->expected(0, 1)
       ->default_str(kUsualFoxglovePort)
       ->check(CLI::Range(0, 65'535));
-  command
-      ->add_option("--map", options->map, "Draw the outlines of this map while the target uses it")
-      ->option_text("FILE.iogmap");
+  add_option(*command, "--map", "FILE.iogmap", options->map,
+             "Draw the outlines of this map while the target uses it");
   add_believing_option(*command, options->key);
   command->add_flag("--open", options->open, "Open the page with xdg-open");
-  command
-      ->add_option("--records", options->records,
-                   "Folder into which the page's record button writes captures")
-      ->option_text("FOLDER  (default .)");
+  add_option(*command, "--records", "FOLDER  (default .)", options->records,
+             "Folder into which the page's record button writes captures");
   command->footer(
       "Ctrl-C ends the program. It fuses captures of sensors itself, so that it can also show "
       "their points.\n"

@@ -19,7 +19,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "protection/protected_message.hpp"
 #include "stream/channel.hpp"

@@ -1,7 +1,6 @@
 // Which messages of a numbered stream are missing, late or doubled.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <set>
 

@@ -3,7 +3,6 @@
 // arrival, and frames end where the target ended them.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <map>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string_view>
 
 #include "lidar/velodyne.hpp"
 #include "lidar/velodyne_bytes.hpp"

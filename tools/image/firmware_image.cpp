@@ -6,7 +6,6 @@
 #include <span>
 
 #include "checksum/crc32.hpp"
-#include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "wire/byte_order.hpp"
 

@@ -1,5 +1,4 @@
 // What is in a map block.
-#include <algorithm>
 #include <ctime>
 #include <iomanip>
 #include <sstream>

@@ -1,7 +1,6 @@
 #include "tools/info/file_summary.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>

@@ -1,7 +1,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <iomanip>
 #include <map>
 #include <sstream>
 #include <utility>

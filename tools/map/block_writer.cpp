@@ -9,7 +9,6 @@
 namespace iog::tools {
 namespace {
 
-using map::BoxCm;
 using map::Buckets;
 using map::PointCm;
 using CmRing = std::vector<PointCm>;
@@ -94,7 +93,7 @@ class Bytes {
     i32(point.x);
     i32(point.y);
   }
-  void box(const BoxCm& box) {
+  void box(const map::BoxCm& box) {
     point(box.low);
     point(box.high);
   }

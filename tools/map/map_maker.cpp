@@ -1,7 +1,6 @@
 #include "tools/map/map_maker.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 

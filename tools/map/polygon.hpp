@@ -1,7 +1,6 @@
 // Polygons in the plane of a map, before they are rounded.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "map/block.hpp"

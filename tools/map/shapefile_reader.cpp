@@ -1,5 +1,4 @@
 // Polygons of an ESRI Shapefile (ESRI white paper of July 1998), through shapelib.
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <shapefil.h>

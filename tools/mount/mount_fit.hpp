@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "tools/mount/motion_log.hpp"
 #include "tools/mount/unit_turns.hpp"

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <vector>
 
 #include "tools/odometry/local_map.hpp"
 #include "tools/odometry/scan_match.hpp"

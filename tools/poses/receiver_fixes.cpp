@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-
-#include "tools/poses/text_fields.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,6 +1,7 @@
 #include "tools/poses/text_fields.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 
 #include "tools/program/exit_status.hpp"

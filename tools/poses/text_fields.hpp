@@ -1,8 +1,6 @@
 // Lines, numbers and times in the text of logs, read without surprises: the whole field or nothing.
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

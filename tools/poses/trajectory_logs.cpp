@@ -1,5 +1,4 @@
 // The trajectories of SLAM programs and benchmarks: rows of numbers between blanks.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>

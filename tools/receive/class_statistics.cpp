@@ -8,7 +8,6 @@
 #include <span>
 
 #include "tools/program/hexadecimal.hpp"
-#include "tools/program/table.hpp"
 #include "tools/report/map_words.hpp"
 #include "tools/report/names.hpp"
 

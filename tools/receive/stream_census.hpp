@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/receive/run_statistics.hpp"

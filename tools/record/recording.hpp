@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/frames/grid_frame.hpp"

@@ -5,9 +5,7 @@
 #include <iostream>
 
 #include "tools/formats/capture/made_capture.hpp"
-#include "tools/program/exit_status.hpp"
 #include "tools/receive/stream_census.hpp"
-#include "tools/record/mcap_recording.hpp"
 
 namespace iog::tools {
 

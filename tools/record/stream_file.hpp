@@ -1,7 +1,6 @@
 // The datagrams of a recorded stream, out of a capture or an MCAP file of `iog record`.
 #pragma once
 
-#include <cstdint>
 #include <fstream>
 #include <memory>
 #include <optional>

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "map/chunk.hpp"
 #include "tools/replay/command_signer.hpp"

@@ -1,6 +1,5 @@
 #include "tools/vehicles/key_file.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <string_view>

@@ -1,6 +1,5 @@
 #include "tools/vehicles/toml_table.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <utility>
 

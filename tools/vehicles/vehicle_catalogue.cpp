@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <string>
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <string_view>
-#include <utility>
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/time_of_day.hpp"

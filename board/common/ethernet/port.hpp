@@ -21,7 +21,7 @@
 //   set_groups(bits)    sets this table; may be called at any time
 //   frame_bytes(descriptor, counters)  the length of the good frame in a filled buffer; if there is
 //                       none, counts a bad frame and returns 0
-//   gave_back()         called after each buffer that the controller may fill again
+//   gave_back(memory)   called after each buffer that the controller may fill again
 //   found_none(was_full, counters)     called when no buffer is filled
 //   send()              wakes the transmitter, once the descriptors are in memory
 //   collect(counters)   adds the events that its statistics have counted since the last call

@@ -58,7 +58,7 @@ std::span<const std::byte> Port<Controller>::receive() {
     }
     accept();
     receive_ring_.recycle();
-    controller_.gave_back();
+    controller_.gave_back(memory_);
   }
   return frame_;
 }

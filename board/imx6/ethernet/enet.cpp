@@ -158,8 +158,8 @@ std::size_t Enet::frame_bytes(const Descriptor& descriptor, hal::PortCounters& c
 
 // When the controller finds no empty buffer, it stops until RDAR is written. RDAR must also be
 // written after a bad frame. Otherwise, a ring full of bad frames would stop reception forever.
-void Enet::gave_back() {
-  cache_.drain_stores();
+void Enet::gave_back(L2Cache& cache) {
+  cache.drain_stores();
   registers_.rdar.write(R::kRdarActive);
 }
 

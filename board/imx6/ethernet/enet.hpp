@@ -23,7 +23,7 @@ class Enet {
   // receive buffer size of 2 KiB makes the DMA run away (FreeBSD if_ffec.c, ffec_init_locked).
   static constexpr std::uint32_t kUsableBytes = 2032;
 
-  Enet(EnetRegisters& registers, L2Cache& cache) : registers_(registers), cache_(cache) {}
+  explicit Enet(EnetRegisters& registers) : registers_(registers) {}
 
   // The interface that Port requires.
   Mdio& mdio() { return mdio_; }
@@ -34,7 +34,7 @@ class Enet {
   static unsigned bin_of(const MacAddress& group);
   void set_groups(std::uint64_t groups);
   std::size_t frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters);
-  void gave_back();
+  void gave_back(L2Cache& cache);
   void found_none(bool /*was_full*/, hal::PortCounters& /*counters*/) {}
   void send();
   void collect(hal::PortCounters& counters);
@@ -48,7 +48,6 @@ class Enet {
   void set_mode(const Link& mode);
 
   EnetRegisters& registers_;
-  L2Cache& cache_;
   Mdio mdio_{registers_};
   bool in_long_frame_ = false;        // the buffers up to the next "last" are of a dropped frame
   std::uint32_t overflows_seen_ = 0;  // the last value of ENET_IEEE_R_MACERR

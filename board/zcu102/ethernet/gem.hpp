@@ -32,7 +32,7 @@ class Gem {
   static unsigned bin_of(const MacAddress& group);
   void set_groups(std::uint64_t groups);
   std::size_t frame_bytes(const Descriptor& descriptor, hal::PortCounters& counters);
-  void gave_back() {}
+  void gave_back(DescriptorFormat::Memory& /*memory*/) {}
   void found_none(bool was_full, hal::PortCounters& counters);
   void send() { registers_.network_control.set_bits(GemRegisters::kControlStartTransmit); }
   void collect(hal::PortCounters& counters);

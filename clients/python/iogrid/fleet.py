@@ -81,7 +81,7 @@ def in_folder(folder: str) -> list[str]:
 def in_list(path: str) -> list[str]:
     text = bytes_of(path).decode(**TEXT)
     if "\0" in text:
-        raise FleetError(f"{path}: no list of recordings, which is a text file, one path or URL a line")
+        raise FleetError(f"{path}: a list of recordings is a text file with one path or URL on each line")
     return [name for line in text.split("\n") if (name := line.rstrip("\r"))]
 
 
@@ -116,7 +116,7 @@ class Table:
             of_rows.write_text(settings, **TEXT)
             known = self._append(columns)
         elif not of_rows.exists() or of_rows.read_text(**TEXT) != settings:
-            raise FleetError(f"{self.path}: its rows are of another car, other options or another iog, see {of_rows}; "
+            raise FleetError(f"{self.path}: its rows come from another car, other options or another iog, see {of_rows}; "
                              "give another --out")
         end = at = quotes = 0
         for line in io.BytesIO(known):
@@ -125,7 +125,7 @@ class Table:
                 end = at
         head, *rows = csv.reader(io.StringIO(known[:end].decode(**TEXT), newline="")) if end else [[]]
         if head != columns:
-            raise FleetError(f"{self.path}: no table of this iog batch; give another --out")
+            raise FleetError(f"{self.path}: this iog batch did not write this table; give another --out")
         self.file.truncate(end)
         self.status = {row[0]: row[1] for row in rows}
 
@@ -173,7 +173,7 @@ def answer_in(worker: str, future: distributed.Future, patience_s: float) -> dic
     if future.status == "error":
         raise FleetError(f"worker {worker}: {future.exception(timeout=LOOK_S)}")
     if future.status != "finished":
-        raise FleetError(f"worker {worker}: no answer in {patience_s:g} s")
+        raise FleetError(f"worker {worker} has not answered in {patience_s:g} s")
     answer = future.result(timeout=LOOK_S)
     if not answer["version"]:
         raise FleetError(f"worker {worker}: {answer['reason']}")

@@ -1,5 +1,4 @@
 // Branches that any predictor foresees, that none does, and that tell what a predictor has.
-#include <array>
 
 #include "micro.hpp"
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "lab/experiments/evidential/names.hpp"
 #include "lab/experiments/experiments.hpp"

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
-#include <utility>
 
 #include "lab/experiments/evidential/names.hpp"
 #include "lab/experiments/experiments.hpp"

@@ -8,7 +8,6 @@
 #include "lab/experiments/map_quality/world_cells.hpp"
 #include "lab/experiments/perception/truth.hpp"
 #include "tools/simulate/scanners/lux_burst.hpp"
-#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
 namespace {

@@ -1,7 +1,6 @@
 // What is true of the world's cells around the window of a perceived frame, at the frame's end.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lab/experiments/perception/truth.hpp"

@@ -1,6 +1,5 @@
 #include "lab/experiments/perception/perceived_drive.hpp"
 
-#include <array>
 #include <deque>
 #include <memory>
 

@@ -2,7 +2,6 @@
 // under the default rule, under the thesis's and others, in front of what stops and leaves, and
 // when poses are bad.
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>

@@ -1,7 +1,6 @@
 // What is true of the cells of a perceived drive, frame by frame.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "geometry/cell.hpp"

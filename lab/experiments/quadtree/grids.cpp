@@ -1,7 +1,6 @@
 #include "lab/experiments/quadtree/grids.hpp"
 
 #include <cstddef>
-#include <string>
 
 #include "fusion/frame_fusion.hpp"
 #include "tools/simulate/random.hpp"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "lab/evidence/frame_points.hpp"
 #include "lab/experiments/experiments.hpp"

@@ -1,7 +1,5 @@
 #include "lab/experiments/quadtree/updates.hpp"
 
-#include <cstdint>
-
 namespace iog::lab {
 namespace {
 

@@ -14,9 +14,7 @@
 namespace iog::lab {
 namespace {
 
-using tile_coding::Encoding;
-
-std::size_t index_of(Encoding encoding) { return static_cast<std::size_t>(encoding); }
+std::size_t index_of(tile_coding::Encoding encoding) { return static_cast<std::size_t>(encoding); }
 
 class Scale {
  public:

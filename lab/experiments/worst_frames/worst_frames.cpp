@@ -108,7 +108,7 @@ Table limits() {
   const char* const rule = vehicle.rule == vehicle::FusionRule::kHitsWin ? "hits_win" : "bayes";
   const FrameLimits limits = frame_limits(vehicle);
   table.row(limits.points, limits.range_m, limits.cells_per_beam, limits.cells, limits.tiles,
-            geometry::kCellMm, vehicle.frame_period_us, rule, vehicle::kMaxSensors,
+            vehicle.grid.cell_mm, vehicle.frame_period_us, rule, vehicle::kMaxSensors,
             grid::kMaxMarks);
   return table;
 }

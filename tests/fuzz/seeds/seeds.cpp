@@ -2,12 +2,8 @@
 #include "seeds.hpp"
 
 #include <array>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "car_block/content.hpp"
 #include "discovery/bytes.hpp"
@@ -17,7 +13,6 @@
 #include "fakes/random.hpp"
 #include "fakes/real_ars548_list.hpp"
 #include "fakes/reference_block.hpp"
-#include "geometry/grid.hpp"
 #include "pose/message.hpp"
 #include "stream/tiles.hpp"
 #include "tile_coding/encode.hpp"

@@ -2,9 +2,6 @@
 #include "ageing/clock.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -21,7 +18,7 @@ TEST(Clock, KnowsNothingBeforeTheFirstFrame) {
   for (std::uint8_t slot = 0; slot <= Clock::kFrames; ++slot) {
     EXPECT_EQ(clock.ms_since(slot), Clock::kEver);
     EXPECT_EQ(clock.since(slot), evidence::kForgotten);
-    EXPECT_EQ(clock.gains(slot), gains_after(100, Weighing::kByTime));
+    EXPECT_EQ(clock.gains(slot), gains_after(100, kGainsByTime));
   }
 }
 
@@ -33,7 +30,7 @@ TEST(Clock, LeavesEverythingInTheFirstFrame) {
   EXPECT_EQ(clock.since(1), evidence::Fading{});
   EXPECT_EQ(clock.ms_since(Clock::kNever), Clock::kEver);
   EXPECT_EQ(clock.since(Clock::kNever), evidence::kForgotten);
-  EXPECT_EQ(clock.gains(Clock::kNever), gains_after(100, Weighing::kByTime));
+  EXPECT_EQ(clock.gains(Clock::kNever), gains_after(100, kGainsByTime));
 }
 
 // 40.9 ms are 40 and 41 in turn, so that 1000 frames are 40.9 s and not 40.
@@ -88,7 +85,7 @@ TEST(Clock, RemembersTheNewest64Frames) {
         const auto ms = static_cast<std::uint32_t>(stamps_ms[frame] - stamps_ms[frame - age]);
         ASSERT_EQ(clock.ms_since(slot), ms);
         ASSERT_EQ(clock.since(slot), left_after(ms, discounting));
-        ASSERT_EQ(clock.gains(slot), gains_after(ms, Weighing::kByTime));
+        ASSERT_EQ(clock.gains(slot), gains_after(ms, kGainsByTime));
       }
     }
   }
@@ -110,7 +107,7 @@ TEST(Clock, ForgetsOverALongPause) {
 TEST(Clock, WeighsAsItIsTold) {
   Clock clock(Discounting::kConservative, Weighing::kEachScan);
   clock.advance(0);
-  EXPECT_EQ(clock.gains(1), gains_after(0, Weighing::kEachScan));
+  EXPECT_EQ(clock.gains(1), gains_after(0, kGainsOfScan));
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 #include "ageing/decay.hpp"
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::ageing {
@@ -30,9 +28,9 @@ void expect_powers(const DecayTable& table, long double left_after_100_ms) {
 const long double kShared = std::pow(0.90L, 0.25L) * std::pow(0.99L, 0.75L);
 
 TEST(Decay, TablesAreTheFormulaRoundedDown) {
-  expect_powers(kDynamicDecay, 0.90L);
-  expect_powers(kStaticDecay, 0.99L);
-  expect_powers(kSharedDecay, kShared);
+  expect_powers(kUsualDecays.dynamic, 0.90L);
+  expect_powers(kUsualDecays.fixed, 0.99L);
+  expect_powers(kUsualDecays.shared, kShared);
 }
 
 // Each of up to 16 factors and of up to 15 products loses less than one unit.
@@ -45,15 +43,15 @@ void expect_exponential(const DecayTable& table, long double left_after_100_ms) 
 }
 
 TEST(Decay, IsExponentialAtEveryTime) {
-  expect_exponential(kDynamicDecay, 0.90L);
-  expect_exponential(kStaticDecay, 0.99L);
-  expect_exponential(kSharedDecay, kShared);
+  expect_exponential(kUsualDecays.dynamic, 0.90L);
+  expect_exponential(kUsualDecays.fixed, 0.99L);
+  expect_exponential(kUsualDecays.shared, kShared);
 }
 
 TEST(Decay, NeverGrows) {
   for (std::uint32_t ms = 1; ms <= 65'535; ++ms) {
-    ASSERT_LE(decay(kDynamicDecay, ms), decay(kDynamicDecay, ms - 1)) << ms;
-    ASSERT_LE(decay(kStaticDecay, ms), decay(kStaticDecay, ms - 1)) << ms;
+    ASSERT_LE(decay(kUsualDecays.dynamic, ms), decay(kUsualDecays.dynamic, ms - 1)) << ms;
+    ASSERT_LE(decay(kUsualDecays.fixed, ms), decay(kUsualDecays.fixed, ms - 1)) << ms;
   }
 }
 
@@ -63,10 +61,10 @@ TEST(Decay, TakesTheLowestBitFirst) {
     std::uint64_t left = 0x8000'0000;
     for (std::size_t j = 0; j < 16; ++j) {
       if ((ms >> j & 1) != 0) {
-        left = left * kStaticDecay[j] / 0x8000'0000;
+        left = left * kUsualDecays.fixed[j] / 0x8000'0000;
       }
     }
-    ASSERT_EQ(decay(kStaticDecay, ms), left) << ms;
+    ASSERT_EQ(decay(kUsualDecays.fixed, ms), left) << ms;
   }
 }
 

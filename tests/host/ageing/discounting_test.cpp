@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::ageing {
@@ -43,7 +42,7 @@ TEST(Discounting, IsItsFormulaRoundedDownAtEveryTime) {
     ASSERT_LE(found, exact * 32'768 + 1e-6) << ms;
     ASSERT_GT(found, exact * 32'768 - 1.001) << ms;
   };
-  for (std::uint32_t ms = 1; ms <= kLongestMs; ms += 3) {
+  for (std::uint32_t ms = 1; ms <= 65'535; ms += 3) {
     const double moves = std::pow(0.90, ms / 100.0);
     const double stands = std::pow(0.99, ms / 100.0);
     const Fading conservative = left_after(ms, Discounting::kConservative);
@@ -58,7 +57,7 @@ TEST(Discounting, IsItsFormulaRoundedDownAtEveryTime) {
 // {I, M, S, U} is what the four differ in, and classical discounting in everything. A set never
 // outlives one that a more cautious discounting would leave.
 TEST(Discounting, DiffersInWhatIsOccupiedByWhatever) {
-  for (std::uint32_t ms = 1; ms <= kLongestMs; ms += 17) {
+  for (std::uint32_t ms = 1; ms <= 65'535; ms += 17) {
     const Fading conservative = left_after(ms, Discounting::kConservative);
     const Fading optimistic = left_after(ms, Discounting::kOptimistic);
     const Fading proportional = left_after(ms, Discounting::kProportional);

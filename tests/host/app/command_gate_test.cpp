@@ -3,7 +3,6 @@
 #include "app/command_gate.hpp"
 
 #include <gtest/gtest.h>
-#include <memory>
 #include <vector>
 
 #include "app/loop.hpp"
@@ -15,7 +14,6 @@
 namespace iog::app {
 namespace {
 
-using authentication::Freshness;
 using authentication::Verdict;
 using net::testing::kConfig;
 using testing::FakeMachine;
@@ -45,7 +43,7 @@ Bytes plain_chunk() {
   return {message.begin(), message.end()};
 }
 
-Bytes signed_as(Bytes message, std::uint16_t kind, Freshness freshness) {
+Bytes signed_as(Bytes message, std::uint16_t kind, authentication::Freshness freshness) {
   const authentication::CmacKey key(kKey);
   message.resize(message.size() + authentication::kTrailerBytes);
   authentication::sign(key, kind, freshness, message);

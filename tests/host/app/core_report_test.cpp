@@ -5,12 +5,9 @@
 #include <string>
 
 #include "fakes/scripted_cores.hpp"
-#include "work/team.hpp"
 
 namespace iog::app {
 namespace {
-
-using hal::CoreState;
 
 struct Lines {
   std::string text{};
@@ -48,7 +45,7 @@ TEST_F(CoreReport, SaysWhyACoreIsLost) {
   cores_.comes_up[1] = false;
   EXPECT_EQ(team_.start(4), 3U);
   EXPECT_EQ(team_.troubles(), 0U);
-  cores_.states[2] = CoreState::kFaulted;
+  cores_.states[2] = hal::CoreState::kFaulted;
   share();
   EXPECT_EQ(team_.troubles(), 1U);
   EXPECT_EQ(report(), "cores: 2 at work\ncore 1 did not come up: \ncore 2 faulted: data abort\n");

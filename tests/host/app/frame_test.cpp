@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
@@ -20,12 +18,11 @@ namespace {
 
 using tests::covered;
 using tests::field;
-using tests::Scene;
 
 // A VLP-16 whose missing returns clear 20 m.
 class Drive {
  public:
-  void turn(const Scene& scene) {
+  void turn(const tests::Scene& scene) {
     now_us_ += 100'000;
     frame_->fusion().own().clear();
     for (const auto& bytes : turns_.turn(scene)) {

@@ -14,7 +14,6 @@
 namespace iog::app {
 namespace {
 
-using testing::drive_at_wall;
 using testing::kReplayer;
 using testing::TimedDatagram;
 
@@ -48,7 +47,7 @@ template <typename Pipeline>
 void expect_unwritten(Pipeline& pipeline) {
   const std::vector<health::Guard*> guards = guards_of(pipeline);
   std::ranges::for_each(guards, &health::Guard::set);
-  std::vector<TimedDatagram> drive = drive_at_wall(5);
+  std::vector<TimedDatagram> drive = testing::drive_at_wall(5);
   std::ranges::stable_sort(drive, {}, &TimedDatagram::now_us);
   for (const TimedDatagram& datagram : drive) {
     pipeline.take({kReplayer, datagram.port, datagram.bytes}, datagram.now_us);

@@ -1,7 +1,6 @@
 // The watchdog is served while everybody lives; who does not ends the run in time, and is named.
 #include "app/life.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 #include <string_view>
 #include <vector>

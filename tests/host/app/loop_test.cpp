@@ -6,7 +6,6 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +24,6 @@ using net::testing::Frame;
 using net::testing::kConfig;
 using testing::Bench;
 using testing::Costs;
-using testing::datagram_to;
 using testing::FakeMachine;
 using testing::kPeriodUs;
 using testing::kPointsPerMessage;
@@ -307,7 +305,7 @@ TEST(RefusedCar, SaysWhyOnceASecondAndNothingElse) {
   std::size_t others = 0;
   for (int pass = 0; pass < 35'000; ++pass) {  // 3.5 s
     if (pass % 100 == 0) {
-      machine.ethernet().arrive(datagram_to(100, LuxMessage{.points = {}}.bytes()));
+      machine.ethernet().arrive(testing::datagram_to(100, LuxMessage{.points = {}}.bytes()));
     }
     if (!refused.pass()) {
       machine.idle();

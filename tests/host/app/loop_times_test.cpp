@@ -2,14 +2,11 @@
 #include "app/loop_times.hpp"
 
 #include <gtest/gtest.h>
-#include <string>
 
 #include "fake_machine.hpp"
 
 namespace iog::app {
 namespace {
-
-using testing::FakeConsole;
 
 constexpr std::uint32_t kHz = 2'000'000;  // two ticks a microsecond
 // docs/spec.md 3.7.
@@ -73,7 +70,7 @@ TEST(LoopTimes, WithoutARateNothingTookTime) {
 
 TEST(LoopTimes, TellsWhatHasBecomeWorseOnceASecond) {
   LoopTimes times;
-  FakeConsole console;
+  testing::FakeConsole console;
   times.add({.ticks = {.fuse = 2'000}, .late_us = 1'234'567, .has_packets = true},
             work::CoreTimes{}, kHz);
   for (std::uint64_t ms = 0; ms < 5'000; ++ms) {

@@ -2,7 +2,6 @@
 #include "app/network_sink.hpp"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>

@@ -15,7 +15,6 @@ namespace iog::app {
 namespace {
 
 using discovery::testing::scapy_find;
-using discovery::testing::scapy_subscribe;
 using net::testing::be16;
 using net::testing::Frame;
 using net::testing::kConfig;
@@ -83,7 +82,7 @@ class Bench {
   }
 
   void subscribe() {
-    take(from_subscriber(scapy_subscribe()));
+    take(from_subscriber(discovery::testing::scapy_subscribe()));
     pass(1'000);
     take(arp_of_subscriber());
     pass(1'000);

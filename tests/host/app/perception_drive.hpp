@@ -2,7 +2,6 @@
 // tests of the perception engine, made of plain numbers.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>

@@ -15,13 +15,10 @@ namespace iog::app {
 namespace {
 
 using testing::Car;
-using testing::ClassList;
-using testing::ClassName;
 using testing::drive_at_wall;
 using testing::kPeriodUs;
 using testing::kReplayer;
 using testing::kStartUs;
-using testing::kWallM;
 using testing::PerceptionBench;
 using testing::TimedDatagram;
 
@@ -36,10 +33,11 @@ TEST(PerceptionEngine, HitsLieWhereTheyAreInTheWorld) {
   bench.take(drive_at_wall(20));
   ASSERT_EQ(bench.classes.reports.size(), 20U);
   int occupied = 0;
-  for (const ClassList::Cell& cell : bench.classes.cells) {
+  for (const testing::ClassList::Cell& cell : bench.classes.cells) {
     if (is_occupied(cell.what)) {
       ++occupied;
-      ASSERT_NEAR((cell.at.x + 0.5) / 10, kWallM, 0.05 + 0.04 + 0.142 + 0.005) << cell.at.y;
+      ASSERT_NEAR((cell.at.x + 0.5) / 10, testing::kWallM, 0.05 + 0.04 + 0.142 + 0.005)
+          << cell.at.y;
     }
     ASSERT_LE(cell.at.x, 302);
   }
@@ -145,7 +143,7 @@ TEST(PerceptionEngine, TheFramesGridIsThatOfTheWholeFrame) {
   }
   EXPECT_EQ(lost.end().packets_placed, 0U);
   EXPECT_EQ(lost.end().packets_not_placed, 6U);
-  EXPECT_EQ(lost.classes.names.back(), ClassName{});
+  EXPECT_EQ(lost.classes.names.back(), testing::ClassName{});
   EXPECT_GT(placed.classes.names.back().tiles, 0U);
 }
 

@@ -19,8 +19,6 @@ namespace iog::app {
 namespace {
 
 using decision::Class;
-using testing::Car;
-using testing::drive_at_wall;
 using testing::kReplayer;
 using testing::TimedDatagram;
 
@@ -152,7 +150,7 @@ constexpr int kFramesOfAWrongMap = 64;
 // Frames towards a wall, 30 m away. After each of them whoever sends pauses.
 StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us = 0,
                 int frames = kFrames) {
-  const Car car(tests::OneLux::kVehicle, true);
+  const testing::Car car(tests::OneLux::kVehicle, true);
   tests::FakePlatform platform;
   StateList states;
   const auto pipeline = std::make_unique<PerceptionPipeline<tests::FakePlatform, StateList>>(
@@ -160,7 +158,7 @@ StateList drive(const Bytes* map, TransformAt transform, std::uint64_t pause_us 
   if (map != nullptr) {
     pipeline->begin_with_map(*map);
   }
-  auto datagrams = drive_at_wall(frames);
+  auto datagrams = testing::drive_at_wall(frames);
   std::ranges::stable_sort(datagrams, {}, &TimedDatagram::now_us);
   std::uint64_t paused_us = 0;
   for (TimedDatagram datagram : datagrams) {

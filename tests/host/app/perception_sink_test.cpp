@@ -15,7 +15,6 @@
 namespace iog::app {
 namespace {
 
-using testing::Car;
 using testing::kPeriodUs;
 using testing::kStartUs;
 using testing::TimedDatagram;
@@ -73,7 +72,7 @@ struct ClassBench {
     }
   }
 
-  Car car;
+  testing::Car car;
   vehicle::Vehicle vehicle;
   FakePlatform platform;
   ShownClasses shown;

@@ -14,7 +14,6 @@ using testing::Car;
 using testing::ClassName;
 using testing::drive_at_wall;
 using testing::kPeriodUs;
-using testing::kStartUs;
 using testing::kWallM;
 using testing::PerceptionBench;
 using testing::TimedDatagram;
@@ -183,7 +182,7 @@ TEST(PerceptionTime, AfterARestartOfThePosesTheWindowLivesOn) {
     for (TimedDatagram& datagram : datagrams) {
       const std::uint64_t now_us = datagram.now_us;
       pose::Message message = testing::pose_at(now_us - testing::kPoseAgeUs, 2);
-      message.clock_us -= kStartUs + 800'000 - 5'000;
+      message.clock_us -= testing::kStartUs + 800'000 - 5'000;
       datagram = testing::datagram_of(message);
       datagram.now_us = now_us;
     }

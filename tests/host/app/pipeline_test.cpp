@@ -1,7 +1,6 @@
 // The whole walk, from datagrams to messages, on a fake platform.
 #include "app/pipeline.hpp"
 
-#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 #include <memory>

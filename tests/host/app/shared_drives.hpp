@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
-#include <ostream>
 #include <span>
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 // AES-128 against the examples of NIST, and a chain against OpenSSL.
 #include "authentication/aes128.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 #include <string_view>
 

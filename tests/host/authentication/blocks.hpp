@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 #include "authentication/key.hpp"
 #include "fakes/from_hex.hpp"

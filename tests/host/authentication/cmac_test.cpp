@@ -1,7 +1,6 @@
 // CMAC against the examples of NIST SP 800-38B and RFC 4493, and all short lengths against OpenSSL.
 #include "authentication/cmac.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 #include <string_view>
 

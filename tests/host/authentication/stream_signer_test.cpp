@@ -1,11 +1,7 @@
 // A signature names the messages before it, byte by byte as docs/spec.md 9.2 says.
 #include "authentication/stream_signer.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 #include "blocks.hpp"

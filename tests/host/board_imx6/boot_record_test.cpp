@@ -1,7 +1,6 @@
 // What one run leaves to the next.
 #include "boot_record.hpp"
 
-#include <array>
 #include <bit>
 #include <cstring>
 #include <gtest/gtest.h>

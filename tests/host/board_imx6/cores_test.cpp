@@ -2,7 +2,6 @@
 #include "cores.hpp"
 
 #include <gtest/gtest.h>
-#include <memory>
 
 #include "trace.hpp"
 

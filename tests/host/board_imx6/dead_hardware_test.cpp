@@ -1,6 +1,5 @@
 // Hardware that never answers: every wait ends after as many looks as its source says, and what
 // comes behind it is done all the same. A start that hangs would leave the car without eyes.
-#include <cstring>
 #include <gtest/gtest.h>
 #include <string>
 

@@ -10,7 +10,6 @@
 namespace iog::imx6 {
 namespace {
 
-using machine::peek;
 using machine::poke;
 using machine::recorder;
 
@@ -94,7 +93,7 @@ class Phy : public testing::Test {
 
 TEST_F(Phy, TheManagementClockStaysBelow2500Khz) {
   mdio_.start();
-  const std::uint32_t speed = peek<std::uint32_t>(registers_.mscr) >> 1;
+  const std::uint32_t speed = machine::peek<std::uint32_t>(registers_.mscr) >> 1;
   EXPECT_EQ(speed, 13u);
   EXPECT_LE(66'000'000u / (2 * (speed + 1)), 2'500'000u);
 }

@@ -101,7 +101,7 @@ class PortOnRam : public testing::Test {
   std::vector<std::byte> transmit_bytes_ =
       std::vector<std::byte>(kTransmit * board::kTransmitBytes);
   EnetPort port_{
-      {registers_, cache_}, {receive_, receive_bytes_, transmit_, transmit_bytes_}, cache_, clock_};
+      Enet(registers_), {receive_, receive_bytes_, transmit_, transmit_bytes_}, cache_, clock_};
   std::uint8_t arrived_ = 0;
 
  private:

@@ -2,7 +2,6 @@
 #include "serial_link.hpp"
 
 #include <gtest/gtest.h>
-#include <string>
 #include <vector>
 
 #include "hal/serial_port.hpp"

@@ -11,8 +11,6 @@ namespace {
 
 using hal::kTemperatureNotKnown;
 using machine::poke;
-using machine::recorder;
-using machine::Write;
 
 class ThermometerOfTheChip : public testing::Test {
  protected:
@@ -20,7 +18,7 @@ class ThermometerOfTheChip : public testing::Test {
   static constexpr std::uint32_t kFuses = 0x5724'cd7d;
 
   ThermometerOfTheChip() {
-    recorder.reset();
+    machine::recorder.reset();
     poke(ocotp_.ana1, kFuses);
   }
 
@@ -39,7 +37,8 @@ TEST_F(ThermometerOfTheChip, IsPoweredAndMeasuresEightTimesASecond) {
   poke(analog_.misc0, 0x0400'0080u);
   poke(analog_.tempsense0, 0xabc0'0001u);
   thermometer_.start();
-  const std::vector<Write> expected = {{0x150, 0x0400'0088}, {0x180, 0}, {0x190, 4096}, {0x180, 2}};
+  const std::vector<machine::Write> expected = {
+      {0x150, 0x0400'0088}, {0x180, 0}, {0x190, 4096}, {0x180, 2}};
   EXPECT_EQ(machine::writes_to(analog_), expected);
 }
 

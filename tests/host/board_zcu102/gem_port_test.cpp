@@ -10,7 +10,6 @@
 namespace iog::zcu102 {
 namespace {
 
-using machine::peek;
 using machine::poke;
 using machine::Write;
 
@@ -67,7 +66,7 @@ TEST_F(Port, AFullRingIsLookedAtAgainWhenItIsEmpty) {
   EXPECT_TRUE(machine::writes_to(registers_).empty()) << "not while frames wait";
   EXPECT_TRUE(port_.receive().empty());
   EXPECT_EQ(machine::writes_to(registers_), (std::vector<Write>{{0x020, 1}, {0x000, 0x1c}}));
-  EXPECT_EQ(peek<std::uint32_t>(registers_.receive_status), 0b110u);
+  EXPECT_EQ(machine::peek<std::uint32_t>(registers_.receive_status), 0b110u);
   EXPECT_EQ(port_.counters().receive_overflows, 1u) << "at least one was lost";
   EXPECT_TRUE(port_.receive().empty());
   EXPECT_EQ(port_.counters().receive_overflows, 1u);

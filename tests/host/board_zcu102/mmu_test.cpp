@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 #include <memory>
-#include <optional>
 
 namespace iog::zcu102::mmu {
 namespace {

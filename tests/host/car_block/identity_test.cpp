@@ -12,7 +12,6 @@
 namespace iog::car_block {
 namespace {
 
-using vehicle::FusionRule;
 using vehicle::Grids;
 using vehicle::Sensor;
 using vehicle::Vehicle;
@@ -42,7 +41,7 @@ Vehicle car() {
   car.footprint = {.x_min = -1, .x_max = 2, .y_min = -3, .y_max = 4};
   car.z_min = 5;
   car.z_max = 6;
-  car.rule = FusionRule::kBayes;
+  car.rule = vehicle::FusionRule::kBayes;
   car.frame_period_us = 40'000;
   car.grids = Grids::kBoth;
   car.has_objects = true;

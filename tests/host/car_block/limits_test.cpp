@@ -12,7 +12,6 @@
 
 namespace iog::car_block {
 namespace {
-using tests::CarBytes;
 using tests::Changed;
 using tests::fault_with;
 using vehicle::Sensor;
@@ -352,7 +351,7 @@ TEST(CarLimits, WhatIsAcceptedCanBeWalked) {
   tests::Random random(21);
   int accepted = 0;
   for (int round = 0; round < 4'000; ++round) {
-    CarBytes bytes(vehicles::car(round < 3'000 ? "reference_car" : "roof_ld_mrs"));
+    tests::CarBytes bytes(vehicles::car(round < 3'000 ? "reference_car" : "roof_ld_mrs"));
     const std::span<std::byte> content = bytes.content();
     const auto where = random.below(content.size());
     content[where] ^= std::byte{1} << random.below(8);

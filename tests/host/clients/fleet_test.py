@@ -7,7 +7,6 @@ import http.server
 import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import sys
 import threading
@@ -16,7 +15,7 @@ import unittest
 
 import streams
 
-from processes import descendants, is_running  # noqa: E402  streams has made tests/e2e known
+from processes import descendants, is_running, until  # noqa: E402  streams has made tests/e2e known
 
 os.environ["DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT"] = "60s"  # a PC that is busy with other work
 
@@ -27,14 +26,6 @@ PATIENCE_S = 240
 CAR = str(streams.ROOT / "vehicles/reference_car.toml")
 FOLDER = streams.FOLDER
 LISTENING = "0A"  # in /proc/net/tcp
-
-
-def until(is_true, what: str):
-    end = time.monotonic() + PATIENCE_S
-    while not (found := is_true()):
-        assert time.monotonic() < end, what
-        time.sleep(0.05)
-    return found
 
 
 def fresh(name: str) -> pathlib.Path:

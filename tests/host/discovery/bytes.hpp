@@ -2,9 +2,6 @@
 // (scapy.contrib.automotive.someip), and hosts that send them.
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-
 #include "net/frames.hpp"
 #include "net/udp.hpp"
 

@@ -1,5 +1,4 @@
 // How a group fades: nothing grows, nothing is invented, and time may be cut into steps.
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

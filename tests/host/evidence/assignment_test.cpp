@@ -1,9 +1,7 @@
 // What an occupancy index is worth, against the formulas.
 #include "evidence/assignment.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "evidence/cell.hpp"

@@ -2,7 +2,6 @@
 #include "evidence/fusion.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "ageing/gains.hpp"
@@ -14,7 +13,7 @@
 namespace iog::evidence {
 namespace {
 
-Gains gains_of(std::uint32_t ms) { return ageing::gains_after(ms, ageing::Weighing::kByTime); }
+Gains gains_of(std::uint32_t ms) { return ageing::gains_after(ms, ageing::kGainsByTime); }
 
 Gains random_gains(tests::Random& random) {
   return gains_of(static_cast<std::uint32_t>(random.between(1, 100)));

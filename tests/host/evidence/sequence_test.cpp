@@ -73,7 +73,7 @@ class Pair {
     Indexes indexes{};
     indexes[kCell] = static_cast<index::OccupancyIndex>(index);
     evidence::fuse(group_, Fading{}, indexes, moved ? 1U << kCell : 0,
-                   ageing::gains_after(ms, ageing::Weighing::kByTime));
+                   ageing::gains_after(ms, ageing::kGainsByTime));
     fuse_exactly(exact_, index, moved, ms);
   }
 
@@ -216,7 +216,7 @@ TEST(OneFrame, IsOffByAFewUnits) {
     const Group before = tests::random_group(random);
     Group after = before;
     const auto ms = static_cast<std::uint32_t>(random.between(1, 100));
-    const Gains gains = ageing::gains_after(ms, ageing::Weighing::kByTime);
+    const Gains gains = ageing::gains_after(ms, ageing::kGainsByTime);
     const int index = random.one_in(2) ? 2 : -14;
     const bool moved = random.one_in(2);
     Indexes indexes{};

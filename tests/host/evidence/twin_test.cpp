@@ -1,7 +1,6 @@
 // What is done to eight cells at once is what evidence/cell.hpp does to each of them. On the
 // Cortex-A9 this compares NEON with plain integers, over a million random cells.
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // Cores without threads: they do the items of a round one after the other, in any order.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>

@@ -2,8 +2,6 @@
 // sanitizers and on the emulated Cortex-A9, it is a sample.
 #pragma once
 
-#include <cstddef>
-
 namespace iog::tests {
 
 #ifdef __SANITIZE_ADDRESS__

@@ -1,7 +1,6 @@
 // Builds Ouster packets byte by byte from the format's description (docs/spec.md).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -1,11 +1,10 @@
 #include "fakes/test_vehicles.hpp"
 
 #include <deque>
-#include <vector>
 
+#include "fakes/compiled_car.hpp"
 #include "require/require.hpp"
 #include "tools/car/limits.hpp"
-#include "tools/car/tables.hpp"
 
 namespace iog::tests {
 namespace {
@@ -14,12 +13,8 @@ namespace {
 // long as the program.
 vehicle::Vehicle tables_of(std::span<const description::SensorConfig> configs,
                            const description::Description& car) {
-  static std::deque<std::vector<vehicle::Sensor>> all;
-  std::vector<vehicle::Sensor>& sensors = all.emplace_back();
-  for (const description::SensorConfig& config : configs) {
-    sensors.push_back(description::sensor_of(config, car));
-  }
-  return description::vehicle_of(car, sensors);
+  static std::deque<CompiledCar> all;
+  return all.emplace_back(configs, car).vehicle;
 }
 
 // What check() allows.

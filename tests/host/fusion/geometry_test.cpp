@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "fakes/cells_of.hpp"

@@ -31,7 +31,6 @@ using tests::Evidence;
 using tests::GroundCar;
 using tests::LevelVlp16;
 using tests::Random;
-using tests::TurningRay;
 using vehicle::Fate;
 
 constexpr vehicle::MovedLimits kMoved{.low_mm = 600, .tall_mm = 700};
@@ -56,7 +55,7 @@ TEST(Heights, OfACellAreThoseOfTheLowerAndOfTheHigherBand) {
   std::array<int, 2> seen{};
   for (int i = 0; i < tests::effort(300, 60); ++i) {
     const ScanPoint point = tests::random_point(random, elevations.size(), 60'000);
-    const std::optional<TurningRay> ray = rule.ray(point);
+    const std::optional<tests::TurningRay> ray = rule.ray(point);
     if (!ray) {
       continue;
     }

@@ -3,11 +3,9 @@
 #include "fusion/joined_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <memory>
 #include <set>
-#include <span>
 #include <vector>
 
 #include "fakes/cells_of.hpp"

@@ -1,8 +1,6 @@
 // Cells and tiles of the grid: numbers and places are each other's inverse, on a grid of any size.
 #include "geometry/grid.hpp"
 
-#include <array>
-#include <cstddef>
 #include <gtest/gtest.h>
 
 namespace iog::geometry {

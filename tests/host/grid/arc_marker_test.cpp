@@ -108,13 +108,32 @@ lidar::ScanPoint within_a_turn(lidar::ScanPoint point) {
   return point;
 }
 
-int saturated(int index) { return std::clamp(index, -127, 127); }
+// By hits_win, what single points make of each cell.
+class Sums {
+ public:
+  void add(Cell cell, int index) {
+    int& sum =
+        (index > 0 ? occupied_ : free_).at(static_cast<std::size_t>(geometry::number_of(cell)));
+    sum = std::clamp(sum + index, -127, 127);
+  }
+  [[nodiscard]] std::vector<OccupancyIndex> joined() const {
+    std::vector<OccupancyIndex> cells(geometry::kCellCount);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      cells[i] = static_cast<OccupancyIndex>(occupied_[i] > 0 ? occupied_[i] : free_[i]);
+    }
+    return cells;
+  }
+
+ private:
+  std::vector<int> occupied_ = std::vector<int>(geometry::kCellCount);
+  std::vector<int> free_ = std::vector<int>(geometry::kCellCount);
+};
 
 TEST(ArcMarker, MarksTheArcOfEachDetectionAndNothingElse) {
   const Vehicle& car = RadarCar::kVehicle;
   auto fusion = std::make_unique<fusion::FrameFusion>(car);
   tests::Random random(548);
-  std::vector<OccupancyIndex> expected(geometry::kCellCount);
+  Sums sums;
   int used = 0;
   for (int i = 0; i < tests::effort(4'000, 200); ++i) {
     const Sensor& sensor = car.sensors[1 + random.below(2)];
@@ -122,15 +141,13 @@ TEST(ArcMarker, MarksTheArcOfEachDetectionAndNothingElse) {
     if (fusion->add(sensor, point) == vehicle::Fate::kUsed) {
       ++used;
       for (const auto& [cell, index] : arc_of(car, sensor, point)) {
-        OccupancyIndex& sum =
-            expected.at(static_cast<std::size_t>(geometry::number_of({cell.first, cell.second})));
-        sum = static_cast<OccupancyIndex>(saturated(sum + index));
+        sums.add({cell.first, cell.second}, index);
       }
     }
   }
   fusion->finish();
   EXPECT_GT(used, tests::effort(1'000, 50));
-  EXPECT_EQ(tests::cells_of(*fusion), expected);
+  EXPECT_EQ(tests::cells_of(*fusion), sums.joined());
 }
 
 // Half of such an arc may lie on the car, and is the car's own.
@@ -241,27 +258,6 @@ std::vector<Evidence> mixed_frame(tests::Random& random, int points) {
   }
   return frame;
 }
-
-// By hits_win, what single points make of each cell.
-class Sums {
- public:
-  void add(Cell cell, int index) {
-    int& sum =
-        (index > 0 ? occupied_ : free_).at(static_cast<std::size_t>(geometry::number_of(cell)));
-    sum = saturated(sum + index);
-  }
-  [[nodiscard]] std::vector<OccupancyIndex> joined() const {
-    std::vector<OccupancyIndex> cells(geometry::kCellCount);
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      cells[i] = static_cast<OccupancyIndex>(occupied_[i] > 0 ? occupied_[i] : free_[i]);
-    }
-    return cells;
-  }
-
- private:
-  std::vector<int> occupied_ = std::vector<int>(geometry::kCellCount);
-  std::vector<int> free_ = std::vector<int>(geometry::kCellCount);
-};
 
 // Adds a point of a level VLP-16. False: rounding might show.
 bool add_lidar(const tests::TurningRule& rule, const Sensor& sensor, const geometry::CellArea& area,

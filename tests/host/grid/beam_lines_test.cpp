@@ -1,10 +1,8 @@
 // Which lines are kept from scan to scan.
 #include "grid/beam_lines.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "fakes/test_vehicles.hpp"

@@ -3,7 +3,6 @@
 #include "grid/block_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>

@@ -18,7 +18,6 @@ namespace iog::grid {
 namespace {
 
 using tests::UltrasonicCar;
-using vehicle::Sensor;
 using vehicle::Vehicle;
 
 constexpr double kPi = 3.14159265358979;
@@ -104,7 +103,7 @@ double depth_of(const Unit& unit, std::size_t number, double free_m,
 void expect_what_lies_in_it_is_free(const Vehicle& car) {
   constexpr double kRounding = 0.001;
   for (std::size_t number = 0; number < 4; ++number) {
-    const Sensor& sensor = car.sensors[number];
+    const vehicle::Sensor& sensor = car.sensors[number];
     for (const std::uint32_t range_mm : {240U, 1'999U, 4'999U}) {
       const auto cells = grid_of(number, {.range_mm = range_mm}, car);
       const double free_m = (range_mm / 100 - sensor.profile.near_before_count) * 0.1;

@@ -23,8 +23,6 @@ using geometry::kResolution;
 using geometry::SubcellPoint;
 using lab::reference::Rational;
 using tests::OneLux;
-using tests::OneLuxNearest;
-using tests::TiltedLux;
 using vehicle::Sensor;
 using vehicle::Vehicle;
 
@@ -74,7 +72,7 @@ std::int32_t cell_of_point(std::int32_t start, std::int32_t end, std::int64_t z,
 
 // The cell that holds the scan point receives the index of cell k in every direction.
 TEST(Sampling, TheCellThatHoldsTheScanPointIsMarkedInEveryDirection) {
-  const Vehicle& vehicle = TiltedLux::kVehicle;
+  const Vehicle& vehicle = tests::TiltedLux::kVehicle;
   const Sensor& sensor = vehicle.sensors[0];
   auto fusion = std::make_unique<fusion::FrameFusion>(vehicle);
   tests::Random random(21);
@@ -234,7 +232,7 @@ TEST(Sampling, EveryCellIsAsTheRuleSaysBlurring) {
   expect_every_cell_as_the_rule_says(OneLux::kVehicle, 31, tests::effort(300, 4));
 }
 TEST(Sampling, EveryCellIsAsTheRuleSaysNearest) {
-  expect_every_cell_as_the_rule_says(OneLuxNearest::kVehicle, 32, tests::effort(300, 4));
+  expect_every_cell_as_the_rule_says(tests::OneLuxNearest::kVehicle, 32, tests::effort(300, 4));
 }
 TEST(Sampling, EveryCellIsAsTheRuleSaysOnEachGrid) {
   for (const description::GridConfig& grid : tests::kOtherGrids) {

@@ -6,11 +6,9 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "fakes/cells_of.hpp"
@@ -23,16 +21,12 @@
 #include "fakes/turning_rule.hpp"
 #include "fusion/frame_fusion.hpp"
 #include "ground/ground.hpp"
-#include "tools/car/tables.hpp"
 
 namespace iog::grid {
 namespace {
 
-using geometry::Cell;
-using tests::for_each_cell_around;
 using tests::LevelVlp16;
 using tests::ManyLayers;
-using tests::radians;
 using tests::random_point;
 using tests::SteepVlp16;
 using tests::TurningRay;
@@ -56,7 +50,7 @@ class AlonePoints {
     ASSERT_EQ(fate, rule_.fate(*ray, point)) << words_of(point);
     ++fates_[static_cast<std::size_t>(fate)];
     std::ptrdiff_t known = 0;
-    for_each_cell_around(*ray, [&](Cell cell) {
+    tests::for_each_cell_around(*ray, [&](geometry::Cell cell) {
       const int found = fusion_->view().at(cell);
       if (!car_.grid.area().contains(cell)) {
         return;
@@ -164,7 +158,7 @@ TEST(Turning, EveryCellIsAsTheRuleSaysBehindTheBand) {
   constexpr std::size_t kLayerStep = tests::effort(1, 5);
   for (std::size_t layer = 0; layer < lidar::VelodyneVlp16::kElevationsDeg.size();
        layer += kLayerStep) {
-    const long double elevation = radians(lidar::VelodyneVlp16::kElevationsDeg[layer]);
+    const long double elevation = tests::radians(lidar::VelodyneVlp16::kElevationsDeg[layer]);
     const description::Description& car = LevelVlp16::kDescription;
     const auto limit_m = static_cast<long double>(elevation < 0 ? car.z_min_m : car.z_max_m);
     const auto end_mm = static_cast<int>(1000 * (limit_m - sensor_m) / std::sin(elevation));

@@ -1,8 +1,6 @@
 // What waits of lidars that turn: what is spared of it does not show.
 #include "grid/waiting_lines.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 
@@ -15,14 +13,11 @@
 namespace iog::grid {
 namespace {
 
-using tests::HighAndFar;
-using tests::ManyLayers;
-
 // Where enough beams of a line carve, nearer ones add nothing and may be spared; to the cell. Lines
 // are tried with few hits and many, most of them as far as the layers of half rank are in the band.
 TEST(WaitingLines, BeamsThatAreSparedAddNothing) {
   tests::Random random(55);
-  for (const vehicle::Vehicle& car : {ManyLayers::kVehicle, HighAndFar::kVehicle}) {
+  for (const vehicle::Vehicle& car : {tests::ManyLayers::kVehicle, tests::HighAndFar::kVehicle}) {
     const auto waits = std::make_unique<fusion::FrameFusion>(car);
     const auto alone = std::make_unique<fusion::FrameFusion>(car);
     for (int line = 0; line < tests::effort(200, 30); ++line) {

@@ -2,16 +2,12 @@
 #include "ground/beams.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
 #include "vehicle/beam.hpp"
-#include "vehicle/vehicle.hpp"
 
 namespace iog::ground {
 namespace {

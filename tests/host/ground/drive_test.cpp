@@ -21,8 +21,6 @@
 namespace iog::ground {
 namespace {
 
-using tests::Random;
-
 enum class Thing : std::uint8_t { kGround, kWall, kCar, kBridge };
 
 struct Point {

@@ -3,9 +3,6 @@
 #include "ground/exits.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>
@@ -14,10 +11,7 @@
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "ground/beams.hpp"
-#include "ground/judge.hpp"
 #include "ground/lows.hpp"
-#include "ground/surface.hpp"
 #include "ground/surface_walk.hpp"
 
 namespace iog::ground {

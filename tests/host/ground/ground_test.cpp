@@ -1,9 +1,6 @@
 // When a sensor's ground is renewed, and when it is forgotten.
 #include "ground/ground.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 

@@ -3,16 +3,12 @@
 #include "ground/low_beams.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "ground/beams.hpp"
-#include "ground/surface.hpp"
 #include "vehicle/beam.hpp"
 
 namespace iog::ground {

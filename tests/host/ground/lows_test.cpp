@@ -1,17 +1,12 @@
 // Laws of the lowest returns: neither order, nor repetition, nor who collects them shows.
 #include "ground/lows.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
 #include <utility>
 
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
-#include "ground/bins.hpp"
 
 namespace iog::ground {
 namespace {

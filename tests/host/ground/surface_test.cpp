@@ -1,13 +1,10 @@
 // Heights over a surface whose rows are written by hand, and how long a row is kept.
 #include "ground/surface.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"
 #include "fakes/reference_ground.hpp"
-#include "ground/bins.hpp"
 
 namespace iog::ground {
 namespace {

@@ -3,9 +3,6 @@
 #include "ground/surface_walk.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <initializer_list>
@@ -14,16 +11,12 @@
 #include "fakes/ground_turns.hpp"
 #include "fakes/random.hpp"
 #include "fakes/reference_ground.hpp"
-#include "ground/bins.hpp"
-#include "ground/lows.hpp"
-#include "ground/surface.hpp"
 
 namespace iog::ground {
 namespace {
 
 using tests::GroundRule;
 using tests::Random;
-using tests::ReferenceGround;
 using tests::Return;
 using tests::Turn;
 
@@ -76,7 +69,7 @@ class Both {
   Bins bins_;
   SurfaceWalk walk_;
   Surface surface_;
-  ReferenceGround reference_;
+  tests::ReferenceGround reference_;
 };
 
 Surface surface_after(Bins bins, const Turn& turn) {

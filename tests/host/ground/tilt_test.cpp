@@ -3,9 +3,6 @@
 #include "ground/tilt.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -19,7 +16,6 @@ using tests::Random;
 using tests::ReferenceLine;
 using tests::ReferenceSample;
 using tests::ReferenceTilt;
-using tests::TiltRule;
 using Packet = std::vector<ReferenceSample>;
 
 Tilt tilt_of_packet(const Packet& packet, std::int32_t fewest) {
@@ -72,7 +68,7 @@ TEST(Tilt, IsThatOfTheSecondImplementation) {
 // Each number of the rule shows in some of these packets.
 TEST(Tilt, ATestSeesEachOfItsNumbers) {
   for (int number = 0; number < 9; ++number) {
-    TiltRule rule;
+    tests::TiltRule rule;
     const std::array<tests::Whole*, 9> all{&rule.first_mm,  &rule.end_mm,     &rule.near_mm,
                                            &rule.near_rise, &rule.fits_mm,    &rule.least_spread,
                                            &rule.most_up,   &rule.most_slope, &rule.better};

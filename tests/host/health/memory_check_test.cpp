@@ -1,7 +1,6 @@
 // What must not change, and a reader that finds out, evenly over time.
 #include "health/memory_check.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Who is late, against the plain rule, for schedules that are drawn.
 #include "health/supervision.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"

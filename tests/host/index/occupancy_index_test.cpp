@@ -1,7 +1,6 @@
 // Saturating addition: all 65,536 pairs, and the laws that make a frame independent of order.
 #include "index/occupancy_index.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::index {

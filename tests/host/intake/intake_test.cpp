@@ -2,10 +2,7 @@
 #include "intake/intake.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <optional>
 #include <vector>
 
 #include "fakes/from_hex.hpp"

@@ -1,8 +1,6 @@
 // A scanner that repeats what it has measured, under new stamps, is found out and not believed.
 #include "intake/measured_ranges.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <span>
 #include <vector>

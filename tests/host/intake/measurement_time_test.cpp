@@ -2,7 +2,6 @@
 #include "intake/measurement_time.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -1,7 +1,5 @@
 #include "intake/scan_tracker.hpp"
 
-#include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"

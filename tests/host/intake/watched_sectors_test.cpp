@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <span>
 #include <utility>
 #include <vector>
 

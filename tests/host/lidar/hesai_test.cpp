@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <type_traits>
 #include <vector>
 
 #include "fakes/hesai_packet.hpp"

@@ -2,9 +2,6 @@
 // "bit 10: mirror side: 0 = front (for 8-layer, tilted downward), 1 = rear").
 #include "lidar/ibeo_lux8.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -14,7 +11,6 @@ namespace iog::lidar {
 namespace {
 
 using tests::LuxMessage;
-using tests::LuxPoint;
 
 std::vector<int> layers_of(const LuxMessage& message) {
   IbeoLux8 lux;
@@ -32,7 +28,7 @@ DecodeStatus decode(const LuxMessage& message) {
 }
 
 TEST(IbeoLux8, TheFlagSaysWhichFourLayers) {
-  const std::vector<LuxPoint> points{{.layer = 0}, {.layer = 3}, {.layer = 1}, {.layer = 2}};
+  const std::vector<tests::LuxPoint> points{{.layer = 0}, {.layer = 3}, {.layer = 1}, {.layer = 2}};
   // The two values that real units send in turns, and all other bits.
   EXPECT_EQ(layers_of({.points = points, .flags = 0x002}), (std::vector{0, 3, 1, 2}));
   EXPECT_EQ(layers_of({.points = points, .flags = 0x402}), (std::vector{4, 7, 5, 6}));

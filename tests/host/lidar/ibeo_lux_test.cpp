@@ -1,8 +1,6 @@
 #include "lidar/ibeo_lux.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -185,16 +185,20 @@ TEST(Ouster, NoCorrectionTakesARangeBeyondTheFarthest) {
   EXPECT_EQ(packet.points[1].range_mm, 0x0F'FFFFU);
 }
 
+Sent sent_in_turn(int columns, int first) {
+  return {.rows = 16,
+          .columns_per_turn = columns,
+          .first_column = first,
+          .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
+}
+
 // Software Manual, "Lidar Range to XYZ": theta = 360 deg (1 - id / W), a beam at theta minus its
 // own azimuth; the lidar's axes are the sensor's, turned by 180 deg. To the nearest tick; a tie, as
 // of every second of 2048 columns, goes clockwise (docs/spec.md 1.2.1).
 TEST(Ouster, AzimuthsAreThoseOfTheManual) {
   for (const int columns : {512, 1024, 2048}) {
     for (int first = 0; first < columns; first += 16) {
-      const Sent sent{.rows = 16,
-                      .columns_per_turn = columns,
-                      .first_column = first,
-                      .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
+      const Sent sent = sent_in_turn(columns, first);
       const TestUnit unit(sent);
       const Decoded packet = decoded(sent.bytes(), unit);
       ASSERT_EQ(packet.status, DecodeStatus::kOk);
@@ -216,10 +220,7 @@ TEST(Ouster, SectorsOfATurnMeet) {
     int turned = 0;
     int seam = 46'080 / 2;
     for (int first = 0; first < columns; first += 16) {
-      const Sent sent{.rows = 16,
-                      .columns_per_turn = columns,
-                      .first_column = first,
-                      .column_ns = 100'000'000U / static_cast<unsigned>(columns)};
+      const Sent sent = sent_in_turn(columns, first);
       const TestUnit unit(sent);
       const Decoded packet = decoded(sent.bytes(), unit);
       ASSERT_EQ(packet.status, DecodeStatus::kOk);

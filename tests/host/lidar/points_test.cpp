@@ -1,7 +1,5 @@
 #include "lidar/points.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -3,8 +3,6 @@
 #include "lidar/sampling.hpp"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -83,6 +81,19 @@ void expect_samples(const Decoder& packet, std::size_t layers, std::uint32_t ran
   }
 }
 
+template <typename Decoder, typename Packet>
+void expect_samples_of_random(Packet& packet, Random& random, std::uint32_t unit_mm) {
+  for (auto& block : packet.ranges) {
+    for (int& range : block) {
+      range = random.between(0, 60'000);
+    }
+  }
+  const std::vector<std::byte> bytes = packet.bytes();
+  Decoder decoder;
+  ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
+  expect_samples(decoder, Decoder::kLayers, unit_mm);
+}
+
 template <typename Decoder>
 void expect_samples_of_velodyne(int product, int banks = 1) {
   Random random(1);
@@ -96,15 +107,7 @@ void expect_samples_of_velodyne(int product, int banks = 1) {
     packet.banks = banks;
     packet.mode = is_dual && banks == 1 ? 0x39 : 0x37;
     packet.blocks_of_azimuth = banks * (is_dual ? 2 : 1);
-    for (auto& block : packet.ranges) {
-      for (int& range : block) {
-        range = random.between(0, 60'000);
-      }
-    }
-    const std::vector<std::byte> bytes = packet.bytes();
-    Decoder decoder;
-    ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-    expect_samples(decoder, Decoder::kLayers, Decoder::unit().range_unit_mm);
+    expect_samples_of_random<Decoder>(packet, random, Decoder::unit().range_unit_mm);
   }
 }
 
@@ -124,15 +127,7 @@ void expect_samples_of_hesai() {
   for (const bool is_dual : {false, true}) {
     tests::HesaiPacket packet{
         .format = kFormat<Decoder>, .mode = is_dual ? 0x39 : 0x37, .is_dual = is_dual};
-    for (auto& block : packet.ranges) {
-      for (int& range : block) {
-        range = random.between(0, 60'000);
-      }
-    }
-    const std::vector<std::byte> bytes = packet.bytes();
-    Decoder decoder;
-    ASSERT_EQ(decoder.decode(bytes), DecodeStatus::kOk);
-    expect_samples(decoder, Decoder::kLayers, Decoder::unit().distance_unit_mm);
+    expect_samples_of_random<Decoder>(packet, random, Decoder::unit().distance_unit_mm);
   }
 }
 

@@ -1,7 +1,6 @@
 // No unit is taken for another: by real packets, and by made-up ones at every speed.
 #include "lidar/velodyne_identity.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -2,10 +2,7 @@
 // docs/spec.md.
 #include "map/block.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"

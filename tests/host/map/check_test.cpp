@@ -13,7 +13,6 @@ namespace {
 
 using tests::put;
 using tests::ReferenceBlock;
-using tests::ReferenceFeature;
 using tests::sealed;
 
 // Two houses, the first in two buckets and with a hole.
@@ -201,7 +200,7 @@ TEST(MapCheck, RefusesAMissingEntry) {
 
 TEST(MapCheck, TakesTheLargestFeatureAndNoLarger) {
   for (const std::int32_t vertices : {65'535, 65'536}) {
-    ReferenceFeature comb{Kind::kBuilding, {{}}};
+    tests::ReferenceFeature comb{Kind::kBuilding, {{}}};
     for (std::int32_t i = 0; i < vertices; ++i) {
       comb.rings[0].push_back({i % 4'000, i / 4'000});
     }

@@ -14,7 +14,6 @@ namespace iog::map {
 namespace {
 
 using tests::crc_of;
-using tests::put;
 using tests::ReferenceBlock;
 using tests::sealed;
 using Bytes = std::vector<std::uint8_t>;
@@ -203,7 +202,7 @@ TEST(MapDelivery, ADamagedBlockIsRefusedWholeAndTheOldOneStays) {
 TEST(MapDelivery, AnyOtherRefusalHasItsNameToo) {
   Bench bench;
   Bytes wrong = block_of(1);
-  put(wrong, 6, 3, 1);  // no such source
+  tests::put(wrong, 6, 3, 1);  // no such source
   wrong = sealed(wrong);
   bench.send_all(wrong);
   bench.settle();

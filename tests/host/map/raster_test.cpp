@@ -1,7 +1,6 @@
 // Polygons to bits, against the crossings of each row by themselves, and by laws.
 #include "map/raster.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 // A set of slots, against a list of bools.
 #include "map/slot_set.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"

@@ -1,10 +1,7 @@
 #include "net/checksum.hpp"
 
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
-#include <span>
 
 #include "net/frames.hpp"
 

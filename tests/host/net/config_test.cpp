@@ -1,9 +1,7 @@
 #include "net/config.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
-#include "net/address.hpp"
 #include "net/frames.hpp"
 
 namespace iog::net {

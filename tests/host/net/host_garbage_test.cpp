@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
-#include <span>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Messages to the peer: their headers, and when there are none.
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
 #include <span>

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "net/frames.hpp"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <span>
-#include <vector>
 
 #include "net/arp.hpp"
 #include "net/ethernet.hpp"

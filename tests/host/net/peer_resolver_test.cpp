@@ -1,6 +1,5 @@
 #include "net/peer_resolver.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::net {

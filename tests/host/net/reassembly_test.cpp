@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <vector>
 

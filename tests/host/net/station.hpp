@@ -1,11 +1,9 @@
 // A host on a fake port, and the law that its counters obey.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "fakes/fake_ethernet_port.hpp"

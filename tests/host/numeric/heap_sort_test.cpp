@@ -1,11 +1,9 @@
 // Sorted values against the C++ library's own sort.
 #include "numeric/heap_sort.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 #include "fakes/random.hpp"

@@ -1,6 +1,5 @@
 #include "numeric/square_root.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"

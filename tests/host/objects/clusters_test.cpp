@@ -2,9 +2,7 @@
 #include "objects/clusters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
@@ -14,8 +12,6 @@
 
 namespace iog::objects {
 namespace {
-
-using iog::tests::Random;
 
 constexpr std::array<std::uint8_t, 2> kAges{8, 0};
 constexpr window::Area kArea = window::Area::around({0, 0});
@@ -75,7 +71,7 @@ std::vector<int> components_of(std::span<const FrameHit> hits) {
 }
 
 TEST_F(ClustersOf, HitsAreComponents) {
-  Random random(1);
+  iog::tests::Random random(1);
   for (int i = 0; i < 30; ++i) {
     std::vector<geometry::Cell> cells;
     cells.reserve(60);

@@ -2,7 +2,6 @@
 #include "objects/edges.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <vector>
@@ -12,9 +11,6 @@
 
 namespace iog::objects {
 namespace {
-
-using iog::tests::effort;
-using iog::tests::Random;
 
 struct Mean {
   double mm;
@@ -45,8 +41,8 @@ void expect_edges(const Ends& ends, const std::vector<std::int32_t>& places) {
 }
 
 TEST(EdgesOf, AreMeansOfTheHitsWithinAQuarterOfAMetreOfTheOutermost) {
-  Random random(1);
-  for (int i = 0; i < effort(3'000, 200); ++i) {
+  iog::tests::Random random(1);
+  for (int i = 0; i < iog::tests::effort(3'000, 200); ++i) {
     const Box box{.at = {random.between(-90'000, 90'000), random.between(-90'000, 90'000)},
                   .along = {0, 1 << kDirectionBits}};
     std::vector<FrameHit> hits(1 + random.below(12));

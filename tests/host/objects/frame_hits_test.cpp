@@ -3,9 +3,7 @@
 #include "objects/frame_hits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <set>

@@ -1,7 +1,6 @@
 // The borders of what a track is judged by, as docs/objects.md has them.
 #include "objects/judge.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::objects {
@@ -70,17 +69,19 @@ TEST(Judge, AFrameOpposesTheMotionByTheShareOfItsBadPlaces) {
   EXPECT_EQ(unopposed_after(0, 0, 0), 3);
 }
 
+std::int32_t confidence_of(std::int32_t length_mm, std::int32_t width_mm, std::int32_t hits,
+                           std::int32_t speed = 2000) {
+  Track track = sure_track_of(speed);
+  track.sides() = {Interval{0, length_mm}, Interval{0, width_mm}};
+  track.seen = {.hits = hits, .moving = hits};
+  track.confidence = 4;
+  judge(kBeginUs, track);
+  return track.confidence;
+}
+
 // What a beam draws on the ground is long, thin and of few hits: it is not told, whatever the grid
 // calls it, and loses confidence twice as fast.
 TEST(Judge, AStreakOfFewHitsIsNotBelieved) {
-  const auto confidence_of = [](std::int32_t length_mm, std::int32_t width_mm, std::int32_t hits) {
-    Track track = sure_track_of(2000);
-    track.sides() = {Interval{0, length_mm}, Interval{0, width_mm}};
-    track.seen = {.hits = hits, .moving = hits};
-    track.confidence = 4;
-    judge(kBeginUs, track);
-    return track.confidence;
-  };
   EXPECT_EQ(confidence_of(1200, 299, 7), 2);
   EXPECT_EQ(confidence_of(299, 1200, 7), 2);
   EXPECT_EQ(confidence_of(1200, 299, 8), 6);
@@ -90,15 +91,6 @@ TEST(Judge, AStreakOfFewHitsIsNotBelieved) {
 
 // The same for what is shorter, if it is a row of cells: three hits and half a metre.
 TEST(Judge, AShortRowOfCellsIsNotBelieved) {
-  const auto confidence_of = [](std::int32_t length_mm, std::int32_t width_mm, std::int32_t hits,
-                                std::int32_t speed) {
-    Track track = sure_track_of(speed);
-    track.sides() = {Interval{0, length_mm}, Interval{0, width_mm}};
-    track.seen = {.hits = hits, .moving = hits};
-    track.confidence = 4;
-    judge(kBeginUs, track);
-    return track.confidence;
-  };
   EXPECT_EQ(confidence_of(500, 99, 3, 4000), 2);
   EXPECT_EQ(confidence_of(1199, 99, 3, 4000), 2);
   EXPECT_EQ(confidence_of(499, 99, 3, 4000), 6);

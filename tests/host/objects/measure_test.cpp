@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::objects {

@@ -2,7 +2,6 @@
 #include "objects/motion_shown.hpp"
 
 #include <array>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>

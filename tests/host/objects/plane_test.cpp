@@ -1,9 +1,7 @@
 // Boxes and ranges beside floating point.
 #include "objects/plane.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "objects/drawn_scene.hpp"
-#include "objects/judge.hpp"
 
 namespace iog::objects::tests {
 namespace {

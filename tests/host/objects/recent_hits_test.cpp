@@ -2,7 +2,6 @@
 #include "objects/recent_hits.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
@@ -12,8 +11,6 @@
 
 namespace iog::objects {
 namespace {
-
-using iog::tests::Random;
 
 struct Past {
   std::uint64_t epoch;
@@ -46,7 +43,7 @@ FrameHit hit_at(geometry::Cell cell) {
 
 // Cells near one another, with coordinates of both signs, and frames of 40 ms with gaps.
 TEST(RecentHits, AreThoseOfTheLastEightEpochs) {
-  Random random(1);
+  iog::tests::Random random(1);
   const auto recent = std::make_unique<RecentHits>();
   std::vector<Past> past;
   std::uint64_t now_us = 80'000'000;

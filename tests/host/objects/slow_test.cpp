@@ -1,7 +1,6 @@
 // Drawn cars so slow that the grid calls most of their hits standing.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>

@@ -1,7 +1,6 @@
 // A velocity is told less surely than the filter is of it: docs/objects.md, "Stated".
 #include "objects/stated.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace iog::objects {

@@ -11,7 +11,6 @@
 namespace iog::objects {
 namespace {
 
-using iog::tests::effort;
 using iog::tests::Random;
 
 Bounds random_bounds(Random& random, Point around) {
@@ -26,7 +25,7 @@ TEST(Strips, MeetWhereRectanglesAreNear) {
   Random random(5);
   int near = 0;
   int ruled_out = 0;
-  for (int i = 0; i < effort(50'000, 2'000); ++i) {
+  for (int i = 0; i < iog::tests::effort(50'000, 2'000); ++i) {
     const Point around{random.between(-1'000'000'000, 1'000'000'000),
                        random.between(-1'000'000'000, 1'000'000'000)};
     const Bounds one = random_bounds(random, around);

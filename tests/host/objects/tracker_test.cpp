@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <set>
@@ -17,7 +16,6 @@
 namespace iog::objects {
 namespace {
 
-using iog::tests::effort;
 using iog::tests::Random;
 
 constexpr std::array<std::uint8_t, 5> kAges{32, 24, 16, 8, 0};
@@ -266,7 +264,7 @@ class Forged : public testing::Test {
     const auto one = std::make_unique<Tracker>();
     const auto again = std::make_unique<Tracker>();
     const Everywhere everywhere{name};
-    for (int frame = 0; frame < effort(60, 12); ++frame) {
+    for (int frame = 0; frame < iog::tests::effort(60, 12); ++frame) {
       const std::vector<Hit> hits = draw(frame);
       const std::uint64_t us = 50'000'000 + 40'000 * static_cast<std::uint64_t>(frame);
       const Frame its{.end_us = us, .car = {}, .area = kArea, .ages_ms = kAges, .hits = hits};

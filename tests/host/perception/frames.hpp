@@ -1,7 +1,6 @@
 // A window that is given whole frames, and is asked for classes of cells.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>

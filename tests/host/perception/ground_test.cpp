@@ -17,7 +17,6 @@ namespace iog::perception {
 namespace {
 
 using geometry::Cell;
-using tests::FlatGround;
 using tests::GroundCell;
 
 bool bit(const window::Plane& plane, Cell in_tile) {
@@ -135,7 +134,7 @@ TEST_P(GroundNear, IsAskedAndRememberedAsTheRuleSays) {
     hits_ = {};
     follow({-4000 * (round + 1), 977 * (round + 3)});
     tests::Random random(static_cast<std::uint64_t>(round) + 31);
-    FlatGround flat(side, side, GetParam().looks);
+    tests::FlatGround flat(side, side, GetParam().looks);
     const auto in_window = [&](Cell cell) { return Cell{low.x + cell.x, low.y + cell.y}; };
     const auto for_each_cell = [&](auto&& visit) {
       for (std::int32_t i = 0; i < side * side; ++i) {

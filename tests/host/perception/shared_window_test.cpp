@@ -18,8 +18,6 @@
 namespace iog::perception {
 namespace {
 
-using tests::CoresInTurn;
-
 // Slices of a frame around a vehicle that turns, up to the borders of the window.
 class PartOfFrame {
  public:
@@ -61,7 +59,7 @@ class Cores : public testing::TestWithParam<std::tuple<std::size_t, bool>> {
  protected:
   [[nodiscard]] static bool are_lost() { return std::get<1>(GetParam()); }
 
-  CoresInTurn cores_{std::get<0>(GetParam()), are_lost(), 41};
+  tests::CoresInTurn cores_{std::get<0>(GetParam()), are_lost(), 41};
   work::Crew crew_{cores_};
 };
 

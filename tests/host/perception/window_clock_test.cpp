@@ -3,10 +3,7 @@
 // poses.
 #include "perception/window_clock.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <optional>
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"

@@ -2,7 +2,6 @@
 #include "perception/window_fusion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>

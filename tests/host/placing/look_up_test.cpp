@@ -1,11 +1,7 @@
 // What a tile of the window finds free in the grid is what each of its cells finds.
 #include "placing/look_up.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>

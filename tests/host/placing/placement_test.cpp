@@ -1,7 +1,6 @@
 // Affine maps between the vehicle's grid and the window, against rational numbers.
 #include "placing/placement.hpp"
 
-#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 

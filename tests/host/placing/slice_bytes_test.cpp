@@ -1,9 +1,6 @@
 // The bytes of a tile are those of its cells one by one, and its notes say where something is.
 #include "placing/slice_bytes.hpp"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"

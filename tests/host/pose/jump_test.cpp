@@ -9,7 +9,6 @@ namespace iog::pose {
 namespace {
 
 using testing::Driven;
-using testing::kStartUs;
 using testing::message_at;
 
 constexpr std::uint64_t kMs = 1'000;
@@ -138,8 +137,8 @@ std::uint32_t epoch_of(int messages, double period_s, double acceleration,
   Car car;
   const auto period_us = static_cast<std::uint64_t>(period_s * 1e6);
   for (int i = 0; i < messages; ++i) {
-    static_cast<void>(
-        history.add(car.message_at(kStartUs + static_cast<std::uint64_t>(i) * period_us), 0));
+    static_cast<void>(history.add(
+        car.message_at(testing::kStartUs + static_cast<std::uint64_t>(i) * period_us), 0));
     // Half a second to and half a second fro, so that the yaw rate stays below 0.5 rad/s.
     const bool is_to = static_cast<int>(i * period_s / 0.5) % 2 == 0;
     car.drive(period_s, acceleration, is_to ? yaw_acceleration : -yaw_acceleration);

@@ -7,14 +7,13 @@ namespace iog::pose {
 namespace {
 
 using testing::Driven;
-using testing::kStartUs;
 using testing::message_at;
 
 constexpr std::uint64_t kMs = 1'000;
 
 // The message of a run whose clock began at 0 and which stands at x = 7 m.
 Message of_run(std::uint32_t run, std::uint64_t number) {
-  Message message = message_at(kStartUs, run);
+  Message message = message_at(testing::kStartUs, run);
   message.clock_us = 20 * kMs + number * 10 * kMs;
   message.pose.x_mm = 7'000;
   message.speed_mm_per_s = 0;

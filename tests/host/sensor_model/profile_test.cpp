@@ -1,7 +1,6 @@
 // Table 4.3 of the thesis (docs/model.md section 4).
 #include "sensor_model/profile.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 
 namespace iog::sensor_model {

@@ -2,7 +2,6 @@
 #include "serial/coarse_levels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // neither saves nor loses by silence.
 #include "serial/fair_queue.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"

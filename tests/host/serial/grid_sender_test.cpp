@@ -2,8 +2,6 @@
 // of is as it was in the frame that the message names, and nothing is older than a round.
 #include "serial/grid_sender.hpp"
 
-#include <array>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>

@@ -1,9 +1,6 @@
 // The message that ends a frame's classes, byte by byte as docs/spec.md 3.10 lists it.
 #include "stream/class_end.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>

@@ -2,10 +2,7 @@
 // not believe.
 #include "stream/objects.hpp"
 
-#include <cstddef>
 #include <gtest/gtest.h>
-#include <initializer_list>
-#include <span>
 
 #include "fakes/bytes_of.hpp"
 #include "protection/protected_message.hpp"

@@ -2,7 +2,6 @@
 // receiver must not believe.
 #include "stream/receptions.hpp"
 
-#include <cstddef>
 #include <gtest/gtest.h>
 #include <vector>
 

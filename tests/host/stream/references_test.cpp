@@ -1,7 +1,6 @@
 #include "stream/references.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <memory>
 

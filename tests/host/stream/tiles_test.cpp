@@ -3,7 +3,6 @@
 #include "stream/tiles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <vector>
 

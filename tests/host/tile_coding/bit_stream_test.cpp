@@ -2,7 +2,6 @@
 
 #include <array>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 #include "fakes/effort.hpp"

@@ -2,9 +2,7 @@
 #include "tile_coding/digits.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 #include "fakes/random.hpp"

@@ -2,9 +2,7 @@
 // word: stretch by stretch, where the code goes by cells or by carries.
 #include "tile_coding/tile_runs.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
-#include <memory>
 #include <vector>
 
 #include "fakes/effort.hpp"

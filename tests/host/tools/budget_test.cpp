@@ -1,7 +1,6 @@
 #include <array>
 #include <cstddef>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <vector>
 
 #include "fakes/ground_car.hpp"

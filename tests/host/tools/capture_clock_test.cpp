@@ -1,7 +1,5 @@
 #include "tools/formats/capture/capture_clock.hpp"
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"

@@ -5,8 +5,6 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "drive_sample.hpp"
 #include "fakes/foreign_packets.hpp"
@@ -17,7 +15,6 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
 namespace {

@@ -1,10 +1,7 @@
 #include "tools/identity/car_capture.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "gtest/gtest.h"
 
@@ -12,7 +9,6 @@
 #include "fakes/temporary_folder.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
 #include "tools/poses/pose_encoder.hpp"
-#include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 

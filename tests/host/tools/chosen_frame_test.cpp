@@ -1,8 +1,6 @@
 #include "tools/frames/chosen_frame.hpp"
 
 #include <gtest/gtest.h>
-#include <initializer_list>
-#include <optional>
 
 namespace iog::tools {
 namespace {

@@ -1,11 +1,9 @@
 // Frames with classes, put together from messages that a network has lost, mixed up, repeated and
 // damaged: a tile that is shown is that of the world, whatever happened.
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <vector>
 

@@ -1,13 +1,9 @@
 // Lines by which the classes of two runs are compared.
 #include "tools/receive/class_record.hpp"
 
-#include <string>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
-#include "tools/frames/grid_frame.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/receive/class_statistics.hpp"
 

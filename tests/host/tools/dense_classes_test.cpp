@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "fakes/temporary_folder.hpp"
 #include "lidar/formats.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <string>
 #include <string_view>
 
 #include "hal/thermometer.hpp"

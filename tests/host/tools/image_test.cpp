@@ -1,7 +1,6 @@
 // Firmware images as files: the car's block is found by its place, and the CRCs around it follow.
 // The images are made up here, as their formats' documents have them.
 #include <cstdint>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <vector>
 

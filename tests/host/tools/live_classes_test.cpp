@@ -2,10 +2,7 @@
 #include "tools/frames/live_classes.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
-#include <utility>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -1,9 +1,7 @@
 #include "tools/formats/lux/lux_scan.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "gtest/gtest.h"
 

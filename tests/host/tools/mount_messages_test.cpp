@@ -4,8 +4,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -3,10 +3,8 @@
 #include "tools/poses/nmea_cycle.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "gtest/gtest.h"
 

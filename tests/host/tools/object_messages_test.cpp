@@ -3,8 +3,6 @@
 
 #include <fstream>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "gtest/gtest.h"
 

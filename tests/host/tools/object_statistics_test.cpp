@@ -2,7 +2,6 @@
 #include "tools/receive/object_statistics.hpp"
 
 #include <map>
-#include <string>
 
 #include "gtest/gtest.h"
 

@@ -2,17 +2,12 @@
 #include "tools/poses/pose_log.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "gtest/gtest.h"
 
 #include "tools/poses/local_plane.hpp"
-#include "tools/poses/map_origin.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"

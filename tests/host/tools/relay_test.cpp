@@ -7,11 +7,9 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
-#include <string>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 
 #include "fakes/bytes_of.hpp"
 #include "fakes/lux_message.hpp"

@@ -1,6 +1,5 @@
 // The serial link from the sender on the target to the receiver on the PC, and what the receiver
 // believes when the line is bad.
-#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 #include <map>

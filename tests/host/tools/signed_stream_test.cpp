@@ -3,11 +3,7 @@
 #include "tools/frames/signed_stream.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
-#include <vector>
 
 #include "stream/channel.hpp"
 

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <vector>
 
 #include "fakes/bytes_of.hpp"
 #include "fakes/effort.hpp"
-#include "tile_coding/encode.hpp"
 #include "tile_coding/tiles.hpp"
 
 namespace iog::tile_coding {

@@ -1,9 +1,7 @@
 #include "tools/clouds/track.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 #include <memory>
-#include <string>
 
 #include "fakes/hesai_packet.hpp"
-#include "tools/budget/frame_budget.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/receive/run_statistics.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <string>
 #include <vector>
 
 #include "fakes/foreign_packets.hpp"

@@ -1,8 +1,6 @@
 // What the programs of the PC say when something is wrong: words that say what to do about it.
-#include <array>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 // Where a line is after a share of its length, and which part of it lies in a grid.
 #include "traversal/line.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 

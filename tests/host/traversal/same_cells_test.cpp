@@ -7,7 +7,6 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
-#include "traversal/corner.hpp"
 #include "traversal/walk.hpp"
 
 namespace iog::traversal {

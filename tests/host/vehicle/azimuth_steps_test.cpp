@@ -1,7 +1,6 @@
 // The nearest azimuth step, against a search for the nearest multiple (docs/model.md section 5).
 #include "vehicle/azimuth_steps.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"

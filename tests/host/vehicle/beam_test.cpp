@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "fakes/effort.hpp"
@@ -18,7 +16,6 @@
 namespace iog::vehicle {
 namespace {
 
-using tests::OneLux;
 using tests::SteepVlp16;
 using tests::TiltedLux;
 
@@ -73,7 +70,7 @@ void expect_every_direction_right() {
   }
 }
 
-TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<OneLux>(); }
+TEST(Beam, EndsWhereTrigonometrySaysStraight) { expect_every_direction_right<tests::OneLux>(); }
 TEST(Beam, EndsWhereTrigonometrySaysTilted) { expect_every_direction_right<TiltedLux>(); }
 
 // From 1.5 m above the ground the steepest leave the height band, 0.3 to 2.2 m, after

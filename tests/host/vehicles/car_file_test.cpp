@@ -5,8 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <string>
-#include <vector>
 
 #include "car_block/content.hpp"
 #include "tools/program/exit_status.hpp"

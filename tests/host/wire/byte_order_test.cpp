@@ -2,10 +2,7 @@
 #include "wire/byte_order.hpp"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
 
 namespace iog::wire {
 namespace {

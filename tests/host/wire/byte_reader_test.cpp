@@ -1,10 +1,7 @@
 #include "wire/byte_reader.hpp"
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 namespace iog::wire {

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <span>
 #include <vector>
 
 namespace iog::wire {

@@ -1,8 +1,6 @@
 // Runs of things: all of them, in order, and shorter to the end.
 #include "work/runs.hpp"
 
-#include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <vector>

@@ -1,10 +1,7 @@
 // Cores as threads: the same bytes from any number of them, also when some are delayed or lost.
 #include "work/team.hpp"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <thread>

@@ -1,9 +1,7 @@
 #include "tools/formats/capture/pcap_writer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <pcap/pcap.h>
 #include <vector>
 

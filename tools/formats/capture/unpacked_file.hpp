@@ -2,7 +2,6 @@
 // has. They come in their order and in bounded memory, also out of a pipe.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>

@@ -2,59 +2,22 @@
 
 #include <algorithm>
 
-#include "lidar/ibeo_lux.hpp"
 #include "require/require.hpp"
 #include "tools/program/exit_status.hpp"
 #include "wire/byte_reader.hpp"
-#include "wire/byte_writer.hpp"
 
 namespace iog::tools {
 namespace {
 
 using lidar::IbeoLux;
 
-// The part of a scan that one message carries.
-struct Part {
-  std::span<const LuxPoint> points;
-  std::int16_t start_ticks;
-  std::int16_t end_ticks;
-};
-
-void write_point(const LuxPoint& point, wire::ByteWriter& out) {
-  out.u8(static_cast<std::uint8_t>(point.layer | point.echo << 4));
-  out.u8(point.flags);
-  out.i16_le(point.angle_ticks);
-  out.u16_le(point.range_cm);
-  out.u16_le(point.pulse_width_cm);
-  out.u16_le(point.reserved);
-}
-
-std::vector<std::byte> write_message(const LuxScan& scan, const Part& part) {
-  const std::size_t body = IbeoLux::kScanBytes + IbeoLux::kPointBytes * part.points.size();
-  std::vector<std::byte> message(IbeoLux::kHeaderBytes + body);
+std::vector<std::byte> write_message(const LuxHead& head, std::span<const LuxPoint> points) {
+  std::vector<std::byte> message(IbeoLux::kHeaderBytes + IbeoLux::kScanBytes +
+                                 IbeoLux::kPointBytes * points.size());
   wire::ByteWriter out(message);
-  out.u32_be(IbeoLux::kMagic);
-  out.u32_be(0);  // size of the previous message: 0 in live data
-  out.u32_be(static_cast<std::uint32_t>(body));
-  out.u8(0);
-  out.u8(scan.device_id);
-  out.u16_be(IbeoLux::kDataType);
-  out.u64_be(scan.sent_ntp);
-  out.u16_le(scan.scan_number);
-  out.u16_le(scan.status);
-  out.u16_le(scan.sync_phase);
-  out.u64_le(scan.start_ntp);
-  out.u64_le(scan.end_ntp);
-  out.u16_le(scan.ticks_per_turn);
-  out.i16_le(part.start_ticks);
-  out.i16_le(part.end_ticks);
-  out.u16_le(static_cast<std::uint16_t>(part.points.size()));
-  for (const std::int16_t value : scan.mounting) {
-    out.i16_le(value);
-  }
-  out.u16_le(scan.flags);
-  for (const LuxPoint& point : part.points) {
-    write_point(point, out);
+  write_lux_head(head, points.size(), out);
+  for (const LuxPoint& point : points) {
+    write_lux_point(point, out);
   }
   require(out.ok() && out.remaining() == 0);
   return message;
@@ -127,13 +90,12 @@ std::vector<std::vector<std::byte>> split_lux_scan(LuxScan scan, std::size_t max
   });
   std::vector<std::vector<std::byte>> messages;
   std::span<const LuxPoint> rest = scan.points;
-  std::int16_t start_ticks = scan.start_ticks;
+  LuxHead head = scan;
   do {
     const std::size_t count = points_of_next(rest, most);
-    const std::int16_t end_ticks =
-        count < rest.size() ? rest[count - 1].angle_ticks : scan.end_ticks;
-    messages.push_back(write_message(scan, {rest.first(count), start_ticks, end_ticks}));
-    start_ticks = end_ticks;
+    head.end_ticks = count < rest.size() ? rest[count - 1].angle_ticks : scan.end_ticks;
+    messages.push_back(write_message(head, rest.first(count)));
+    head.start_ticks = head.end_ticks;
     rest = rest.subspan(count);
   } while (!rest.empty());
   return messages;

@@ -2,13 +2,13 @@
 // scan that is too long for a datagram is split into several messages of the same scan number.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "lidar/formats.hpp"
+#include "tools/formats/lux/lux_message.hpp"
 
 namespace iog::tools {
 
@@ -29,36 +29,9 @@ enum class MirrorSide : std::uint8_t { kFront, kRear };
   return number % 2 == 0 ? MirrorSide::kFront : MirrorSide::kRear;
 }
 
-struct LuxPoint {
-  std::uint8_t layer = 0;  // 0 ... 3, 0 is the lowest of its side of the mirror
-  std::uint8_t echo = 0;   // 0 ... 2
-  std::uint8_t flags = 0;
-  std::int16_t angle_ticks = 0;  // 1/32 degree, positive to the left
-  std::uint16_t range_cm = 0;
-  std::uint16_t pulse_width_cm = 0;
-  std::uint16_t reserved = 0;
-
-  friend bool operator==(const LuxPoint&, const LuxPoint&) = default;
-};
-
-struct LuxScan {
-  std::uint8_t device_id = 0;
-  std::uint64_t sent_ntp = 0;  // of the message
-  std::uint16_t scan_number = 0;
-  std::uint16_t status = 0;
-  std::uint16_t sync_phase = 0;
-  std::uint64_t start_ntp = 0;
-  std::uint64_t end_ntp = 0;
-  std::uint16_t ticks_per_turn = 11'520;
-  std::int16_t start_ticks = 1600;  // where the sweep begins; +50 degrees, the left
-  std::int16_t end_ticks = -1600;
-  std::array<std::int16_t, 6> mounting{};  // yaw, pitch, roll in ticks; x, y, z in cm
-  std::uint16_t flags = 0;
+struct LuxScan : LuxHead {
   std::vector<LuxPoint> points;
 };
-
-// A LUX message must stay below every usual MTU.
-inline constexpr std::size_t kMaxLuxDatagramBytes = 1400;
 
 // A whole message, header and body, as IbeoLux accepts it. UsageError if it contradicts itself.
 [[nodiscard]] LuxScan parse_lux_message(std::span<const std::byte> message);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <png.h>
 #include <span>
-#include <vector>
 
 #include "tools/formats/picture/font.hpp"
 #include "tools/program/file.hpp"

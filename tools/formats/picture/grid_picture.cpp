@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "geometry/grid.hpp"
 #include "tools/formats/picture/font.hpp"

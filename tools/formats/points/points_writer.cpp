@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 
 #include "lidar/points.hpp"
 #include "require/require.hpp"

@@ -1,13 +1,10 @@
 #include "tools/receive/serial/reception.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "stream/crc32.hpp"
 #include "tools/frames/frame_assembler.hpp"

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "numeric/elementary.hpp"

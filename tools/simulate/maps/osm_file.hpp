@@ -6,7 +6,6 @@
 // how many; a file asks editors never to upload it.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 

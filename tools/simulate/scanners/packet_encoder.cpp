@@ -3,12 +3,7 @@
 #include <type_traits>
 
 #include "lidar/scanner_facts.hpp"
-#include "tools/simulate/scanners/ars548_encoder.hpp"
-#include "tools/simulate/scanners/hesai_encoder.hpp"
-#include "tools/simulate/scanners/mavlink_encoder.hpp"
-#include "tools/simulate/scanners/ouster_encoder.hpp"
-#include "tools/simulate/scanners/points_encoder.hpp"
-#include "tools/simulate/scanners/velodyne_encoder.hpp"
+#include "tools/simulate/scanners/encoders.hpp"
 
 namespace iog::tools {
 
@@ -16,17 +11,17 @@ std::unique_ptr<PacketEncoder> encoder_of(const description::SensorConfig& confi
   std::unique_ptr<PacketEncoder> sender;
   lidar::with_decoder(config.format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {
     if constexpr (std::is_base_of_v<lidar::VelodynePacket, Decoder>) {
-      sender = std::make_unique<VelodyneEncoder>(config, Decoder::unit());
+      sender = velodyne_encoder(config, Decoder::unit());
     } else if constexpr (std::is_base_of_v<lidar::HesaiPacket, Decoder>) {
-      sender = std::make_unique<HesaiEncoder>(config, Decoder::unit());
+      sender = hesai_encoder(config, Decoder::unit());
     } else if constexpr (std::is_base_of_v<lidar::OusterPacket, Decoder>) {
-      sender = std::make_unique<OusterEncoder>(config, Decoder::profile());
+      sender = ouster_encoder(config, Decoder::profile());
     } else if constexpr (lidar::IsPoints<Decoder>) {
-      sender = std::make_unique<PointsEncoder>(config);
+      sender = points_encoder(config);
     } else if constexpr (std::is_same_v<lidar::ContinentalArs548, Decoder>) {
-      sender = std::make_unique<Ars548Encoder>(config);
+      sender = ars548_encoder(config);
     } else if constexpr (std::is_same_v<lidar::MavlinkUltrasonic, Decoder>) {
-      sender = std::make_unique<MavlinkEncoder>(config);
+      sender = mavlink_encoder(config);
     }
   });
   return sender;

@@ -1,6 +1,5 @@
 #include "tools/simulate/scanners/spinning_unit.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "tools/formats/capture/made_capture.hpp"

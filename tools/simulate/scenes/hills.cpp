@@ -1,13 +1,10 @@
 #include "tools/simulate/scenes/hills.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "numeric/elementary.hpp"
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/scenes/hills_ground.hpp"
 #include "tools/simulate/world/street_furniture.hpp"

@@ -1,10 +1,7 @@
 #include "tools/simulate/scenes/ring_road_verge.hpp"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "tools/simulate/random.hpp"
 #include "tools/simulate/world/street_furniture.hpp"

@@ -4,7 +4,6 @@
 // 1 of a point (X, Y), likewise y.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -1,7 +1,6 @@
 // The true occupancy around the car, cell by cell of its grid.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 // end of a 1D cell does not occur below.
 #include "lab/baseline/printed_fusion.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <span>
 #include <vector>
 
 #include "fakes/random.hpp"

@@ -1,9 +1,6 @@
 #include "lab/evaluation/object_scores.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <utility>
-#include <vector>
 
 namespace iog::lab {
 namespace {

@@ -1,10 +1,5 @@
 #include "lab/evaluation/perception.hpp"
 
-#include <array>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 namespace iog::lab {

@@ -1,10 +1,5 @@
 #include "lab/evaluation/true_things.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 #include "tools/simulate/scenes/scene_catalogue.hpp"

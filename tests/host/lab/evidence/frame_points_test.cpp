@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "fakes/ground_car.hpp"
 #include "fakes/random.hpp"

@@ -2,13 +2,10 @@
 // thesis's section 2.4.
 #include "lab/evidence/fusion_rules.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <utility>
-#include <vector>
 
 #include "fakes/random.hpp"
-#include "fusion/frame_fusion.hpp"
 
 namespace iog::lab {
 namespace {

@@ -18,9 +18,7 @@ namespace {
 
 using geometry::Cell;
 using geometry::kResolution;
-using geometry::SubcellPoint;
 using lab::reference::Rational;
-using vehicle::Sensor;
 
 constexpr std::int64_t kCellsPerLine = 500;  // 1D cells of a LUX
 
@@ -36,10 +34,10 @@ struct Shot {
         k(point.range_mm / 100) {}
 
   const vehicle::Vehicle& vehicle;
-  const Sensor& sensor;
+  const vehicle::Sensor& sensor;
   lidar::ScanPoint point;
   vehicle::BeamLine line;
-  SubcellPoint end;
+  geometry::SubcellPoint end;
   std::int64_t k;
 };
 

@@ -2,10 +2,8 @@
 // for byte: what experiments change is changed against that, and against nothing else.
 #include "lab/evidence/projection.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
-#include <vector>
 
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"

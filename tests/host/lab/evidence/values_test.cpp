@@ -2,7 +2,6 @@
 #include "lab/evidence/values.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "sensor_model/profile.hpp"

@@ -1,6 +1,5 @@
 // The leaves of simulated drives, counted as lab/experiments counts them for table 4.7, and the
 // bytes that they need beside the array's.
-#include <array>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>

@@ -1,7 +1,6 @@
 // What the experiments find of M. Kurdej's thesis: the numbers that its page shows, by hand, as it
 // prints them, or by an independent program; and how drives are held against the truth.
 #include <array>
-#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>

@@ -3,12 +3,9 @@
 #include "lab/experiments/numerical_quality/index_differences.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <gtest/gtest.h>
-#include <vector>
 
 #include "fakes/random.hpp"
-#include "fusion/frame_fusion.hpp"
 
 namespace iog::lab {
 namespace {

@@ -1,9 +1,7 @@
 // What a map may do to the names of cells, on drives of the simulator: name, and nothing else.
 #include "lab/experiments/map_quality/map_quality.hpp"
 
-#include <cstddef>
 #include <numeric>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "gtest/gtest.h"
 

@@ -1,8 +1,5 @@
 #include "lab/experiments/output_rates/scene_load.hpp"
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "gtest/gtest.h"

@@ -2,7 +2,6 @@
 // each, and what it marks by what is true of them.
 #include "lab/experiments/hills/scored_returns.hpp"
 
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <utility>
 

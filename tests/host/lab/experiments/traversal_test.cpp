@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "lab/experiments/traversal/traversal_trial.hpp"
-#include "lab/reference/peer_walks.hpp"
 
 namespace iog::lab {
 namespace {

@@ -2,7 +2,6 @@
 // is timed is right.
 #include "lab/target/walks.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 

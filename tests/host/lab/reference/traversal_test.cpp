@@ -3,12 +3,8 @@
 // against what he promised of it.
 #include "lab/reference/traversal.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <string>
-#include <vector>
 
 #include "fakes/random.hpp"
 #include "lab/reference/exact_line.hpp"

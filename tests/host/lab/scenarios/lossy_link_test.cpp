@@ -5,7 +5,6 @@
 #include "lab/scenarios/lossy_link.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 
 #include "gtest/gtest.h"

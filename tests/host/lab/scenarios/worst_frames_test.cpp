@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <set>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "gtest/gtest.h"
 

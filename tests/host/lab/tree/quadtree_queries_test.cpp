@@ -1,6 +1,5 @@
 // What a quadtree is asked: the block around a cell, and whether a rectangle is free, both against
 // the array.
-#include <algorithm>
 #include <gtest/gtest.h>
 #include <utility>
 

@@ -2,8 +2,6 @@
 #include "lab/tree/split_merge_tree.hpp"
 
 #include <gtest/gtest.h>
-#include <map>
-#include <memory>
 #include <vector>
 
 #include "fakes/effort.hpp"
@@ -13,8 +11,6 @@ namespace iog::tree {
 namespace {
 
 using index::OccupancyIndex;
-using tests::effort;
-using tests::Random;
 
 template <std::size_t kDimensionOf, std::uint32_t kDepthOf>
 struct Shape {
@@ -108,8 +104,8 @@ TYPED_TEST(SplitMergeTreeTest, AlternatingCellsAreAllLeavesAndNoneIsRefused) {
 }
 
 TYPED_TEST(SplitMergeTreeTest, FollowsAnArrayThroughRandomUpdates) {
-  Random random(this->kDimension);
-  for (int round = 0; round < effort(40, 4); ++round) {
+  tests::Random random(this->kDimension);
+  for (int round = 0; round < tests::effort(40, 4); ++round) {
     for (int update = 0; update < 200; ++update) {
       this->set(static_cast<std::uint32_t>(random.below(this->kCells)),
                 static_cast<OccupancyIndex>(random.between(-1, 1)));

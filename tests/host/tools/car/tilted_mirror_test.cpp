@@ -3,7 +3,6 @@
 #include "tools/car/tilted_mirror.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>

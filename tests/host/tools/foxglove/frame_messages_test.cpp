@@ -2,10 +2,6 @@
 #include "tools/foxglove/frame_messages.hpp"
 
 #include <algorithm>
-#include <memory>
-#include <set>
-#include <string_view>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -2,10 +2,6 @@
 // it is told. What every wrong request is told tests/e2e/foxglove asks.
 #include "tools/foxglove/subscriptions.hpp"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 namespace iog::tools::foxglove {

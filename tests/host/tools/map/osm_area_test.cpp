@@ -1,6 +1,5 @@
 // What becomes of buildings and other areas of OpenStreetMap. The rules are those of docs/map.md.
 #include <string>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -2,9 +2,6 @@
 // (EPSG's parameters), by GeographicLib's manual of GeoConvert, and by swisstopo.
 #include "tools/map/reference_system.hpp"
 
-#include <string>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 #include "tools/program/exit_status.hpp"

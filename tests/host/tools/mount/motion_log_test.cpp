@@ -1,8 +1,6 @@
 #include "tools/mount/motion_log.hpp"
 
-#include <cstddef>
 #include <functional>
-#include <vector>
 
 #include "gtest/gtest.h"
 

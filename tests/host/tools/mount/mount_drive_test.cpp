@@ -1,6 +1,5 @@
 // Mounts that are known, of simulated drives whose packets the decoders read, with a car's file
 // that is wrong.
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,5 +1,4 @@
 // A log whose clock is behind, beside the packets of the same simulated drive.
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>

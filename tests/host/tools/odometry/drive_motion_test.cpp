@@ -1,8 +1,5 @@
 #include "tools/odometry/drive_motion.hpp"
 
-#include <string>
-#include <vector>
-
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <limits>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "cloud_bytes.hpp"

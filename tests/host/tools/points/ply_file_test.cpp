@@ -2,7 +2,6 @@
 #include "tools/clouds/ply_file.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include "cloud_bytes.hpp"
 #include "fakes/temporary_folder.hpp"

@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <initializer_list>
 #include <limits>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "cloud_bytes.hpp"
 #include "tools/clouds/foxglove_clouds.hpp"

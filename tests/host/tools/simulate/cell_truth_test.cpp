@@ -6,17 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "gtest/gtest.h"
 
-#include "tools/program/file.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/simulate/scenes/street.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"

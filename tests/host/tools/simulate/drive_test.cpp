@@ -1,11 +1,9 @@
 #include "tools/simulate/drives/drive.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>

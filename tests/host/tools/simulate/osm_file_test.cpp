@@ -10,8 +10,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

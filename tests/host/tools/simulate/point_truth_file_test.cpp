@@ -1,13 +1,9 @@
 #include "tools/simulate/truth/point_truth_file.hpp"
 
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
-
-#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {

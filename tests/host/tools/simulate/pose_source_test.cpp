@@ -3,11 +3,7 @@
 #include "tools/simulate/drives/pose_source.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "gtest/gtest.h"
 

@@ -3,7 +3,6 @@
 #include "tools/simulate/scenes/ring_road.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>

@@ -5,10 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "gtest/gtest.h"
 

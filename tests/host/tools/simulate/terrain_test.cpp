@@ -2,7 +2,6 @@
 #include "tools/simulate/world/terrain.hpp"
 
 #include <cmath>
-#include <memory>
 
 #include "gtest/gtest.h"
 

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <optional>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

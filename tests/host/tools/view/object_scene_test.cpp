@@ -11,12 +11,10 @@
 namespace iog::tools::view {
 namespace {
 
-using stream::ObjectRecord;
-
 class ObjectSceneTest : public testing::Test {
  protected:
   // Any numbers: a page is told what came.
-  ObjectRecord random_object(std::uint32_t id) {
+  stream::ObjectRecord random_object(std::uint32_t id) {
     const auto u16 = [&] { return static_cast<std::uint16_t>(random_.below(65536)); };
     const auto mm = [&] { return static_cast<std::int32_t>(random_.below(2'000'000)) - 1'000'000; };
     return {.id = id,

@@ -1,7 +1,6 @@
 #include "tools/view/recorder.hpp"
 
 #include <csignal>
-#include <string>
 #include <sys/resource.h>
 #include <vector>
 

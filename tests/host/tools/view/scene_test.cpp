@@ -1,8 +1,5 @@
 #include "tools/view/scene.hpp"
 
-#include <cstdint>
-#include <memory>
-
 #include "gtest/gtest.h"
 
 #include "page_reader.hpp"

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
-#include <vector>
 
 #include "gtest/gtest.h"
 

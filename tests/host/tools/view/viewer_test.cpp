@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <string_view>
 
 #include "gtest/gtest.h"

@@ -2,7 +2,6 @@
 // sets wherever the two mean the same.
 #include "lab/reference/cell.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <vector>
 
 #include "fakes/random.hpp"
 #include "lab/reference/evidential/perception.hpp"
@@ -13,7 +12,6 @@
 namespace iog::lab::reference::evidential {
 namespace {
 
-using tests::Random;
 using tests::random_share;
 
 constexpr std::array kNoEcho = std::array<double, 0>{};
@@ -122,7 +120,7 @@ TEST(PolarGrid, KnowsNothingOutside) {
 
 // Equations 5.1 and 5.2: Dempster's rule over all sets.
 TEST(JoinedSources, AreThoseOfDempstersRule) {
-  Random random(51);
+  tests::Random random(51);
   for (int round = 0; round < 100; ++round) {
     const double free = random_share(random) * 0.9;
     const SourceMass one{free, (1 - free) * random_share(random) * 0.9};

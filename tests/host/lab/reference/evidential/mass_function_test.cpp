@@ -3,7 +3,6 @@
 #include "lab/reference/evidential/mass_function.hpp"
 
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 
 #include "fakes/random.hpp"

@@ -3,11 +3,9 @@
 
 #include <array>
 #include <gtest/gtest.h>
-#include <vector>
 
 #include "fakes/random.hpp"
 #include "lab/reference/evidential/random_mass.hpp"
-#include "lab/reference/evidential/sensor_part.hpp"
 
 namespace iog::lab::reference::evidential {
 namespace {

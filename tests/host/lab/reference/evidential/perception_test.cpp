@@ -2,9 +2,7 @@
 // leaves (figure 5.6).
 #include "lab/reference/evidential/perception.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
-#include <optional>
 
 #include "fakes/random.hpp"
 #include "lab/reference/evidential/random_mass.hpp"
@@ -12,9 +10,7 @@
 namespace iog::lab::reference::evidential {
 namespace {
 
-using tests::Random;
 using tests::random_mass;
-using tests::random_share;
 
 constexpr Set kStoppedOrMoving = kStopped | kMoving;
 
@@ -64,7 +60,7 @@ TEST(FusionInTime, LeavesOtherConflictToIgnorance) {
 
 // Equation 5.4 in its own words, on masses of all sets.
 TEST(FusionInTime, HasTheConflictOfTheSums) {
-  Random random(54);
+  tests::Random random(54);
   for (int round = 0; round < 50; ++round) {
     const MassFunction before = random_mass(random, kPerceptionElements);
     const MassFunction now = random_mass(random, kPerceptionElements);

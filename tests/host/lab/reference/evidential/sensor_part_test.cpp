@@ -12,7 +12,6 @@
 namespace iog::lab::reference::evidential {
 namespace {
 
-using tests::largest_difference;
 using tests::Random;
 using tests::random_share;
 
@@ -48,7 +47,7 @@ TEST(SensorPart, IsNotKeptByProportionalDiscounting) {
 TEST(SensorPart, OfAScanIsTheSensors) {
   const MassFunction sensor = source_evidence(0.4, 0.4);
   for (const Set map_class : kMaps) {
-    EXPECT_LT(largest_difference(without_map(some_scan_with(map_class)), sensor), 1e-15);
+    EXPECT_LT(tests::largest_difference(without_map(some_scan_with(map_class)), sensor), 1e-15);
   }
   EXPECT_GT(without_map(some_scan_with(kBuilding))[kStanding], 0.5);
 }

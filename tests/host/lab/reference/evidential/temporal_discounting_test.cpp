@@ -3,7 +3,6 @@
 
 #include <array>
 #include <gtest/gtest.h>
-#include <vector>
 
 namespace iog::lab::reference::evidential {
 namespace {
