@@ -352,6 +352,9 @@ void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car
       if (const std::string words = describe_skipped(file.reader->counts()); !words.empty()) {
         skipped.push_back(words);
       }
+      if (!file.reader->trouble().empty()) {
+        skipped.push_back("the file " + file.reader->trouble());
+      }
     }
     throw UsageError(joined(paths, ", ") + ": " + refusal +
                      (skipped.empty() ? "" : " (" + joined(skipped, "; ") + ")"));
