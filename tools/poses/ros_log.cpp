@@ -6,6 +6,7 @@
 #include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools {
@@ -35,7 +36,9 @@ void read_place(CdrReader& in, LoggedPose& pose) {
   std::ranges::generate(numbers, [&in] { return in.f64(); });
   pose.x_m = numbers[0];
   pose.y_m = numbers[1];
-  pose.heading_rad = heading_of({numbers[3], numbers[4], numbers[5], numbers[6]});
+  const Quaternion turn{numbers[3], numbers[4], numbers[5], numbers[6]};
+  pose.heading_rad = heading_of(turn);
+  pose.is_tilted = is_tilted(turn);
 }
 
 // The root of a variance that says something.
@@ -110,7 +113,8 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   }
   if (log.poses.empty()) {
     throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +
-                     std::string(kVehicleFrame) + (topic.empty() ? "" : ", on " + topic));
+                     std::string(kVehicleFrame) + (topic.empty() ? "" : ", on " + topic) +
+                     (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
   }
   for (std::size_t i = 0; i < log.poses.size(); ++i) {
     log.poses[i].place = i + 1;

@@ -123,6 +123,21 @@ TEST_F(Trajectories, OfTumAreReadByTheirColumns) {
   expect("-1 2 3 4 0 0 0 1", "a.tum:2: the time is '-1'");
 }
 
+// 30 degrees to the left is w = cos(15 degrees), z = sin(15 degrees), and w comes last.
+TEST_F(Trajectories, OfTumThatHaveWFirstAreTold) {
+  const auto notes_of = [this](const std::string& turn) {
+    std::string rows;
+    for (int i = 0; i < 9; ++i) {
+      rows += "1700000000." + std::to_string(i) + " 0 0 0 " + turn + "\n";
+    }
+    return converted(read_tum_log(write("a.tum", rows)), {}).notes;
+  };
+  EXPECT_TRUE(notes_of("0 0 0.258819 0.965926").empty());
+  EXPECT_EQ(notes_of("0.965926 0 0 0.258819"),
+            std::vector<std::string>{"9 poses are tilted by more than 45 degrees: check that z is "
+                                     "up, and that quaternions are x, y, z, w"});
+}
+
 // Right, down and forward of the camera; the unit is 0.3 m behind it, and turns to the left. The
 // camera is then 5 m ahead and 2 m to the left of where it was.
 TEST_F(Trajectories, OfKittiAreThoseOfTheUnit) {
