@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <utility>
 #include <zstd.h>
 
@@ -120,6 +121,19 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
   }
 }
 
+// The file that was unpacked last stays until another one is: who reads a bag twice unpacks it
+// once.
+const PlainFile& plain_file(const std::string& name) {
+  static std::string last;
+  static std::unique_ptr<PlainFile> plain;
+  if (!plain || last != name) {
+    plain.reset();
+    plain = std::make_unique<PlainFile>(name);
+    last = name;
+  }
+  return *plain;
+}
+
 }  // namespace
 
 std::vector<std::string> for_each_message(const std::string& path,
@@ -129,7 +143,7 @@ std::vector<std::string> for_each_message(const std::string& path,
   Messages messages(types, topic, take);
   std::vector<std::string> remarks = words_of_unlisted(path);
   for (const std::string& name : files_of_recording(path)) {
-    const PlainFile plain(name);
+    const PlainFile& plain = plain_file(name);
     std::ifstream file(plain.path(), std::ios::binary);
     std::array<char, 16> magic{};
     file.read(magic.data(), magic.size());
