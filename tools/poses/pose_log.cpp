@@ -47,6 +47,7 @@ void count_from_near(PoseLog& log) {
   const auto middle_of = [&log](double LoggedPose::*coordinate) {
     std::vector<double> all;
     std::ranges::transform(log.poses, std::back_inserter(all), coordinate);
+    std::erase_if(all, [](double value) { return !std::isfinite(value); });
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::ranges::nth_element(all, middle);
     return all.empty() ? 0 : std::round(*middle);

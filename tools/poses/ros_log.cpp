@@ -19,6 +19,8 @@ constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
 
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
+// Of a robot that moves this frame, in which base_link stands still (REP 120).
+constexpr std::string_view kFootprint = "base_footprint";
 
 // 2.7 hours at 200 Hz. One message of a damaged file may contain millions.
 constexpr std::size_t kMostPoses = 2'000'000;
@@ -77,13 +79,13 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
     const std::string to = in.text();
     read_place(in, pose);
     in.must_be_whole();
-    if (to != kVehicleFrame) {
+    if ((to != kVehicleFrame || from == kFootprint) && to != kFootprint) {
       continue;
     }
     parent = log.poses.empty() ? from : parent;
     if (from != parent) {
       throw UsageError(std::string(message.where)
-                           .append(": base_link is in ")
+                           .append(": the vehicle is in ")
                            .append(printable(parent))
                            .append(" and in ")
                            .append(printable(from)));
@@ -113,7 +115,8 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   }
   if (log.poses.empty()) {
     throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +
-                     std::string(kVehicleFrame) + (topic.empty() ? "" : ", on " + topic) +
+                     std::string(kVehicleFrame) + " or " + std::string(kFootprint) +
+                     (topic.empty() ? "" : ", on " + topic) +
                      (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
   }
   for (std::size_t i = 0; i < log.poses.size(); ++i) {

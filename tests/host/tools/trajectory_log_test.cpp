@@ -91,11 +91,12 @@ Message odometry(double speed, const Turn& turn = kTurn) {
   return out.take();
 }
 
-Message transforms(std::string_view parent) {
+Message transforms(std::string_view parent, std::string_view vehicle = "base_link") {
   ros::CdrWriter out;
-  out.put(std::uint32_t{2});
+  out.put(std::uint32_t{3});
   put_place(out, "map", "odom", {0, 0, 0, 1});
-  put_place(out, parent, "base_link", kTurn);
+  put_place(out, parent, vehicle, kTurn);
+  put_place(out, "base_footprint", "base_link", {0, 0, 0, 1});
   return out.take();
 }
 
@@ -182,8 +183,12 @@ TEST_F(Trajectories, OfTransformsAreThoseOfTheCar) {
   const PoseLog log = read_pose_log(bag(kTransforms, {transforms("odom")}));
   EXPECT_EQ(log.poses.size(), 1U);
   expect_pose(log);
+  const PoseLog of_footprint =
+      read_pose_log(bag(kTransforms, {transforms("odom", "base_footprint")}));
+  EXPECT_EQ(of_footprint.poses.size(), 1U);
+  expect_pose(of_footprint);
   expect_error(bag(kTransforms, {transforms("odom"), transforms("map")}),
-               "base_link is in odom and in map");
+               "the vehicle is in odom and in map");
 }
 
 TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {
