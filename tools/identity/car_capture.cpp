@@ -179,16 +179,13 @@ std::string CarClocks::words() const {
                                                                                   : "";
 }
 
-std::string CarClocks::words_of_pace() const {
-  for (const auto& [sensor, pace] : paces_) {
-    if (std::string words = pace.words(std::string(car_->sensors[sensor].name)); !words.empty()) {
-      return words;
-    }
-  }
-  return {};
-}
-
 std::string CarClocks::words_apart() const {
+  constexpr std::uint64_t kYear2100Us = 4'102'444'800'000'000;
+  if (packets_.first_us > kYear2100Us) {
+    return "the times of the packets" + packets_.words() +
+           " are beyond the year 2100, so the capture counts them in another unit: convert or "
+           "record it again";
+  }
   return "the packets" + packets_.words() + " and the poses" + poses_.words() +
          " have no time in common: if they begin together, " +
          words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());

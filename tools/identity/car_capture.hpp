@@ -13,7 +13,7 @@
 
 #include "pose/message.hpp"
 #include "tools/formats/capture/capture_set.hpp"
-#include "tools/identity/clock_pace.hpp"
+#include "tools/formats/capture/clock_pace.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -51,7 +51,13 @@ class CarClocks {
   // "the packets are 37.000 s ahead of the poses; ..."; empty if poses and packets agree.
   [[nodiscard]] std::string words() const;
   // As of ClockPace, of the first sensor that has any.
-  [[nodiscard]] std::string words_of_pace() const;
+  [[nodiscard]] std::string words_of_pace() const {
+    std::string words;
+    for (const auto& [sensor, pace] : paces_) {
+      words = words.empty() ? pace.words(std::string(car_->sensors[sensor].name)) : words;
+    }
+    return words;
+  }
   // That they have no time in common, with both spans.
   [[nodiscard]] std::string words_apart() const;
 

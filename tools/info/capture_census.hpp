@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
+#include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
-#include "tools/identity/clock_pace.hpp"
 #include "tools/identity/unit_watch.hpp"
 
 namespace iog::tools {

@@ -241,6 +241,14 @@ std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion&
       words.push_back(text.str());
     }
   };
+  if (log.taken_sigmas == log.samples.size() && log.taken_sigma_headings == log.samples.size()) {
+    std::ostringstream text;
+    text << "the log states no standard deviations: " << conversion.sigma_m * 1000 << " mm and "
+         << conversion.sigma_heading_rad * 1000
+         << " mrad are assumed (`iog pose --sigma` and `--heading-sigma` set others)";
+    words.push_back(text.str());
+    return words;
+  }
   add_taken(log.taken_sigmas, "position", conversion.sigma_m, " mm", "--sigma");
   add_taken(log.taken_sigma_headings, "heading", conversion.sigma_heading_rad, " mrad",
             "--heading-sigma");
