@@ -119,6 +119,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
                      (topic.empty() ? "" : ", on " + topic) +
                      (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
   }
+  ros::forget_unpacked();
   for (std::size_t i = 0; i < log.poses.size(); ++i) {
     log.poses[i].place = i + 1;
   }

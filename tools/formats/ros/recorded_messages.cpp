@@ -121,20 +121,28 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
   }
 }
 
-// The file that was unpacked last stays until another one is: who reads a bag twice unpacks it
-// once.
+struct ReadFile {
+  std::string name{};
+  std::unique_ptr<PlainFile> plain{};
+};
+
+ReadFile& last_read() {
+  static ReadFile last;
+  return last;
+}
+
 const PlainFile& plain_file(const std::string& name) {
-  static std::string last;
-  static std::unique_ptr<PlainFile> plain;
-  if (!plain || last != name) {
-    plain.reset();
-    plain = std::make_unique<PlainFile>(name);
-    last = name;
+  ReadFile& last = last_read();
+  if (!last.plain || last.name != name) {
+    last = {};
+    last = {name, std::make_unique<PlainFile>(name)};
   }
-  return *plain;
+  return *last.plain;
 }
 
 }  // namespace
+
+void forget_unpacked() { last_read() = {}; }
 
 std::vector<std::string> for_each_message(const std::string& path,
                                           std::initializer_list<std::string_view> types,
