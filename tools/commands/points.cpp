@@ -259,9 +259,18 @@ void add_points(CLI::App& program) {
                                                      {"ms", TimeUnit::kMilliseconds},
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
-  command->add_option("--time-unit", options->unit, "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
-      ->transform(CLI::CheckedTransformer(units));
+  command
+      ->add_option_function<std::string>(
+          "--time-unit",
+          [options](const std::string& word) {
+            const auto found = units.find(word);
+            if (found == units.end()) {
+              throw CLI::ValidationError("--time-unit", word + " is none of s, ms, us, ns");
+            }
+            options->unit = found->second;
+          },
+          "Unit of the points' own times")
+      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)");
   command->add_option("--rate", options->clouds_per_second, "Files of clouds per second")
       ->option_text("HZ  (default 10)")
       ->check(CLI::Range(0.1, 100.0));

@@ -331,8 +331,8 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
 void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car) {
   for (const std::string& path : paths) {
     std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) &&
-        !std::filesystem::is_regular_file(path, ignored)) {
+    if (path == "-" || (std::filesystem::exists(path, ignored) &&
+                        !std::filesystem::is_regular_file(path, ignored))) {
       return;
     }
   }
