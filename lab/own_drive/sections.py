@@ -54,7 +54,7 @@ def facts(drive: Drive) -> list[tuple[str, str]]:
 
 def is_assumed(words: str) -> bool:
     """A row of the poses about a standard deviation that the log does not state: usual with odometry."""
-    return "is assumed" in words
+    return "assumed (`iog pose" in words
 
 
 def points_a_frame(drive: Drive, fused: Rows) -> int:

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "tools/program/file.hpp"
+#include "tools/program/interrupt.hpp"
 
 namespace iog::tools {
 namespace {
@@ -27,7 +28,7 @@ void send_to_file(int stream, const std::string& path) {
 }  // namespace
 
 Children::Children(std::string folder, std::size_t most) : folder_(std::move(folder)), all_(most) {
-  std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, wait() finds nobody
+  std::signal(SIGCHLD, [](int /*signal*/) {});  // it ends sigsuspend()
 }
 
 Children::~Children() {
@@ -77,14 +78,25 @@ void Children::start(std::size_t place, std::size_t work, std::vector<std::strin
   all_[place] = {.id = id, .work = work, .begin = std::chrono::steady_clock::now()};
 }
 
+// Signals are held between the look for them and the wait, which lets them in.
 std::optional<Children::Ended> Children::wait() {
-  int status = 0;
-  const pid_t id = ::wait(&status);
-  if (id < 0) {
-    return std::nullopt;
+  sigset_t held{};
+  sigset_t before{};
+  sigprocmask(SIG_SETMASK, nullptr, &before);
+  sigset_t waiting = before;
+  for (const int signal : {SIGCHLD, SIGINT, SIGTERM}) {
+    sigaddset(&held, signal);
+    sigdelset(&waiting, signal);
   }
+  sigprocmask(SIG_BLOCK, &held, nullptr);
+  int status = 0;
+  pid_t id = 0;
+  while (!was_interrupted() && (id = waitpid(-1, &status, WNOHANG)) == 0) {
+    sigsuspend(&waiting);
+  }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
   const auto child = std::ranges::find(all_, id, &Child::id);
-  if (child == all_.end()) {
+  if (id <= 0 || child == all_.end()) {
     return std::nullopt;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - child->begin;

@@ -35,7 +35,8 @@ class Children {
   // reaches only us.
   void start(std::size_t place, std::size_t work, std::vector<std::string> arguments);
 
-  // The next one that ends; none if an interrupt comes first. One of them runs.
+  // The next one that ends; none if an interrupt comes or has come (catch_interrupts()). One of
+  // them runs.
   [[nodiscard]] std::optional<Ended> wait();
 
   [[nodiscard]] std::string file(std::size_t place, const char* ending) const {

@@ -130,6 +130,8 @@ Summary::Summary(const std::string& folder, const std::string& settings)
     file.write(settings);
     file.finish();
     append(csv_row(head()));
+  } else if (!std::filesystem::exists(of_rows)) {
+    throw UsageError(path_ + ": no table of iog batch; give another --out");
   } else if (const auto known = read_file(of_rows);
              !std::ranges::equal(known, std::as_bytes(std::span(settings)))) {
     throw UsageError(path_ + ": its rows are of another car, other options or another iog, see " +

@@ -231,7 +231,7 @@ std::size_t whole_number_of(std::string_view word, const std::string& path) {
     return *number;
   }
   throw UsageError(path + ": in its head '" + printable(std::string(word)) +
-                   "' is no whole number");
+                   "' is no whole number, or is too large");
 }
 
 SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::string& what) {

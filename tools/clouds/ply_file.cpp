@@ -52,6 +52,8 @@ void take_line(const std::string& line, const std::string& path, PlyHead& head,
     head.element = first;
     head.is_last = first == "vertex";
     records.count = head.is_last ? whole_number_of(second, path) : records.count;
+  } else if (key == "property" && head.element == "vertex" && first == "list") {
+    throw UsageError(path + ": its points have a property that is a list, which is not read");
   } else if (key == "property" && head.element == "vertex") {
     add_field(records, field_of(first, second, path), path);
   }

@@ -47,6 +47,7 @@ PointCloud read_cloud(const std::string& path) {
   }
   PointCloud cloud;
   cloud.points.reserve(bytes.size() / kPointBytes);
+  std::size_t negative = 0;  // reflectances
   for (auto rest = std::span<const std::byte>(bytes); !rest.empty();
        rest = rest.subspan(kPointBytes)) {
     const CloudPoint point{float_at(rest.subspan<0, 4>()), float_at(rest.subspan<4, 4>()),
@@ -56,6 +57,12 @@ PointCloud read_cloud(const std::string& path) {
     } else {
       ++cloud.not_finite;
     }
+    negative += float_at(rest.subspan<12, 4>()) < 0 ? 1U : 0U;
+  }
+  if (negative > bytes.size() / kPointBytes / 8) {
+    throw UsageError(path + ": " + std::to_string(negative) +
+                     " points have a reflectance below 0, so its points are not of four numbers "
+                     "as KITTI's; convert files of three or five numbers a point to PCD");
   }
   return cloud;
 }

@@ -10,6 +10,7 @@
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
 
@@ -160,7 +161,8 @@ std::vector<std::string> for_each_cloud(const std::string& path, const std::stri
   if (number == 0) {
     throw UsageError(
         path + ": it has no clouds and no scans of sensor_msgs, foxglove or livox_ros_driver" +
-        (topic.empty() ? "" : " on " + topic));
+        (topic.empty() ? "" : " on " + topic) +
+        (remarks.empty() ? "" : "; " + joined(remarks, "; ")));
   }
   return remarks;
 }

@@ -17,6 +17,7 @@
 #include "tools/batch/summary.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
+#include "tools/map/block_file.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
@@ -271,6 +272,7 @@ void add_batch(CLI::App& program) {
               if (name == std::string_view("--map")) {  // from another folder it is another file
                 std::string& path = options->of_fuse.back();
                 path = std::filesystem::absolute(path).lexically_normal().string();
+                static_cast<void>(read_block(path));
               }
             },
             "As of `iog fuse`, for each recording")

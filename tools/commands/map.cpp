@@ -68,6 +68,12 @@ void make_map(const MapCommandOptions& command) {
   if (source.attribution.empty() && command.attribution.empty()) {
     throw UsageError("--attribution: say whose data these are");
   }
+  if (source.box.is_empty()) {
+    const std::string refused = source.census.words_of_refused();
+    throw UsageError(command.from +
+                     ": it has no building or road with latitudes and longitudes in degrees" +
+                     (refused.empty() ? "" : "; refused: " + refused));
+  }
   const MadeMap made = make_block(source, options);
   demand_features(source, made);
   const map::Refusal refusal = map::check(made.block);

@@ -331,8 +331,8 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
 void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car) {
   for (const std::string& path : paths) {
     std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) &&
-        !std::filesystem::is_regular_file(path, ignored)) {
+    if (path == "-" || (std::filesystem::exists(path, ignored) &&
+                        !std::filesystem::is_regular_file(path, ignored))) {
       return;
     }
   }
@@ -351,6 +351,9 @@ void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car
     for (const CaptureSet::File& file : capture.files()) {
       if (const std::string words = describe_skipped(file.reader->counts()); !words.empty()) {
         skipped.push_back(words);
+      }
+      if (!file.reader->trouble().empty()) {
+        skipped.push_back("the file " + file.reader->trouble());
       }
     }
     throw UsageError(joined(paths, ", ") + ": " + refusal +

@@ -124,6 +124,12 @@ void CarClocks::add_pose(const CapturedDatagram& datagram) {
 // What counts from the hour needs a pose to say which; beside a log the capture says it.
 void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number) {
   const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
+  const intake::Packet packet =
+      intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
+  if (!packet.is_sound()) {
+    return;
+  }
+  paces_[number].add(packet.info().sweep.begin_us, datagram.time_us);
   if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
     return;
   }
@@ -131,13 +137,9 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
   if (ahead_us.size() == kEnough || !poses_us_) {
     return;
   }
-  const intake::Packet packet =
-      intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
-  if (packet.is_sound()) {
-    const std::uint64_t about_us = is_of_log_ ? datagram.time_us : last_pose_us_;
-    ahead_us.push_back(
-        difference(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us));
-  }
+  const std::uint64_t about_us = is_of_log_ ? datagram.time_us : last_pose_us_;
+  ahead_us.push_back(
+      difference(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us));
 }
 
 bool CarClocks::are_known() const {
@@ -178,6 +180,12 @@ std::string CarClocks::words() const {
 }
 
 std::string CarClocks::words_apart() const {
+  constexpr std::uint64_t kYear2100Us = 4'102'444'800'000'000;
+  if (packets_.first_us > kYear2100Us) {
+    return "the times of the packets" + packets_.words() +
+           " are beyond the year 2100, so the capture counts them in another unit: convert or "
+           "record it again";
+  }
   return "the packets" + packets_.words() + " and the poses" + poses_.words() +
          " have no time in common: if they begin together, " +
          words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
@@ -334,6 +342,36 @@ std::optional<CapturedDatagram> CarCapture::next() {
     clocks_.add(*datagram);
   }
   return datagram;
+}
+
+std::string CarCapture::words_of_cover() const {
+  const CarClocks::Span& packets = clocks_.packets();
+  if (!has_log_ || packets.last_us == 0) {
+    return {};
+  }
+  std::vector<std::string> missing;
+  const auto note = [&missing](std::int64_t missing_us, const char* verb, const char* where) {
+    std::ostringstream text;
+    text << verb << std::fixed << std::setprecision(3) << static_cast<double>(missing_us) / 1e6
+         << where;
+    if (missing_us > kSecondUs) {
+      missing.push_back(text.str());
+    }
+  };
+  note(difference(poses_.front().time_us, packets.first_us), "begin ", " s after the first packet");
+  note(difference(packets.last_us, poses_.back().time_us), "end ", " s before the last packet");
+  if (missing.empty()) {
+    return {};
+  }
+  return "the poses " + joined(missing, " and ") + ": packets there have no place" +
+         (found_us_ ? "" : "; if the clocks differ, --clock-offset auto finds by how much");
+}
+
+std::string CarCapture::clock_words() const {
+  std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
+                               words_of_cover()};
+  std::erase(all, "");
+  return joined(all, "; ");
 }
 
 std::vector<std::string> CarCapture::remarks() const {

@@ -13,6 +13,7 @@
 
 #include "pose/message.hpp"
 #include "tools/formats/capture/capture_set.hpp"
+#include "tools/formats/capture/clock_pace.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -49,6 +50,14 @@ class CarClocks {
 
   // "the packets are 37.000 s ahead of the poses; ..."; empty if poses and packets agree.
   [[nodiscard]] std::string words() const;
+  // As of ClockPace, of the first sensor that has any.
+  [[nodiscard]] std::string words_of_pace() const {
+    std::string words;
+    for (const auto& [sensor, pace] : paces_) {
+      words = words.empty() ? pace.words(std::string(car_->sensors[sensor].name)) : words;
+    }
+    return words;
+  }
   // That they have no time in common, with both spans.
   [[nodiscard]] std::string words_apart() const;
 
@@ -73,6 +82,7 @@ class CarClocks {
   std::uint64_t last_pose_us_ = 0;
   std::optional<std::int64_t> poses_us_;
   std::map<std::size_t, std::vector<std::int64_t>> sensors_us_;  // by sensor
+  std::map<std::size_t, ClockPace> paces_;
 };
 
 class CarCapture {
@@ -93,19 +103,17 @@ class CarCapture {
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
-  // Words for a difference between the clocks of poses and packets or between the captures. Empty
-  // if there is none. Complete when everything has been read.
-  [[nodiscard]] std::string clock_words() const {
-    const std::string of_files = files_.words();
-    const std::string of_clocks = clocks_.words();
-    return of_files + (of_files.empty() || of_clocks.empty() ? "" : "; ") + of_clocks;
-  }
+  // Words for a difference between the clocks of poses, packets and captures or between captures.
+  // Empty if there is none. Complete when everything has been read.
+  [[nodiscard]] std::string clock_words() const;
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
   [[nodiscard]] bool is_distant(std::uint64_t pose_us,
                                 const std::optional<CapturedDatagram>& packet) const;
+  // That the log begins later than the packets or ends before them.
+  [[nodiscard]] std::string words_of_cover() const;
   // The offset in the pose's message, if it is one; those of a log are numbered anew.
   void put_ahead(CapturedDatagram& pose);
   // The delay of the poses, found at the beginning of the files.

@@ -122,6 +122,7 @@ void CaptureCensus::add_unit(const CapturedDatagram& datagram, PortCensus& port)
   }
   if (seen.is_sound) {
     sender.add(seen, datagram.time_us);
+    sender.pace.add(seen.info.sweep.begin_us, datagram.time_us);
     port.points += seen.info.point_count;
   }
   if (seen.is_in_doubt) {
@@ -145,6 +146,12 @@ std::string CaptureCensus::table() const {
     line(number, format_of(port) + " ", port.datagrams, port.bytes, port.points, port.scans(),
          rate_of(port));
     text << sources_of(port) << '\n';
+  }
+  for (const auto& [number, port] : ports_) {
+    for (const auto& [source, sender] : port.senders) {
+      const std::string words = sender.pace.words(dotted(source));
+      text << words << (words.empty() ? "" : "\n");
+    }
   }
   return text.str();
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/identity/unit_watch.hpp"
 
@@ -13,6 +14,7 @@ namespace iog::tools {
 // What one sender sends to a port.
 struct SenderCensus {
   UnitWatch unit;
+  ClockPace pace;
   // Of sound packets. Scans are changes of scan number, or, of packets without one, turns begun.
   std::uint64_t scans = 0;
   std::uint32_t last_scan_number = 0;
@@ -44,7 +46,8 @@ class CaptureCensus {
  public:
   void add(const CapturedDatagram& datagram);
 
-  // A table, one line per destination port.
+  // A table, one line per destination port, and a line for each sender whose clock the capture's
+  // times do not follow.
   [[nodiscard]] std::string table() const;
 
  private:

@@ -53,6 +53,16 @@ std::uint64_t Census::sum(Column column) const {
   return sum;
 }
 
+std::string Census::words_of_refused() const {
+  std::string words;
+  if (const auto refused = entries_.find(Column::kRefused); refused != entries_.end()) {
+    for (const auto& [reason, entry] : refused->second) {
+      words += (words.empty() ? "" : ", ") + std::to_string(entry.number) + ' ' + reason;
+    }
+  }
+  return words;
+}
+
 std::string Census::table() const {
   std::ostringstream text;
   for (const auto& [column, reasons] : entries_) {

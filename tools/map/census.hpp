@@ -24,6 +24,9 @@ class Census {
   [[nodiscard]] std::uint64_t of(Column column, std::string_view reason) const;
   [[nodiscard]] std::uint64_t sum(Column column) const;
 
+  // "2 building without area, 1 ..."; empty if nothing was refused.
+  [[nodiscard]] std::string words_of_refused() const;
+
   // A row for each reason.
   [[nodiscard]] std::string table() const;
 

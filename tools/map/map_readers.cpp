@@ -1,10 +1,15 @@
 #include "tools/map/map_readers.hpp"
 
+#include <filesystem>
+
 #include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 
 GeoMap read_map(const std::string& path, std::optional<map::Kind> kind) {
+  if (std::filesystem::is_directory(path)) {
+    throw UsageError(path + ": cannot be read: it is a folder");
+  }
   if (path.ends_with(".geojson") || path.ends_with(".json")) {
     return read_geojson(path, kind);
   }

@@ -384,7 +384,10 @@ GeoMap read_osm(const std::string& path) {
     }
     return map;
   } catch (const std::exception& error) {
-    throw UsageError(path + ": not readable as OpenStreetMap data: " + error.what());
+    const std::string why = error.what();
+    throw UsageError(path + (why.starts_with("Could not detect file format")
+                                 ? ": read are .osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson and .shp"
+                                 : ": not readable as OpenStreetMap data: " + why));
   }
 }
 

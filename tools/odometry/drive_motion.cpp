@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
+#include <iostream>
 #include <numbers>
 #include <sstream>
 
@@ -64,6 +65,14 @@ std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const 
       const TurnMotion motion = motion_between(*(turns.end() - 2), turns.back());
       moved_s += std::abs(motion.forward_m) > kMovesMps * motion.seconds ? motion.seconds : 0;
     }
+  }
+  for (const CaptureSet::File& file : files.files()) {
+    if (!most_s) {  // else the same captures are read once more
+      warn_of(file.path, *file.reader);
+    }
+  }
+  if (const std::string words = points.words_of_pace(); !most_s && !words.empty()) {
+    std::cerr << "iog: " << joined(captures, ", ") << ": " << words << '\n';
   }
   if (turns.size() < 2) {
     throw UsageError(joined(captures, ", ") + ": " + std::to_string(turns.size()) +

@@ -21,7 +21,8 @@ constexpr std::uint32_t kFarthestMm = 100'000;
 TurnPoints::TurnPoints(const CatalogueEntry& car) : car_(&car) {
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     if (lidar::turns(car.sensors[i].format)) {
-      units_.push_back({&car.vehicle->sensors[i], PointPlacer(car.sensors[i])});
+      units_.push_back(
+          {car.sensors[i].name, &car.vehicle->sensors[i], PointPlacer(car.sensors[i])});
     }
   }
   if (units_.empty()) {
@@ -43,6 +44,7 @@ std::optional<Turn> TurnPoints::take(const CapturedDatagram& datagram) {
       continue;
     }
     if (&unit == &units_.front()) {
+      pace_.add(packet.info().sweep.begin_us, datagram.time_us);
       if (cutter_->ends_before(packet.info())) {
         whole = std::move(turn_);
         turn_ = {};

@@ -4,8 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/mount/turn_cutter.hpp"
 #include "tools/vehicles/point_place.hpp"
@@ -33,8 +36,14 @@ class TurnPoints {
   // capture is left out.
   [[nodiscard]] std::optional<Turn> take(const CapturedDatagram& datagram);
 
+  // As of ClockPace, of the first unit.
+  [[nodiscard]] std::string words_of_pace() const {
+    return pace_.words(std::string(units_.front().name));
+  }
+
  private:
   struct Unit {
+    std::string_view name;
     const vehicle::Sensor* sensor;
     PointPlacer placer;
   };
@@ -44,6 +53,7 @@ class TurnPoints {
   const CatalogueEntry* car_;
   std::vector<Unit> units_;
   std::optional<TurnCutter> cutter_;  // of the first unit
+  ClockPace pace_;
   Turn turn_;
 };
 

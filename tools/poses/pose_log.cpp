@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 #include <utility>
@@ -39,8 +41,54 @@ PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
                                       pose.heading_doubt_rad)};
 }
 
+// Coordinates of a country's grid, such as UTM, may be beyond what a message can say.
+void count_from_near(PoseLog& log) {
+  constexpr double kMostM = pose::kMaxCoordinateMm / 1000.0;
+  const auto middle_of = [&log](double LoggedPose::*coordinate) {
+    std::vector<double> all;
+    std::ranges::transform(log.poses, std::back_inserter(all), coordinate);
+    std::erase_if(all, [](double value) { return !std::isfinite(value); });
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::ranges::nth_element(all, middle);
+    return all.empty() ? 0 : std::round(*middle);
+  };
+  const double x_m = middle_of(&LoggedPose::x_m);
+  const double y_m = middle_of(&LoggedPose::y_m);
+  if (std::max(std::abs(x_m), std::abs(y_m)) <= kMostM) {
+    return;
+  }
+  for (LoggedPose& pose : log.poses) {
+    pose.x_m -= x_m;
+    pose.y_m -= y_m;
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << "positions are counted from x " << x_m << " m, y "
+       << y_m << " m, as a target takes none beyond 1000 km";
+  log.notes.push_back(text.str());
+}
+
+// A packet between two poses that are further apart than it may be from one may have no place.
+void note_gaps(const std::vector<LoggedPose>& poses, std::vector<std::string>& notes) {
+  constexpr std::uint64_t kLongUs = pose::kLateUs * 3 / 2;
+  std::size_t gaps = 0;
+  double longest_s = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    gaps += poses[i].time_us - poses[i - 1].time_us > kLongUs ? 1U : 0U;
+    longest_s = std::max(longest_s, seconds_between(poses[i - 1], poses[i]));
+  }
+  if (gaps > 0) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(3) << gaps
+         << (gaps == 1 ? " gap between poses is" : " gaps between poses are")
+         << " longer than 0.150 s, the longest " << longest_s
+         << " s: packets that have no pose within 0.100 s have no place";
+    notes.push_back(text.str());
+  }
+}
+
 // Takes out what the target would drop or no car can have driven.
 std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
+  count_from_near(log);
   Tally without_heading;
   Tally unsayable;
   std::vector<LoggedPose> whole;
@@ -75,6 +123,12 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
   remark(not_newer, "poses that are not newer than the one before", log.unit, log.remarks);
   remark(too_close, "poses less than 8 ms after the one before", log.unit, log.remarks);
   remark(outliers, "poses that no car reaches from those around them", log.unit, log.remarks);
+  if (outliers.count > poses.size()) {
+    log.notes.emplace_back(
+        "no car moves as most poses say: check the units of positions, headings and times");
+  } else {
+    note_gaps(poses, log.notes);
+  }
   return poses;
 }
 
@@ -146,6 +200,13 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   }
   result.remarks = std::move(log.remarks);
   result.notes = std::move(log.notes);
+  const auto tilted =
+      static_cast<std::size_t>(std::ranges::count(poses, true, &LoggedPose::is_tilted));
+  if (tilted > poses.size() / 2) {
+    result.notes.push_back(std::to_string(tilted) +
+                           " poses are tilted by more than 45 degrees: check that z is up, and "
+                           "that quaternions are x, y, z, w");
+  }
   if (std::string words = words_of_misfit(poses, result.samples); !words.empty()) {
     result.notes.push_back(std::move(words));
   }
@@ -180,6 +241,14 @@ std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion&
       words.push_back(text.str());
     }
   };
+  if (log.taken_sigmas == log.samples.size() && log.taken_sigma_headings == log.samples.size()) {
+    std::ostringstream text;
+    text << "the log states no standard deviations: " << conversion.sigma_m * 1000 << " mm and "
+         << conversion.sigma_heading_rad * 1000
+         << " mrad are assumed (`iog pose --sigma` and `--heading-sigma` set others)";
+    words.push_back(text.str());
+    return words;
+  }
   add_taken(log.taken_sigmas, "position", conversion.sigma_m, " mm", "--sigma");
   add_taken(log.taken_sigma_headings, "heading", conversion.sigma_heading_rad, " mrad",
             "--heading-sigma");

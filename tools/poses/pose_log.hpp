@@ -26,6 +26,7 @@ struct LoggedPose {
   std::optional<double> yaw_rate_rps{};
   std::optional<double> sigma_m{};
   std::optional<double> sigma_heading_rad{};
+  bool is_tilted = false;        // its z is more than 45 degrees from up
   double heading_doubt_rad = 0;  // what the log leaves open about the heading, beside its sigma
   std::size_t place = 0;         // line of the log, or number of its message; 0: none
 };
@@ -85,6 +86,9 @@ inline constexpr std::array<std::string_view, 7> kPoseFormats{"csv", "oxts",  "n
 // x, y, z, w. The heading of what is turned so; empty: it is no rotation.
 using Quaternion = std::array<double, 4>;
 [[nodiscard]] std::optional<double> heading_of(const Quaternion& turn);
+
+// Whether its z is more than 45 degrees from up.
+[[nodiscard]] bool is_tilted(const Quaternion& turn);
 
 // The sound UBX message at the beginning of the bytes; empty if there is none.
 [[nodiscard]] std::span<const std::byte> ubx_message_at(std::span<const std::byte> bytes);

@@ -6,6 +6,7 @@
 #include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools {
@@ -18,6 +19,8 @@ constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
 
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
+// Of a robot that moves this frame, in which base_link stands still (REP 120).
+constexpr std::string_view kFootprint = "base_footprint";
 
 // 2.7 hours at 200 Hz. One message of a damaged file may contain millions.
 constexpr std::size_t kMostPoses = 2'000'000;
@@ -35,7 +38,9 @@ void read_place(CdrReader& in, LoggedPose& pose) {
   std::ranges::generate(numbers, [&in] { return in.f64(); });
   pose.x_m = numbers[0];
   pose.y_m = numbers[1];
-  pose.heading_rad = heading_of({numbers[3], numbers[4], numbers[5], numbers[6]});
+  const Quaternion turn{numbers[3], numbers[4], numbers[5], numbers[6]};
+  pose.heading_rad = heading_of(turn);
+  pose.is_tilted = is_tilted(turn);
 }
 
 // The root of a variance that says something.
@@ -74,13 +79,13 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
     const std::string to = in.text();
     read_place(in, pose);
     in.must_be_whole();
-    if (to != kVehicleFrame) {
+    if ((to != kVehicleFrame || from == kFootprint) && to != kFootprint) {
       continue;
     }
     parent = log.poses.empty() ? from : parent;
     if (from != parent) {
       throw UsageError(std::string(message.where)
-                           .append(": base_link is in ")
+                           .append(": the vehicle is in ")
                            .append(printable(parent))
                            .append(" and in ")
                            .append(printable(from)));
@@ -110,8 +115,11 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   }
   if (log.poses.empty()) {
     throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +
-                     std::string(kVehicleFrame) + (topic.empty() ? "" : ", on " + topic));
+                     std::string(kVehicleFrame) + " or " + std::string(kFootprint) +
+                     (topic.empty() ? "" : ", on " + topic) +
+                     (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
   }
+  ros::forget_unpacked();
   for (std::size_t i = 0; i < log.poses.size(); ++i) {
     log.poses[i].place = i + 1;
   }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/rigid.hpp"
@@ -94,6 +95,10 @@ std::optional<double> heading_of(const Quaternion& turn) {
   return std::abs(length - 1) < 0.01 ? std::optional(heading) : std::nullopt;
 }
 
+bool is_tilted(const Quaternion& turn) {
+  return 1 - 2 * (turn[0] * turn[0] + turn[1] * turn[1]) < std::numbers::sqrt2 / 2;
+}
+
 PoseLog read_tum_log(const std::string& path) {
   const std::vector<std::string> lines = read_lines(path);
   PoseLog log;
@@ -104,7 +109,8 @@ PoseLog read_tum_log(const std::string& path) {
     }
     const std::string where = place_of(path, i);
     const auto numbers = numbers_in<8>(line, where, "timestamp tx ty tz qx qy qz qw");
-    const auto heading = heading_of({numbers[4], numbers[5], numbers[6], numbers[7]});
+    const Quaternion turn{numbers[4], numbers[5], numbers[6], numbers[7]};
+    const auto heading = heading_of(turn);
     if (!heading) {
       throw UsageError(where + ": qx qy qz qw are no rotation, which has the length 1");
     }
@@ -112,6 +118,7 @@ PoseLog read_tum_log(const std::string& path) {
                          .x_m = numbers[1],
                          .y_m = numbers[2],
                          .heading_rad = heading,
+                         .is_tilted = is_tilted(turn),
                          .place = i + 1});
   }
   return log;

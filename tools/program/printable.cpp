@@ -3,6 +3,7 @@
 namespace iog::tools {
 
 std::string printable(std::string text) {
+  constexpr std::size_t kMostBytes = 500;
   unsigned char before = 0;
   for (char& letter : text) {
     const auto code = static_cast<unsigned char>(letter);
@@ -12,6 +13,9 @@ std::string printable(std::string text) {
       letter = '?';
     }
     before = code;
+  }
+  if (text.size() > kMostBytes) {
+    text.replace(kMostBytes, std::string::npos, "...");
   }
   return text;
 }

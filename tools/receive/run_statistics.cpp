@@ -289,6 +289,8 @@ std::string RunStatistics::rows_of_target() const {
 
 std::string RunStatistics::table(bool has_target) const {
   const std::string where = has_target ? " on target" : " here";
+  // A target has a stack; what a PC fuses for a recording has no times either.
+  const bool is_timed = !has_target || stack_used_bytes_ > 0;
   const std::uint64_t blocked = blocked_.value_or(0);
   return row("frames", std::to_string(frames_) + ", with evidence " +
                            std::to_string(records_.size()) + ", of these closed by time " +
@@ -309,10 +311,12 @@ std::string RunStatistics::table(bool has_target) const {
          row("packets dropped", list_of(packet_drops_, kPacketDropNames)) +
          row("tiles", std::to_string(tiles_)) +
          row_if(tiles_not_sent_ > 0, "tiles not sent", std::to_string(tiles_not_sent_)) +
-         row("fuse" + where, times(fuse_us_)) + row("mark" + where, times(mark_us_)) +
-         row_if(perceive_us_.count() > 0, "perceive" + where, times(perceive_us_)) +
-         row("publish" + where, times(publish_us_)) +
-         row_if(has_target, "deepest stack", std::to_string(stack_used_bytes_) + " bytes") +
+         row_if(is_timed, "fuse" + where, times(fuse_us_)) +
+         row_if(is_timed, "mark" + where, times(mark_us_)) +
+         row_if(is_timed && perceive_us_.count() > 0, "perceive" + where, times(perceive_us_)) +
+         row_if(is_timed, "publish" + where, times(publish_us_)) +
+         row_if(has_target && is_timed, "deepest stack",
+                std::to_string(stack_used_bytes_) + " bytes") +
          rows_of_target() + row("run hash", hex(run_hash())) + classes_.table() + objects_.table();
 }
 

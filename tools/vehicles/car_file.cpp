@@ -166,7 +166,8 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
 
 std::string text_of(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) {
-    throw UsageError(path + ": there is no such file");
+    throw UsageError(path + (std::filesystem::exists(path) ? ": it is a folder or device, no file"
+                                                           : ": there is no such file"));
   }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

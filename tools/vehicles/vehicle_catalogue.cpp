@@ -53,6 +53,10 @@ const CatalogueEntry& find_vehicle(std::string_view name) {
   const auto all = all_vehicles();
   const auto found = std::ranges::find_if(
       all, [&](const CatalogueEntry& entry) { return entry.vehicle->name == name; });
+  if (found == all.end() && name.ends_with(".toml")) {
+    throw UsageError(std::string(name) +
+                     ": a car's file: give --vehicle-file instead of --vehicle");
+  }
   if (found == all.end()) {
     throw UsageError("no vehicle '" + std::string(name) + "'; the known ones are " +
                      vehicle_names());

@@ -36,6 +36,9 @@ class ShownFile {
  public:
   ShownFile(const RecordingOptions& options, const CatalogueEntry& car)
       : car_(&car), port_(options.port) {
+    if (std::ranges::count(options.drive.captures, "-") > 0) {
+      throw UsageError("-: the view plays a capture again and again: give a file");
+    }
     if (is_mcap_file(options.drive.captures[0])) {
       if (options.drive.captures.size() > 1 || !options.drive.poses.empty()) {
         throw UsageError(

@@ -1,8 +1,17 @@
 #include "tools/formats/capture/capture_clock.hpp"
 
+#include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gtest/gtest.h"
+
+#include "fakes/temporary_folder.hpp"
+#include "tools/formats/capture/pcap_reader.hpp"
+#include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/program/file.hpp"
+#include "wire/byte_order.hpp"
 
 namespace iog::tools {
 namespace {
@@ -81,6 +90,58 @@ TEST(SteadyTime, StepsAheadAreKeptAndTold) {
   EXPECT_EQ(its.since_start_us.back(), 2'990'000 + 2 * kHour);
   EXPECT_EQ(its.words,
             "nothing comes for more than 1 s, or its clock steps ahead, once, by 7200.000 s");
+}
+
+// The header of a pcap says the unit of its times, and some programs write the other one
+// (draft-ietf-opsawg-pcap, 4: 0xA1B2C3D4 of microseconds, 0xA1B23C4D of nanoseconds). 300 packets,
+// 10 ms apart.
+constexpr std::uint64_t kStartUs = kStart;
+
+TEST(PcapReader, TimesOfAnotherUnitThanTheHeaderSaysAreTold) {
+  constexpr std::size_t kHeaderBytes = 24;
+  constexpr std::size_t kPacketBytes = 16 + 14 + 20 + 8 + 20;
+  const tests::TemporaryFolder folder;
+  const std::string path = folder / "drive.pcap";
+  struct Written {
+    bool promises_ns;
+    bool has_ns;
+    std::string words;
+  };
+  for (const auto& [promises_ns, has_ns, words] :
+       {Written{false, false, ""}, Written{true, true, ""},
+        Written{false, true,
+                "its header promises microseconds, and its times are nanoseconds, as which they "
+                "are read"},
+        Written{
+            true, false,
+            "its header promises nanoseconds, and all packets come in the first millisecond of "
+            "a second: if its times are microseconds, its magic number has to be 0xA1B2C3D4"}}) {
+    PcapWriter writer(path);
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      CapturedDatagram datagram;
+      datagram.time_us = kStartUs + 10'000 * i;
+      datagram.payload.resize(20);
+      writer.write(datagram);
+    }
+    writer.finish();
+    std::vector<std::byte> bytes = read_file(path);
+    ASSERT_EQ(bytes.size(), kHeaderBytes + 300 * kPacketBytes);
+    wire::store_le32(std::span(bytes).first<4>(), promises_ns ? 0xA1B23C4D : 0xA1B2C3D4);
+    for (std::size_t at = kHeaderBytes + 4; has_ns && at < bytes.size(); at += kPacketBytes) {
+      const auto fraction = std::span(bytes).subspan(at).first<4>();
+      wire::store_le32(fraction, wire::load_le32(fraction) * 1000);
+    }
+    OutputFile file(path);
+    file.write(bytes);
+    file.finish();
+    PcapReader reader(path);
+    std::uint64_t last_us = 0;
+    while (const auto datagram = reader.next()) {
+      last_us = datagram->time_us;
+    }
+    EXPECT_EQ(reader.clock_words(), words);
+    EXPECT_EQ(last_us, kStartUs + (promises_ns && !has_ns ? 2'000'990 : 2'990'000));
+  }
 }
 
 TEST(CaptureClock, NeverRunsBackAndShortensPauses) {

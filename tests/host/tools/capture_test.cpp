@@ -102,6 +102,8 @@ TEST(Capture, WhatIsNoCaptureIsNamedWithWhatToDo) {
       {"SQLite format 3\0"s, "a bag of ROS 2 is: `iog points` makes a capture"},
       {"\x89MCAP0\r\n", "an MCAP file"},
       {"\xAF\xFE\xC0\xC2", "iog convert --raw"},
+      {"ply\nformat", "iog points"},
+      {"time_s,x_m", "--poses"},
       {velodyne, "iog convert --raw"},
       {velodyne + velodyne, "iog convert --raw"}};
   for (const auto& [begin, words] : known) {

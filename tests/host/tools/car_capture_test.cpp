@@ -107,6 +107,50 @@ TEST(CarCapture, ClocksThatDifferAreToldAndMended) {
   }
 }
 
+// A Velodyne's clock counts from the full hour.
+TEST(ClockPace, BeginsWithTheFirstPacket) {
+  ClockPace pace;
+  for (std::uint64_t unit_us = 1'000; unit_us <= 1'001'000; unit_us += 1'000) {
+    pace.add(unit_us, 1'714'564'800'000'000);
+  }
+  EXPECT_TRUE(pace.words("roof").starts_with(
+      "the capture's times are wrong: they advance by 0.000 s while the clock of roof advances by "
+      "1.000 s"))
+      << pace.words("roof");
+}
+
+// By the scanners' own clock 15 frames of 40 ms last 14 times that, from the first to the last.
+TEST(CarCapture, TimesThatDoNotPassAsTheScannersClockDoesAreTold) {
+  struct Wrong {
+    std::uint64_t times;  // a microsecond of the recording has become so many
+    std::uint64_t divided_by;
+    std::string words;
+  };
+  const auto told = [](const std::string& by_capture) {
+    return "the capture's times are wrong: they advance by " + by_capture +
+           " s while the clock of front_left advances by 0.560 s; convert or record it again, with "
+           "the time at which each packet came";
+  };
+  const Datagrams right = sample_drive(car(), 1, 15);
+  Datagrams whole_s = sample_drive(car(), 1, 80);  // 3.2 s, of which 1 to 2 s have one time
+  for (CapturedDatagram& datagram : whole_s) {
+    datagram.time_us -= datagram.time_us % 1'000'000;
+  }
+  EXPECT_EQ(read(whole_s, 0).words,
+            "the capture's times are wrong: they stand still while the clock of front_left "
+            "advances by 0.960 s; convert or record it again, with the time at which each packet "
+            "came");
+  for (const auto& [times, divided_by, words] :
+       {Wrong{0, 1, told("0.000")}, Wrong{1, 1'000, told("0.001")}, Wrong{1, 1, ""}}) {
+    Datagrams datagrams = right;
+    for (CapturedDatagram& datagram : datagrams) {
+      const std::uint64_t since_us = datagram.time_us - right.front().time_us;
+      datagram.time_us = right.front().time_us + since_us * times / divided_by;
+    }
+    EXPECT_EQ(read(datagrams, 0).words, words);
+  }
+}
+
 // Poses of a log come in one piece before the packets or behind them.
 TEST(CarCapture, PosesOfALogAreToldAndMended) {
   const Read right = read(drive(0, false), 0);
@@ -223,6 +267,19 @@ TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
   EXPECT_EQ(read(log(head + row + row + "1714564800.13,1,0,0,0.1,0.1\n")).words,
             "|not used: 1 poses that are not newer than the one before (line 3)");
   EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("two_lux_parking")), UsageError);
+}
+
+// 80 frames end 2.96 s after the six of the fixture.
+TEST_F(BesideALog, OneThatDoesNotCoverThePacketsIsTold) {
+  write(sample_drive(car(), 1, 80), lidar_);
+  const std::string clocks =
+      ": packets there have no place; if the clocks differ, --clock-offset auto finds by how much";
+  EXPECT_EQ(read(log(rows(0, 0, 350))).words, "");
+  EXPECT_EQ(read(log(rows(0))).words, "the poses end 2.922 s before the last packet" + clocks);
+  EXPECT_EQ(
+      read(log(rows(0, 150, 160))).words,
+      "the poses begin 1.400 s after the first packet and end 1.672 s before the last packet" +
+          clocks);
 }
 
 // Of each scanner a file.

@@ -231,6 +231,20 @@ TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
                                       "1 poses less than 8 ms after the one before"}));
 }
 
+// UTM zone 32 in Karlsruhe; a northing is beyond 1000 km.
+TEST(ConvertedLog, PositionsOfACountrysGridAreCountedFromTheFirst) {
+  PoseLog log;
+  log.poses = {logged(100'000, 456'789, 5'428'765, 0), logged(200'000, 456'790.5, 5'428'766, 0)};
+  const ConvertedLog result = converted(log, {});
+  ASSERT_EQ(result.samples.size(), 2U);
+  EXPECT_NEAR(result.samples[1].x_m - result.samples[0].x_m, 1.5, 1e-6);
+  EXPECT_NEAR(result.samples[1].y_m - result.samples[0].y_m, 1, 1e-6);
+  EXPECT_LT(std::abs(result.samples[0].y_m), 10);
+  EXPECT_EQ(result.notes,
+            std::vector<std::string>{"positions are counted from x 456791 m, y 5428766 m, as a "
+                                     "target takes none beyond 1000 km"});
+}
+
 // A car at 10 m/s whose pose is written 10 times a second from line 2 on.
 PoseLog even_log() {
   PoseLog log;

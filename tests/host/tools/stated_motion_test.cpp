@@ -77,9 +77,9 @@ TEST(StatedMotion, ContradictsPositionsInOtherUnitsOrAxes) {
   for (const double wrong : {degree, 1 / degree}) {
     const auto notes =
         notes_of([=](LoggedPose& pose) { pose.heading_rad = *pose.heading_rad * wrong; });
-    ASSERT_EQ(notes.size(), 1U);
-    EXPECT_TRUE(notes[0].starts_with("the positions contradict the log's headings by "))
-        << notes[0];
+    ASSERT_FALSE(notes.empty());
+    EXPECT_TRUE(notes.back().starts_with("the positions contradict the log's headings by "))
+        << notes.back();
   }
 }
 
@@ -87,6 +87,33 @@ TEST(StatedMotion, OfAShortDriveIsNotJudged) {
   const auto spoil = [](LoggedPose& pose) { pose.heading_rad = *pose.heading_rad + 1; };
   EXPECT_TRUE(notes_of(spoil, 20).empty());
   EXPECT_FALSE(notes_of(spoil, 40).empty());
+}
+
+// Poses of 1 Hz, and a pause of 3 s in a log of 10 Hz.
+TEST(StatedMotion, GapsBetweenPosesAreTold) {
+  const auto told = [](const std::string& gaps, const std::string& longest) {
+    return std::vector{gaps + " longer than 0.150 s, the longest " + longest +
+                       " s: packets that have no pose within 0.100 s have no place"};
+  };
+  const auto later = [](std::uint64_t times, std::uint64_t pause_us) {
+    return notes_of([=](LoggedPose& pose) {
+      pose.time_us = pose.time_us * times + (pose.time_us > 10'000'000 ? pause_us : 0);
+      pose.speed_mps.reset();
+      pose.yaw_rate_rps.reset();
+    });
+  };
+  EXPECT_EQ(later(10, 0), told("299 gaps between poses are", "1.000"));
+  EXPECT_EQ(later(1, 3'000'000), told("1 gap between poses is", "3.100"));
+}
+
+TEST(StatedMotion, PositionsInMillimetresAreTold) {
+  const auto notes = notes_of([](LoggedPose& pose) {
+    pose.x_m *= 1000;
+    pose.y_m *= 1000;
+  });
+  ASSERT_FALSE(notes.empty());
+  EXPECT_EQ(notes[0],
+            "no car moves as most poses say: check the units of positions, headings and times");
 }
 
 }  // namespace

@@ -91,11 +91,12 @@ Message odometry(double speed, const Turn& turn = kTurn) {
   return out.take();
 }
 
-Message transforms(std::string_view parent) {
+Message transforms(std::string_view parent, std::string_view vehicle = "base_link") {
   ros::CdrWriter out;
-  out.put(std::uint32_t{2});
+  out.put(std::uint32_t{3});
   put_place(out, "map", "odom", {0, 0, 0, 1});
-  put_place(out, parent, "base_link", kTurn);
+  put_place(out, parent, vehicle, kTurn);
+  put_place(out, "base_footprint", "base_link", {0, 0, 0, 1});
   return out.take();
 }
 
@@ -121,6 +122,21 @@ TEST_F(Trajectories, OfTumAreReadByTheirColumns) {
   expect("1 2 nan 4 0 0 0 1", "a.tum:2: 'nan' is no number");
   expect("1 2 3 4 0 0 0 0", "a.tum:2: qx qy qz qw are no");
   expect("-1 2 3 4 0 0 0 1", "a.tum:2: the time is '-1'");
+}
+
+// 30 degrees to the left is w = cos(15 degrees), z = sin(15 degrees), and w comes last.
+TEST_F(Trajectories, OfTumThatHaveWFirstAreTold) {
+  const auto notes_of = [this](const std::string& turn) {
+    std::string rows;
+    for (int i = 0; i < 9; ++i) {
+      rows += "1700000000." + std::to_string(i) + " 0 0 0 " + turn + "\n";
+    }
+    return converted(read_tum_log(write("a.tum", rows)), {}).notes;
+  };
+  EXPECT_TRUE(notes_of("0 0 0.258819 0.965926").empty());
+  EXPECT_EQ(notes_of("0.965926 0 0 0.258819"),
+            std::vector<std::string>{"9 poses are tilted by more than 45 degrees: check that z is "
+                                     "up, and that quaternions are x, y, z, w"});
 }
 
 // Right, down and forward of the camera; the unit is 0.3 m behind it, and turns to the left. The
@@ -167,8 +183,12 @@ TEST_F(Trajectories, OfTransformsAreThoseOfTheCar) {
   const PoseLog log = read_pose_log(bag(kTransforms, {transforms("odom")}));
   EXPECT_EQ(log.poses.size(), 1U);
   expect_pose(log);
+  const PoseLog of_footprint =
+      read_pose_log(bag(kTransforms, {transforms("odom", "base_footprint")}));
+  EXPECT_EQ(of_footprint.poses.size(), 1U);
+  expect_pose(of_footprint);
   expect_error(bag(kTransforms, {transforms("odom"), transforms("map")}),
-               "base_link is in odom and in map");
+               "the vehicle is in odom and in map");
 }
 
 TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {

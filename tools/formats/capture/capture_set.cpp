@@ -1,13 +1,22 @@
 #include "tools/formats/capture/capture_set.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <utility>
+
+#include "tools/program/exit_status.hpp"
 
 namespace iog::tools {
 
 CaptureSet::CaptureSet(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (std::ranges::any_of(files_, [&](const File& file) {
+          return std::filesystem::equivalent(file.path, path, ignored);
+        })) {
+      throw UsageError(path + ": this capture is given twice");
+    }
     File& file = files_.emplace_back(File{path, std::make_unique<PcapReader>(path)});
     file.next = paths.size() > 1 ? file.reader->next() : std::nullopt;
   }

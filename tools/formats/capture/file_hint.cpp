@@ -20,9 +20,11 @@ constexpr std::string_view kOfRos =
     "a "
     "lidar, and --poses reads its poses";
 
-// The file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite and MCAP;
+constexpr std::string_view kOfCloud = "a point cloud, of which `iog points` makes a capture";
+
+// The file formats of xz, bzip2, lz4, ZIP, ROS bags 2.0, SQLite, MCAP, PLY, PCD, NMEA;
 // docs/spec.md 1 and 6.
-constexpr std::array<Kind, 9> kKinds{
+constexpr std::array<Kind, 14> kKinds{
     {{"\xFD\x37\x7A\x58\x5A\x00"sv, "an xz file: unpack it first, `unxz -k FILE`"},
      {"BZh"sv, "a bzip2 file: unpack it first, `bunzip2 -k FILE`"},
      {"\x04\x22\x4D\x18"sv, "an lz4 file: unpack it first, `unlz4 FILE`"},
@@ -36,7 +38,12 @@ constexpr std::array<Kind, 9> kKinds{
       "raw ibeo messages: `iog convert --raw FILE:SENSOR --out drive.pcap` makes a capture of "
       "scans "
       "0x2202"},
-     {"IOGM"sv, "a map of `iog map`, and no capture"}}};
+     {"IOGM"sv, "a map of `iog map`, and no capture"},
+     {"ply\n"sv, kOfCloud},
+     {"ply\r\n"sv, kOfCloud},
+     {"# .PCD"sv, kOfCloud},
+     {"time_s"sv, "a log of poses, which --poses reads beside a capture"},
+     {"$G"sv, "a receiver's log, of which --poses reads the poses beside a capture"}}};
 
 // Payloads of 1206 bytes one behind the other, of which each begins with the flag of a block.
 bool is_raw_velodyne(std::string_view bytes) {

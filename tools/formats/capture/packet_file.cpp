@@ -94,7 +94,6 @@ std::optional<CapturedPacket> PacketFile::next_of_pcap() {
   if (!read(header, true)) {
     return std::nullopt;
   }
-  const std::uint32_t fraction = word(header, 4);
   const std::uint32_t kept = word(header, 8);
   if (kept > kMostPacketBytes) {
     trouble_ = "cannot be read further: a packet of " + std::to_string(kept) + " bytes";
@@ -105,10 +104,31 @@ std::optional<CapturedPacket> PacketFile::next_of_pcap() {
     return std::nullopt;
   }
   return CapturedPacket{.link_type = interfaces_.front().link_type,
-                        .time_us = std::uint64_t{word(header, 0)} * 1'000'000U +
-                                   (has_nanoseconds_ ? fraction / 1000 : fraction),
+                        .time_us = time_of(word(header, 0), word(header, 4)),
                         .is_cut = kept < word(header, 12),
                         .bytes = content_};
+}
+
+std::uint64_t PacketFile::time_of(std::uint32_t seconds, std::uint32_t fraction) {
+  constexpr std::uint32_t kMicrosPerSecond = 1'000'000;
+  first_s_ = packets_++ == 0 ? seconds : first_s_;
+  last_s_ = seconds;
+  has_long_fractions_ = has_long_fractions_ || fraction >= kMicrosPerSecond;
+  return std::uint64_t{seconds} * kMicrosPerSecond +
+         (has_nanoseconds_ || has_long_fractions_ ? fraction / 1000 : fraction);
+}
+
+std::string PacketFile::unit_words() const {
+  constexpr std::uint64_t kEnough = 100;  // packets a second: not all within the first millisecond
+  if (has_long_fractions_ && !has_nanoseconds_) {
+    return "its header promises microseconds, and its times are nanoseconds, as which they are "
+           "read";
+  }
+  const bool has_enough = last_s_ > first_s_ + 1 && packets_ > kEnough * (last_s_ - first_s_);
+  return has_nanoseconds_ && !has_long_fractions_ && has_enough
+             ? "its header promises nanoseconds, and all packets come in the first millisecond of "
+               "a second: if its times are microseconds, its magic number has to be 0xA1B2C3D4"
+             : "";
 }
 
 std::optional<CapturedPacket> PacketFile::next_of_pcapng() {

@@ -43,6 +43,9 @@ class PacketFile {
 
   // "breaks off in a packet": why the file cannot be read to its end; empty if it can.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  // That times are of another unit than a pcap's header says; empty if they are of that. Complete
+  // when all has been read.
+  [[nodiscard]] std::string unit_words() const;
   [[nodiscard]] std::optional<double> part_read() const { return bytes_.part_read(); }
 
  private:
@@ -55,6 +58,8 @@ class PacketFile {
   using Bytes = std::span<const std::byte>;
 
   [[nodiscard]] std::optional<CapturedPacket> next_of_pcap();
+  // Of a pcap's packet. More than a million in a second can only be nanoseconds.
+  [[nodiscard]] std::uint64_t time_of(std::uint32_t seconds, std::uint32_t fraction);
   [[nodiscard]] std::optional<CapturedPacket> next_of_pcapng();
   // A block's content, of whatever type; nothing at the end.
   [[nodiscard]] std::optional<Bytes> next_block(std::uint32_t& type);
@@ -70,7 +75,11 @@ class PacketFile {
   UnpackedFile bytes_;
   bool is_pcapng_ = false;
   bool is_big_endian_ = false;
-  bool has_nanoseconds_ = false;  // pcap
+  bool has_nanoseconds_ = false;  // a pcap by its header
+  bool has_long_fractions_ = false;
+  std::uint32_t first_s_ = 0;  // of a pcap
+  std::uint32_t last_s_ = 0;
+  std::uint64_t packets_ = 0;
   std::vector<Interface> interfaces_;
   std::vector<std::byte> content_;
   std::uint64_t last_us_ = 0;

@@ -11,6 +11,7 @@
 #include "net/udp.hpp"
 #include "tools/formats/capture/link_layer.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -81,6 +82,12 @@ std::optional<CapturedDatagram> PcapReader::next() {
     }
   }
   return std::nullopt;
+}
+
+std::string PcapReader::clock_words() const {
+  std::vector<std::string> all{file_.unit_words(), clock_.words()};
+  std::erase(all, "");
+  return joined(all, "; ");
 }
 
 // The packet, with the fields that the network card would fill in: a checksum of 0, and a length of

@@ -54,8 +54,8 @@ class PcapReader {
   void go_to(const Place& place);
 
   [[nodiscard]] const CaptureCounts& counts() const { return counts_; }
-  // The clock's steps, which times do not show; empty if there are none.
-  [[nodiscard]] std::string clock_words() const { return clock_.words(); }
+  // The clock's steps, which times do not show, and a wrong unit; empty if there are none.
+  [[nodiscard]] std::string clock_words() const;
   // "breaks off in a packet": why the file cannot be read to its end; empty if it can.
   [[nodiscard]] const std::string& trouble() const { return file_.trouble(); }
   // How much of the file has been read, 0 to 1; nothing where nobody knows its size.

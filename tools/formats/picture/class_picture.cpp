@@ -187,7 +187,7 @@ class ClassPainter {
     const int line = (kGlyphHeight + 4) * scale;
     const int side = kGlyphHeight * scale;
     put_words(10, 10, words_of(title_));
-    put_words(10, 10 + line, has_car() ? "circle: 10 m around the car" : "the car has no place");
+    put_words(10, 10 + line, has_car() ? "circle: 10 m around the car" : "no pose, so no classes");
     if (const std::string map = attribution(); !map.empty()) {
       put_words(10, 10 + 2 * line, "map: " + map);
     }

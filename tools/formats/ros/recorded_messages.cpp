@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <utility>
 #include <zstd.h>
 
@@ -120,7 +121,28 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
   }
 }
 
+struct ReadFile {
+  std::string name{};
+  std::unique_ptr<PlainFile> plain{};
+};
+
+ReadFile& last_read() {
+  static ReadFile last;
+  return last;
+}
+
+const PlainFile& plain_file(const std::string& name) {
+  ReadFile& last = last_read();
+  if (!last.plain || last.name != name) {
+    last = {};
+    last = {name, std::make_unique<PlainFile>(name)};
+  }
+  return *last.plain;
+}
+
 }  // namespace
+
+void forget_unpacked() { last_read() = {}; }
 
 std::vector<std::string> for_each_message(const std::string& path,
                                           std::initializer_list<std::string_view> types,
@@ -129,7 +151,7 @@ std::vector<std::string> for_each_message(const std::string& path,
   Messages messages(types, topic, take);
   std::vector<std::string> remarks = words_of_unlisted(path);
   for (const std::string& name : files_of_recording(path)) {
-    const PlainFile plain(name);
+    const PlainFile& plain = plain_file(name);
     std::ifstream file(plain.path(), std::ios::binary);
     std::array<char, 16> magic{};
     file.read(magic.data(), magic.size());

@@ -26,4 +26,8 @@ std::vector<std::string> for_each_message(const std::string& path,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take);
 
+// The file that was unpacked last stays in the folder for temporary files until another one is
+// unpacked, so that a bag that is read twice is unpacked once. This removes it.
+void forget_unpacked();
+
 }  // namespace iog::tools::ros

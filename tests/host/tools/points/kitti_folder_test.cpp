@@ -128,5 +128,22 @@ TEST_F(KittiFolder, OneCloudAloneHasNoTimes) {
   EXPECT_EQ(cloud.not_finite + cloud.nowhere, 2U);
 }
 
+// nuScenes has x, y, z, intensity and ring of each point; a scan that looks all around has as many
+// places left as right.
+TEST_F(KittiFolder, OneOfFiveNumbersAPointIsTold) {
+  std::vector<std::array<float, 5>> points;
+  for (int i = 0; i < 64; ++i) {
+    const float turn = 0.1F * static_cast<float>(i);
+    points.push_back({10 * std::cos(turn), 10 * std::sin(turn), -1, 7, 3});
+  }
+  OutputFile file(folder_ / "five.bin");
+  file.write(std::as_bytes(std::span(points)));
+  file.finish();
+  EXPECT_NE(told_by([this] {
+              static_cast<void>(read_kitti_cloud(folder_ / "five.bin", 5));
+            }).find("convert files of three or five numbers a point to PCD"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace iog::tools

@@ -115,7 +115,8 @@ TEST_F(PcdFile, TellWhatIsWrongWithPcd) {
   EXPECT_EQ(told_of(kHead + "DATA binary_compressed\n" + std::string(8, '\1')),
             ": its 4 points have 60 bytes, and its compressed data 16843009");
   EXPECT_EQ(told_of(kHead + "WIDTH 5\nDATA ascii\n"), ": WIDTH x HEIGHT is 5, and POINTS 4");
-  EXPECT_EQ(told_of(kHead + "POINTS 4.0\nDATA ascii\n"), ": in its head '4.0' is no whole number");
+  EXPECT_EQ(told_of(kHead + "POINTS 4.0\nDATA ascii\n"),
+            ": in its head '4.0' is no whole number, or is too large");
   EXPECT_EQ(told_of(kHead + "POINTS 9999999\nDATA ascii\n"),
             ": 9999999 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told_of(kHead + "DATA binary_compressed\n1"), ": it ends before its points");

@@ -77,7 +77,7 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
             ": this is no PLY file: its head has no end_header");
   EXPECT_EQ(told_of("ply\nelement face 1\n"), ": its first element is face, not vertex");
   EXPECT_EQ(told_of("ply\nelement vertex 1\nproperty list uchar int x\n"),
-            ": property uchar has an unknown type, list");
+            ": its points have a property that is a list, which is not read");
   EXPECT_EQ(told_of(head("binary_middle_endian")),
             ": its format is binary_middle_endian; read are ascii, binary_little_endian, "
             "binary_big_endian");
@@ -93,7 +93,7 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2,5\n"),
             ":7: '2,5' is no number");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1e3" + flat),
-            ": in its head '1e3' is no whole number");
+            ": in its head '1e3' is no whole number, or is too large");
   EXPECT_EQ(told_of(head("binary_big_endian")), ": it ends before its 2 points");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             ": its points have no field y");
