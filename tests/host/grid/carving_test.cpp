@@ -126,6 +126,8 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
     std::vector<std::size_t> named;
     path.for_each_tile(positions_of(line, cells).back(),
                        [&](std::size_t tile) { named.push_back(tile); });
+    // Each of them once or more.
+    named.erase(std::ranges::unique(named).begin(), named.end());
     ASSERT_EQ(named, expected);
   }
 }
