@@ -25,7 +25,7 @@ class AzimuthCarver {
  public:
   // All three must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
-      : lines_(vehicle.sensors), beams_(grids, marks), vehicle_(&vehicle) {}
+      : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
   // Stores the mark of this point, and carves the point's beam immediately or later. The sensor
   // must belong to the vehicle, and its layers must not share lines. The point's layer and azimuth
@@ -110,9 +110,7 @@ class AzimuthCarver {
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
-  // Members aligned to a cache line come first.
-  std::array<FurtherLine, kOpenLines> further_lines_;
-  BeamLines lines_;
+  // What each point needs comes first, because a large offset costs instructions.
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
@@ -128,6 +126,8 @@ class AzimuthCarver {
   KeptBeam further_beam_;
   KeptHeight further_height_;
   std::array<OpenLine, kOpenLines> open_lines_{};
+  std::array<FurtherLine, kOpenLines> further_lines_;
+  BeamLines lines_;
 };
 
 inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
