@@ -1,6 +1,6 @@
-#include <array>
-
 #include "grid/carve_run.hpp"
+
+#include <array>
 
 namespace iog::grid {
 
