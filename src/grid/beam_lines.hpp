@@ -150,6 +150,8 @@ class alignas(kCacheLineBytes) KeptLine {
   vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
+// An odd number of cache lines spreads lines over all sets of a cache.
+static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
 // The beam of one layer at one azimuth, with cached properties. On the target it fills a cache
 // line.
@@ -263,6 +265,9 @@ class KeptAzimuth {
   alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
+  // Makes an azimuth 49 cache lines long on the target. Without it, some 45 azimuths of 45 lines
+  // would fill the 2,048 sets of the level 2 cache, and the next ones would hit the same sets.
+  std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six

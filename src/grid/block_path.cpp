@@ -62,7 +62,7 @@ void BlockPath::find_first_column(const vehicle::BeamLine& line) {
     codes_[0] = codes_[1];
     --count_;
   }
-  start_mask_ = masks().from[orientation_.inner(before, v_in_tile % kSide)];
+  start_mask_ = masks().from[orientation_.inner(before, v_in_tile % kSide)].bytes;
   if (traversal::starts_on_corner(line)) {
     skip_cell_above(before, v_in_tile % kSide);
   }
@@ -73,7 +73,7 @@ void BlockPath::find_first_column(const vehicle::BeamLine& line) {
 // first of another block, the line enters that block in the next column, if at all.
 void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
   if (v + 1 < kBlockSide) {
-    start_mask_.bytes[orientation_.inner(u, v + 1)] = 0;
+    start_mask_[orientation_.inner(u, v + 1)] = 0;
     return;
   }
   find_up_to(1);

@@ -87,7 +87,7 @@ class BlockPath {
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
   // Mask of the cells in the first block that do not lie before the line's start.
-  [[nodiscard]] const LaneBytes& start_mask() const { return start_mask_; }
+  [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
@@ -136,7 +136,7 @@ class BlockPath {
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
   // In order of access, without gaps: the paths of many lines are cached.
-  LaneBytes start_mask_;
+  std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
   // The height at which the line leaves the first tile's columns, as 2^-32 of a tile, and whether
   // that is above this tile.

@@ -68,7 +68,7 @@ LaneBytes cells_of(const BlockPath& path, std::uint32_t block) {
     return way.masks[way.next_codes[block - 1] / 2U];
   }
   LaneBytes cells;
-  Lanes::load(way.cells()).bit_and(Lanes::load(path.start_mask())).store(cells);
+  Lanes::load(way.cells()).bit_and(path.start_mask()).store(cells);
   return cells;
 }
 
