@@ -30,15 +30,6 @@ class Products {
   using Field = ReflectedField<kPolynomial>;
 
  public:
-  // x^(8 bytes - 1), in the upper half of 64 bits.
-  static consteval std::uint64_t factor(std::size_t bytes) {
-    std::uint32_t power = Field::power_of_x8(bytes - 1);
-    for (int bit = 0; bit < 7; ++bit) {
-      power = Field::times_x(power);
-    }
-    return std::uint64_t{power} << 32;
-  }
-
   // 16 bytes with the same remainder as these bytes after this state; a multiple of kBlock.
   [[gnu::target("pclmul")]] static std::array<std::byte, kRegister> folded(
       std::uint32_t state, std::span<const std::byte> bytes) {
@@ -61,19 +52,32 @@ class Products {
   // 8 bytes with the remainder of this state and so many zero bytes.
   template <std::size_t kBytes>
   [[gnu::target("pclmul")]] static std::array<std::byte, 8> before_zeros(std::uint32_t state) {
-    constexpr std::uint64_t kFactor = factor(kBytes - sizeof state) >> 32;
-    const __m128i product = _mm_clmulepi64_si128(_mm_cvtsi32_si128(static_cast<int>(state)),
-                                                 _mm_cvtsi64_si128(kFactor), 0);
+    const __m128i factors = _mm_cvtsi64_si128(std::int64_t{kFactor<kBytes - sizeof state>});
+    const __m128i product =
+        _mm_clmulepi64_si128(_mm_cvtsi32_si128(static_cast<int>(state)), factors, 0);
     std::array<std::byte, 8> rest{};
     wire::store_le64(rest, static_cast<std::uint64_t>(_mm_cvtsi128_si64(product)));
     return rest;
   }
 
  private:
+  static constexpr std::uint32_t times_x7(std::uint32_t of) {
+    for (int bit = 0; bit < 7; ++bit) {
+      of = Field::times_x(of);
+    }
+    return of;
+  }
+  // x^(8 kBytes - 1)
+  template <std::size_t kBytes>
+  static constexpr std::uint32_t kFactor = times_x7(Field::power_of_x8(kBytes - 1));
+  static constexpr std::int64_t in_upper_half(std::uint32_t factor) {
+    return static_cast<std::int64_t>(std::uint64_t{factor} << 32);
+  }
+
   template <std::size_t kBytes>
   [[gnu::target("pclmul")]] static __m128i ahead(Register of) {
-    const __m128i factors = _mm_set_epi64x(static_cast<long long>(factor(kBytes)),
-                                           static_cast<long long>(factor(kBytes + 8)));
+    const __m128i factors =
+        _mm_set_epi64x(in_upper_half(kFactor<kBytes>), in_upper_half(kFactor<kBytes + 8>));
     return _mm_xor_si128(_mm_clmulepi64_si128(of.bits, factors, 0x00),
                          _mm_clmulepi64_si128(of.bits, factors, 0x11));
   }

@@ -267,7 +267,7 @@ class KeptAzimuth {
   std::array<KeptHeight, kMaxLayers> heights_;
   // Makes an azimuth 49 cache lines long on the target. Without it, some 45 azimuths of 45 lines
   // would fill the 2,048 sets of the level 2 cache, and the next ones would hit the same sets.
-  std::array<std::byte, 4 * kCacheLineBytes> apart_{};
+  [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six

@@ -109,7 +109,7 @@ class BlockPath {
                            static_cast<std::ptrdiff_t>(columns_x + columns_y - columns) * along_v;
     visit(static_cast<std::size_t>(tile));
     if (columns > 0) {
-      const auto rise_to = [&](bool rises) {
+      const auto rise_to = [&, along_v = along_v](bool rises) {
         tile += rises ? along_v : 0;
         visit(static_cast<std::size_t>(tile));
       };
