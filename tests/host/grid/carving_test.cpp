@@ -127,7 +127,7 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
     path.for_each_tile(positions_of(line, cells).back(),
                        [&](std::size_t tile) { named.push_back(tile); });
     // Each of them once or more.
-    named.erase(std::ranges::unique(named).begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
     ASSERT_EQ(named, expected);
   }
 }
