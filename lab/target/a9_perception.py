@@ -7,7 +7,7 @@ import a9_runs
 # A frame is taken apart as in a9_runs.py. What a stage calls that is no stage is its own.
 STAGES = {
     "receive": a9_runs.STAGES["receive"],
-    "decode": [f"app/perception_engine:{name}" for name in ("receive", "classify", "fuse")],
+    "decode": ["app/perception_engine:receive", "app/perception_engine:keep"],
     "slices": ["app/perception_engine:open_slices"],
     "beams": a9_runs.STAGES["beams"],
     "carve": a9_runs.STAGES["carve"],

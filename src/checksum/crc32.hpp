@@ -1,5 +1,5 @@
 // The two CRC-32 variants of this project. CMake chooses the faster implementation for the machine:
-// crc32_neon.cpp or crc32_slices.cpp.
+// crc32_neon.cpp, crc32_pclmul.cpp or crc32_slices.cpp.
 #pragma once
 
 #include <cstddef>

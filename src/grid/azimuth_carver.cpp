@@ -18,14 +18,16 @@ void AzimuthCarver::turn_to(const Sensor& sensor, std::uint16_t azimuth_ticks) {
 // Beams that KeptAzimuth has no room for are computed for each point.
 KeptBeam& AzimuthCarver::find_beam(std::uint8_t layer) {
   const vehicle::Layer& its = sensor_->layers[layer];
-  if (its.line < KeptAzimuth::kMaxLines) {
-    if (layer < KeptAzimuth::kMaxLayers) {
-      return kept_->find_beam(*sensor_, layer);
-    }
-    further_beam_.find(*sensor_, its, azimuth_step_, kept_->line_of(*sensor_, its));
-    return further_beam_;
+  if (its.line >= KeptAzimuth::kMaxLines) {
+    return find_further_beam(its, further_line(its));
   }
-  further_beam_.find(*sensor_, its, azimuth_step_, further_line(its));
+  return layer < KeptAzimuth::kMaxLayers ? kept_->find_beam(*sensor_, layer)
+                                         : find_further_beam(its, kept_->line_of(*sensor_, its));
+}
+
+KeptBeam& AzimuthCarver::find_further_beam(const vehicle::Layer& layer, KeptLine& line) {
+  further_height_.find(layer, vehicle::direction_of(*sensor_, azimuth_step_));
+  further_beam_.find(*sensor_, further_height_.end_z(), line);
   return further_beam_;
 }
 
@@ -43,7 +45,7 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
 }
 
 void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its) {
-  take(beam, its, [&] { return beam.low_part(*vehicle_, *sensor_); });
+  take(beam, its, [&] { return height_of(beam).low_part(*vehicle_, *sensor_, beam.line()); });
 }
 
 void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its,
@@ -51,27 +53,38 @@ void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its,
   take(beam, its, [&] { return beam.line().part_between(*sensor_, low.from_mm, low.to_mm); });
 }
 
+void AzimuthCarver::find_band(KeptBeam& beam) {
+  beam.find_band(vehicle_->band(), *sensor_, height_of(beam).end_z());
+}
+
+bool AzimuthCarver::is_tall(const KeptBeam& beam, std::uint32_t range_mm) {
+  return height_of(beam).is_tall(*sensor_, range_mm);
+}
+
 template <typename LowOf>
 inline void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of) {
   const bool leaves_band = its.evidence.carves() && !its.evidence.is_whole_in_band();
+  if (leaves_band && !beam.has_band()) {
+    find_band(beam);
+  }
   beams_.add(
       *sensor_,
       {.line = beam.line(),
-       .limits = leaves_band ? &beam.in_band(*vehicle_, *sensor_) : nullptr,
+       .limits = leaves_band ? &beam.in_band() : nullptr,
        .clears_mm = sensor_->no_return_clears_mm},
-      its, [&](Between end) -> LineSteps& { return steps_of(beam, end); }, low_of);
+      its, [&](Between end) -> LineSteps& { return steps_of(beam.line(), end); }, low_of);
 }
 
 // The steps in which a beam is collected. If the beam crosses the same cells as the first line up
 // to its end, it joins the beams of the first line.
-inline LineSteps& AzimuthCarver::steps_of(const KeptBeam& beam, Between end) {
-  const bool shares = beam.line_number() == 1 && kept_->is_common(end.at().crossed() + 1);
-  return shares ? steps_on(0, kept_->first_line()) : steps_on(beam.line_number(), beam.line());
+inline LineSteps& AzimuthCarver::steps_of(KeptLine& line, Between end) {
+  const bool shares = line.number() == 1 && kept_->is_common(end.at().crossed() + 1);
+  return steps_on(shares ? kept_->first_line() : line);
 }
 
 // If another line occupies the slot, it is carved first.
-inline LineSteps& AzimuthCarver::steps_on(std::uint32_t number, KeptLine& line) {
-  const std::uint32_t place = place_of(number);
+inline LineSteps& AzimuthCarver::steps_on(KeptLine& line) {
+  const std::uint32_t place = place_of(line.number());
   OpenLine& open = open_lines_[place];
   if (open.line != &line) {
     carve_place(place);

@@ -25,7 +25,7 @@ class AzimuthCarver {
  public:
   // All three must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
-      : lines_(vehicle.sensors), beams_(grids, marks), vehicle_(&vehicle) {}
+      : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
   // Stores the mark of this point, and carves the point's beam immediately or later. The sensor
   // must belong to the vehicle, and its layers must not share lines. The point's layer and azimuth
@@ -94,18 +94,23 @@ class AzimuthCarver {
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // Rare paths are not inlined, so that the common path can keep its values in registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
+  // What is kept of a beam's height.
+  [[nodiscard]] KeptHeight& height_of(const KeptBeam& beam) {
+    return &beam == &further_beam_ ? further_height_ : kept_->height_of(beam);
+  }
+  [[gnu::noinline]] void find_band(KeptBeam& beam);
+  [[gnu::noinline]] bool is_tall(const KeptBeam& beam, std::uint32_t range_mm);
+  KeptBeam& find_further_beam(const vehicle::Layer& layer, KeptLine& line);
   void take(KeptBeam& beam, const WaitingBeam& its);
   void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
   template <typename LowOf>
   void take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of);
-  LineSteps& steps_of(const KeptBeam& beam, Between end);
-  LineSteps& steps_on(std::uint32_t number, KeptLine& line);
+  LineSteps& steps_of(KeptLine& line, Between end);
+  LineSteps& steps_on(KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
-  // Members aligned to a cache line come first.
-  std::array<FurtherLine, kOpenLines> further_lines_;
-  BeamLines lines_;
+  // What each point needs comes first, because a large offset costs instructions.
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
@@ -119,7 +124,10 @@ class AzimuthCarver {
   std::uint16_t azimuth_ticks_ = 0;
   std::uint32_t azimuth_step_ = 0;
   KeptBeam further_beam_;
+  KeptHeight further_height_;
   std::array<OpenLine, kOpenLines> open_lines_{};
+  std::array<FurtherLine, kOpenLines> further_lines_;
+  BeamLines lines_;
 };
 
 inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
@@ -130,7 +138,8 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor,
   if (classified.evidence.is_any()) {
     take(beam, {.range_mm = point.range_mm,
                 .evidence = classified.evidence,
-                .is_tall = classified.evidence.marks() && beam.is_tall(sensor, point.range_mm),
+                .is_tall = classified.evidence.marks() && beams_.keeps_heights() &&
+                           is_tall(beam, point.range_mm),
                 .ends_on_ground = point.is_ground});
   }
   return classified.fate;
@@ -146,7 +155,8 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
   bool is_tall = false;
   const vehicle::Classification classified = vehicle::classify(
       sensor, beam.ranges().on_car, point, point.range_mm, [&](std::uint32_t reach_mm) {
-        const std::int32_t z_mm = beams.height_mm(beams.slope_to(beam.end_z()), point.range_mm);
+        const std::int32_t z_mm =
+            beams.height_mm(beams.slope_to(height_of(beam).end_z()), point.range_mm);
         const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
         const auto judged = judge.judge(sector, out_mm, z_mm);
         is_tall = judged.is_tall;

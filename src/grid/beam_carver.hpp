@@ -42,10 +42,11 @@ struct BeamOnLine {
 class BeamCarver {
  public:
   // Both must outlive the carver.
-  BeamCarver(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
+  BeamCarver(FrameGrids& grids, PendingMarks& marks)
+      : grids_(&grids), marks_(&marks), keeps_heights_(grids.keep_heights) {}
 
   // Whether low beams and tall returns are recorded.
-  [[nodiscard]] bool keeps_heights() const { return grids_->keep_heights; }
+  [[nodiscard]] bool keeps_heights() const { return keeps_heights_; }
 
   // Carves and marks according to the beam's evidence. steps_of(end) returns the steps of the line
   // for a beam that ends at `end`. The steps must have room for one more beam. low_of() returns the
@@ -79,6 +80,7 @@ class BeamCarver {
 
   FrameGrids* grids_;
   PendingMarks* marks_;
+  bool keeps_heights_;
 };
 
 // A cell before the point * gets the index of the 1D cell in which the line leaves the grid cell,

@@ -57,21 +57,24 @@ void KeptLine::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint
   }
   has_path_ = starts_in_grid && !traversal::may_meet_corner(line_);
   path_begun_ = false;
+  number_ = static_cast<std::uint16_t>(layer.line);
 }
 
-void KeptBeam::find(const Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
-                    KeptLine& line) {
-  end_z_ = vehicle::end_height_of(layer, vehicle::direction_of(sensor, azimuth_step));
-  ranges_ = vehicle::ranges_of(sensor, {line.line(), end_z_});
+FreePart KeptLine::part_in(const vehicle::HeightBand& band, const Sensor& sensor,
+                           std::int32_t end_z) const {
+  const BandLimits limits(band, sensor, end_z);
+  return {in_band(limits), limits.is_free_before_mm()};
+}
+
+void KeptBeam::find(const Sensor& sensor, std::int32_t end_z, KeptLine& line) {
+  ranges_ = vehicle::ranges_of(sensor, {line.line(), end_z});
+  in_band_ = {};
   line_ = &line;
-  line_number_ = layer.line;
-  has_band_ = false;
-  has_low_ = false;
 }
 
-FreePart KeptBeam::find_part(const vehicle::HeightBand& band, const Sensor& sensor) const {
-  const BandLimits limits(band, sensor, end_z_);
-  return {line_->in_band(limits), limits.is_free_before_mm()};
+void KeptHeight::find(const vehicle::Layer& layer, const vehicle::Direction& direction) {
+  end_z_ = vehicle::end_height_of(layer, direction);
+  has_low_ = false;
 }
 
 void KeptAzimuth::begin(const Sensor& sensor, std::uint32_t step) {
@@ -97,7 +100,8 @@ KeptLine& KeptAzimuth::line_of(const Sensor& sensor, const vehicle::Layer& layer
 
 KeptBeam& KeptAzimuth::find_beam(const Sensor& sensor, std::uint8_t layer) {
   const vehicle::Layer& its_layer = sensor.layers[layer];
-  beams_[layer].find(sensor, its_layer, step_, line_of(sensor, its_layer));
+  heights_[layer].find(its_layer, vehicle::direction_of(sensor, step_));
+  beams_[layer].find(sensor, heights_[layer].end_z(), line_of(sensor, its_layer));
   beams_found_ |= 1U << layer;
   return beams_[layer];
 }

@@ -23,6 +23,9 @@
 
 namespace iog::grid {
 
+// Of the level 1 and 2 caches. What is cached from scan to scan competes with the grid for them.
+inline constexpr std::size_t kCacheLineBytes = 32;
+
 // The part of a line in which beams of one height are within a height band. The limits of the part
 // are fractions of the line's length.
 class BandLimits {
@@ -70,12 +73,20 @@ class BandLimits {
   traversal::MeasuredShare from_;
 };
 
+// The part of its line that a beam may free. A point at free_from_mm or beyond frees the whole
+// part, because even the zones before the point lie beyond the part.
+struct FreePart {
+  LinePart part;
+  std::uint32_t free_from_mm = 0;  // > 0
+};
+
 // The line of a sensor's beams at one azimuth, with cached properties.
-class KeptLine {
+class alignas(kCacheLineBytes) KeptLine {
  public:
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step);
 
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
+  [[nodiscard]] std::uint32_t number() const { return number_; }  // Layer::line
 
   // Returns the number of borders crossed up to this distance, which should be at most
   // Sensor::range. For greater distances the result may be too small, but it is never before the
@@ -96,6 +107,11 @@ class KeptLine {
   [[nodiscard]] Between end_in_band(const BandLimits& limits) const {
     return limits.end_within(in_grid_, line_, ruler_);
   }
+
+  // The part of in_grid() in which a beam with this height of its end is within the band.
+  [[nodiscard, gnu::noinline]] FreePart part_in(const vehicle::HeightBand& band,
+                                                const vehicle::Sensor& sensor,
+                                                std::int32_t end_z) const;
 
   // end_at() returns the end of the cell that contains the point at to_mm. part_between() returns
   // the part from the cell at from_mm to this end.
@@ -125,51 +141,54 @@ class KeptLine {
   }
 
  private:
-  // In order of access.
+  // In order of access. All but the path fills two cache lines on the target.
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;
+  std::uint16_t number_ = 0;
   traversal::Ruler<geometry::kResolution> ruler_{vehicle::BeamLine({}, {}), {}};
   vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
+// An odd number of cache lines spreads lines over all sets of a cache.
+static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
-// The part of its line that a beam may free. A point at free_from_mm or beyond frees the whole
-// part, because even the zones before the point lie beyond the part.
-struct FreePart {
-  LinePart part;
-  std::uint32_t free_from_mm = 0;
-};
-
-// The beam of one layer at one azimuth, with cached properties.
+// The beam of one layer at one azimuth, with cached properties. On the target it fills a cache
+// line.
 class KeptBeam {
  public:
-  void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step,
-            KeptLine& line);
+  void find(const vehicle::Sensor& sensor, std::int32_t end_z, KeptLine& line);
 
-  // The number of the beam's line (Layer::line of its layer), and the line itself.
-  [[nodiscard]] std::uint32_t line_number() const { return line_number_; }
   [[nodiscard]] KeptLine& line() const { return *line_; }
-
   [[nodiscard]] const vehicle::BeamRanges& ranges() const { return ranges_; }
+
+  // The part within the height band, once it is found. end_z: see KeptHeight.
+  [[nodiscard]] bool has_band() const { return in_band_.free_from_mm != 0; }
+  void find_band(const vehicle::HeightBand& band, const vehicle::Sensor& sensor,
+                 std::int32_t end_z) {
+    in_band_ = line_->part_in(band, sensor, end_z);
+  }
+  [[nodiscard]] const FreePart& in_band() const { return in_band_; }
+
+ private:
+  vehicle::BeamRanges ranges_;
+  FreePart in_band_;
+  KeptLine* line_ = nullptr;
+};
+
+// What is asked less often about a beam.
+class KeptHeight {
+ public:
+  void find(const vehicle::Layer& layer, const vehicle::Direction& direction);
+
   // Height of the beam's end, in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // in_band() returns the part within the height band. low_part() returns the part in which the
-  // beam is low (vehicle::Sensor::moved). Both are computed on first use, because few beams leave
-  // the band.
-  [[nodiscard]] const FreePart& in_band(const vehicle::Vehicle& vehicle,
-                                        const vehicle::Sensor& sensor) {
-    if (!has_band_) {
-      in_band_ = find_part(vehicle.band(), sensor);
-      has_band_ = true;
-    }
-    return in_band_;
-  }
+  // The part in which the beam is low (vehicle::Sensor::moved). It is computed on first use.
   [[nodiscard]] const LinePart& low_part(const vehicle::Vehicle& vehicle,
-                                         const vehicle::Sensor& sensor) {
+                                         const vehicle::Sensor& sensor, const KeptLine& line) {
     if (!has_low_) {
-      low_ = find_part(vehicle.low_band(sensor), sensor).part;
+      low_ = line.part_in(vehicle.low_band(sensor), sensor, end_z_).part;
       has_low_ = true;
     }
     return low_;
@@ -180,17 +199,9 @@ class KeptBeam {
   }
 
  private:
-  [[nodiscard, gnu::noinline]] FreePart find_part(const vehicle::HeightBand& band,
-                                                  const vehicle::Sensor& sensor) const;
-
-  vehicle::BeamRanges ranges_;
-  KeptLine* line_ = nullptr;
-  FreePart in_band_;
-  std::int32_t end_z_ = 0;
-  std::uint32_t line_number_ = 0;
-  bool has_band_ = false;
-  bool has_low_ = false;
   LinePart low_;
+  std::int32_t end_z_ = 0;
+  bool has_low_ = false;
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
@@ -226,6 +237,10 @@ class KeptAzimuth {
 
   // The layer number must be below kMaxLayers, and the number of its line below kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
+  // The beam must be one of this azimuth.
+  [[nodiscard]] KeptHeight& height_of(const KeptBeam& beam) {
+    return heights_[static_cast<std::size_t>(&beam - beams_.data())];
+  }
 
   // Whether the second line crosses the same first `cells` cells as the first line (cells > 0). The
   // second line must have been found. If the result is true, the first line was also found and has
@@ -247,8 +262,12 @@ class KeptAzimuth {
   std::uint32_t beams_found_ = 0;
   std::uint32_t common_ = 0;     // the lines are known to share this many cells
   std::uint32_t different_ = 0;  // the lines may not share this many cells
-  std::array<KeptBeam, kMaxLayers> beams_;
+  alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
+  std::array<KeptHeight, kMaxLayers> heights_;
+  // Makes an azimuth 49 cache lines long on the target. Without it, some 45 azimuths of 45 lines
+  // would fill the 2,048 sets of the level 2 cache, and the next ones would hit the same sets.
+  [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six

@@ -20,8 +20,10 @@ static_assert(kMostColumns + 2 * kBlockSide <= std::int64_t{traversal::most_colu
 }  // namespace
 
 void BlockPath::begin(const vehicle::BeamLine& line) {
-  start_ = line.cell({});
-  require(geometry::kGridArea.contains(start_));
+  const geometry::Cell start = line.cell({});
+  require(geometry::kGridArea.contains(start));
+  start_offset_ = offset_of(start);
+  start_tile_ = static_cast<std::uint16_t>(geometry::tile_of(start));
   require(std::max(line.x().length(), line.y().length()) <= kLongest);
   orientation_ = {.is_steep = line.y().length() > line.x().length(),
                   .x_is_negative = line.x().step() < 0,
@@ -30,8 +32,8 @@ void BlockPath::begin(const vehicle::BeamLine& line) {
     const auto ahead = static_cast<std::uint32_t>(is_negative ? ~coordinate : coordinate);
     return static_cast<std::uint8_t>(ahead % geometry::kTileSide);
   };
-  x_in_tile_ = into_tile(start_.x, orientation_.x_is_negative);
-  y_in_tile_ = into_tile(start_.y, orientation_.y_is_negative);
+  x_in_tile_ = into_tile(start.x, orientation_.x_is_negative);
+  y_in_tile_ = into_tile(start.y, orientation_.y_is_negative);
   find_first_column(line);
 }
 
@@ -43,19 +45,24 @@ void BlockPath::find_first_column(const vehicle::BeamLine& line) {
   const std::uint32_t u_in_tile = orientation_.is_steep ? y_in_tile_ : x_in_tile_;
   const std::uint32_t v_in_tile = orientation_.is_steep ? x_in_tile_ : y_in_tile_;
   const std::uint32_t before = u_in_tile % kSide;
-  dda_ = traversal::dda_of(line, orientation_.is_steep, before);
+  const traversal::Dda dda = traversal::dda_of(line, orientation_.is_steep, before);
+  phase_ = dda.phase;
+  step_ = dda.step;
   const std::uint64_t columns_of_first_tile = geometry::kTileSide - u_in_tile + before;
-  const auto row = static_cast<std::uint64_t>(std::int64_t{v_in_tile} + dda_.row);
-  height_at_tile_ = ((row << 32) | dda_.phase) + columns_of_first_tile * dda_.step;
-  const std::int32_t v = static_cast<std::int32_t>(v_in_tile % kSide) + dda_.row;
-  v_ = static_cast<std::uint32_t>(v) % kSide;
+  const auto row = static_cast<std::uint64_t>(std::int64_t{v_in_tile} + dda.row);
+  // In 2^-32 rows. More columns do not change the lower bits that a tile has more than a row.
+  const std::uint64_t height = ((row << 32) | dda.phase) + columns_of_first_tile * dda.step;
+  tile_height_ = static_cast<std::uint32_t>(height >> geometry::kTileSideLog2);
+  leaves_first_above_ = height >> (32 + geometry::kTileSideLog2) != 0;
+  const std::int32_t v = static_cast<std::int32_t>(v_in_tile % kSide) + dda.row;
+  v_ = static_cast<std::uint8_t>(static_cast<std::uint32_t>(v) % kSide);
   count_ = 0;
   find_up_to(v < 0 ? 1U : 0U);
   if (v < 0) {
     codes_[0] = codes_[1];
     --count_;
   }
-  start_mask_ = masks().from[orientation_.inner(before, v_in_tile % kSide)];
+  start_mask_ = masks().from[orientation_.inner(before, v_in_tile % kSide)].bytes;
   if (traversal::starts_on_corner(line)) {
     skip_cell_above(before, v_in_tile % kSide);
   }
@@ -66,7 +73,7 @@ void BlockPath::find_first_column(const vehicle::BeamLine& line) {
 // first of another block, the line enters that block in the next column, if at all.
 void BlockPath::skip_cell_above(std::uint32_t u, std::uint32_t v) {
   if (v + 1 < kBlockSide) {
-    start_mask_.bytes[orientation_.inner(u, v + 1)] = 0;
+    start_mask_[orientation_.inner(u, v + 1)] = 0;
     return;
   }
   find_up_to(1);
@@ -80,7 +87,7 @@ void BlockPath::find_up_to(std::uint32_t block) {
     return;
   }
   require(block < kMaxBlocks);
-  traversal::Dda dda{.phase = dda_.phase, .step = dda_.step};
+  traversal::Dda dda{.phase = phase_, .step = step_};
   std::uint32_t v = v_;
   BlockCode* next = &codes_[count_];
   const BlockCode* const end = &codes_[block];
@@ -93,9 +100,9 @@ void BlockPath::find_up_to(std::uint32_t block) {
     next += column.count;
     v = column.next_v;
   } while (next <= end);
-  dda_.phase = dda.phase;
-  v_ = v;
-  count_ = static_cast<std::uint32_t>(next - codes_.data());
+  phase_ = dda.phase;
+  v_ = static_cast<std::uint8_t>(v);
+  count_ = static_cast<std::uint16_t>(next - codes_.data());
 }
 
 }  // namespace iog::grid

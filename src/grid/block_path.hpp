@@ -80,14 +80,14 @@ class BlockPath {
   void find_up_to(std::uint32_t block);
 
   // Byte offset of the line's first cell.
-  [[nodiscard]] std::uint32_t start_offset() const { return offset_of(start_); }
+  [[nodiscard]] std::uint32_t start_offset() const { return start_offset_; }
 
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
   // Mask of the cells in the first block that do not lie before the line's start.
-  [[nodiscard]] const LaneBytes& start_mask() const { return start_mask_; }
+  [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset().
   [[nodiscard]] Way way_from(LaneBytes* start) const {
@@ -95,33 +95,35 @@ class BlockPath {
             &codes_[1]};
   }
 
-  // Calls visit(tile) for each tile that the line enters up to this position. The line's heights at
-  // the tile borders determine where the line enters another row of tiles. This happens at most
-  // once per column of tiles, because the slope is at most 1.
+  // Calls visit(tile) once or more for each tile that the line enters up to this position. The
+  // line's heights at the tile borders determine where the line enters another row of tiles. This
+  // happens at most once per column of tiles, because the slope is at most 1.
   template <typename Visit>
   void for_each_tile(traversal::Position last, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
     const std::uint32_t columns_y = (last.y + y_in_tile_) / geometry::kTileSide;
-    const std::uint32_t columns = orientation_.is_steep ? columns_y : columns_x;
+    std::uint32_t columns = orientation_.is_steep ? columns_y : columns_x;
     const auto [along_u, along_v] = orientation_.strides(geometry::kTilesPerSide);
-    auto tile = static_cast<std::ptrdiff_t>(geometry::tile_of(start_));
-    std::uint64_t height = height_at_tile_;
-    std::uint32_t row = 0;
-    for (std::uint32_t column = 0;; ++column) {
-      visit(static_cast<std::size_t>(tile));
-      const auto risen = static_cast<std::uint32_t>(height >> (32 + geometry::kTileSideLog2));
-      const std::uint32_t last_row = column < columns ? risen : columns_x + columns_y - columns;
-      if (row != last_row) {
-        row = last_row;
-        tile += along_v;
+    auto tile = std::ptrdiff_t{start_tile_};
+    const auto last_tile = tile + static_cast<std::ptrdiff_t>(columns) * along_u +
+                           static_cast<std::ptrdiff_t>(columns_x + columns_y - columns) * along_v;
+    visit(static_cast<std::size_t>(tile));
+    if (columns > 0) {
+      const auto rise_to = [&, along_v = along_v](bool rises) {
+        tile += rises ? along_v : 0;
         visit(static_cast<std::size_t>(tile));
+      };
+      const std::uint32_t step = step_;
+      std::uint32_t height = tile_height_;
+      rise_to(leaves_first_above_);
+      for (tile += along_u; --columns > 0; tile += along_u) {
+        visit(static_cast<std::size_t>(tile));
+        height += step;
+        rise_to(height < step);
       }
-      if (column == columns) {
-        return;
-      }
-      tile += along_u;
-      height += std::uint64_t{dda_.step} << geometry::kTileSideLog2;
+      visit(static_cast<std::size_t>(tile));
     }
+    visit(static_cast<std::size_t>(last_tile));
   }
 
  private:
@@ -133,19 +135,23 @@ class BlockPath {
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
-  geometry::Cell start_;
+  // In order of access, without gaps: the paths of many lines are cached.
+  std::array<std::int8_t, kLaneCount> start_mask_{};
+  std::uint32_t start_offset_ = 0;
+  // The height at which the line leaves the first tile's columns, as 2^-32 of a tile, and whether
+  // that is above this tile.
+  std::uint32_t tile_height_ = 0;
+  // The state in which the search resumes: the phase at the next column of blocks (traversal::Dda),
+  // its increment, and v within the block.
+  std::uint32_t phase_ = 0;
+  std::uint32_t step_ = 0;
+  std::uint16_t start_tile_ = 0;
+  std::uint16_t count_ = 0;
+  std::uint8_t v_ = 0;
+  bool leaves_first_above_ = false;
   Orientation orientation_;
   std::uint8_t x_in_tile_ = 0;  // offset of the line's start in its tile, in the line's direction
   std::uint8_t y_in_tile_ = 0;
-  std::uint32_t count_ = 0;
-  // The state in which the search resumes: v within the block, and the phase at the next column of
-  // blocks.
-  std::uint32_t v_ = 0;
-  traversal::Dda dda_;
-  // The height at which the line leaves the first tile's columns. It is relative to the tile's
-  // lowest row, in units of 2^-32 rows.
-  std::uint64_t height_at_tile_ = 0;
-  LaneBytes start_mask_;
   std::array<BlockCode, kMaxBlocks + 1> codes_{};
 };
 

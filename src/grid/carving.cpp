@@ -30,7 +30,7 @@ template <bool kHasGaps>
   const BlockMasks& masks = path.masks();
   LaneBytes* const start = grid.block_at(path.start_offset());
   Way way = path.way_from(start);
-  Lanes cells = Lanes::load(way.cells()).bit_and(Lanes::load(path.start_mask()));
+  Lanes cells = Lanes::load(way.cells()).bit_and(path.start_mask());
   std::uint32_t number = 0;
   std::int32_t freer = steps.from_start();
   Lanes amount = Lanes::all(amount_of(freer));

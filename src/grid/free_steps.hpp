@@ -23,6 +23,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "geometry/grid.hpp"
 #include "grid/line_part.hpp"
@@ -78,14 +79,21 @@ class FreeSteps {
   // Calls visit(from, freer) for each change, in order, and clears the steps.
   template <typename Visit>
   void take_changes(Visit&& visit) {
-    const std::uint32_t last = last_.crossed() - first_.crossed();
-    for (std::uint32_t word = 0; word <= last / 32; ++word) {
-      std::uint32_t bits = map_[word];
-      map_[word] = 0;
+    std::uint32_t* const end = &map_[(last_.crossed() - first_.crossed()) / 32 + 1];
+    *end = kFirstBit;  // ends the search
+    for (std::uint32_t* word = map_.data();; ++word) {
+      while (*word == 0) {
+        ++word;
+      }
+      std::uint32_t bits = std::exchange(*word, 0);
+      if (word == end) {
+        break;
+      }
+      const auto before = 32 * static_cast<std::uint32_t>(word - map_.data());
       while (bits != 0) {
         const auto zeros = static_cast<std::uint32_t>(std::countl_zero(bits));
         bits &= ~(kFirstBit >> zeros);
-        const std::uint32_t number = 32 * word + zeros;
+        const std::uint32_t number = before + zeros;
         const std::uint32_t slot = slots_[number];
         slots_[number] = 0;
         visit(Between::of(first_.crossed() + number, slot >> 16),
@@ -107,7 +115,7 @@ class FreeSteps {
   Between last_;
   std::uint32_t beam_count_ = 0;
   std::int32_t from_start_ = 0;
-  std::array<std::uint32_t, kSlots / 32> map_{};
+  std::array<std::uint32_t, kSlots / 32 + 1> map_{};  // the last word only ends a search
   std::array<std::uint32_t, kSlots> slots_{};
 };
 

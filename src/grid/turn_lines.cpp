@@ -66,7 +66,7 @@ TurnLines::TurnLines(const vehicle::Vehicle& vehicle) : first_sensor_(vehicle.se
 
 void TurnLines::find(const vehicle::Sensor& sensor, std::uint32_t azimuth_step,
                      std::uint32_t place) {
-  KeptLine& line = lines_[place].line;
+  KeptLine& line = lines_[place];
   line.find(sensor, sensor.layers[0], azimuth_step);
   on_car_[place] = {.ranges = vehicle::ranges_on_car(sensor, line.line()), .is_known = true};
 }

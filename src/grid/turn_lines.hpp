@@ -68,7 +68,7 @@ class TurnLines {
   }
   // The line of this azimuth step. Call on_car() first.
   [[nodiscard]] KeptLine& line(const vehicle::Sensor& sensor, std::uint32_t azimuth_step) {
-    return lines_[first_[number_of(sensor)] + azimuth_step].line;
+    return lines_[first_[number_of(sensor)] + azimuth_step];
   }
   // The layers of this sensor.
   [[nodiscard]] const TurnLayers& layers_of(const vehicle::Sensor& sensor) const {
@@ -83,9 +83,6 @@ class TurnLines {
     vehicle::Ranges ranges;
     bool is_known = false;
   };
-  struct alignas(32) Line {
-    KeptLine line;
-  };
 
   [[gnu::noinline]] void find(const vehicle::Sensor& sensor, std::uint32_t azimuth_step,
                               std::uint32_t place);
@@ -97,7 +94,7 @@ class TurnLines {
   std::array<std::uint32_t, vehicle::kMaxSensors> first_{};  // each sensor's first slot
   std::array<TurnLayers, vehicle::kMaxSensors> layers_{};
   std::array<OnCar, vehicle::kMaxTurnLines> on_car_{};
-  std::array<Line, vehicle::kMaxTurnLines> lines_;
+  std::array<KeptLine, vehicle::kMaxTurnLines> lines_;
 };
 
 }  // namespace iog::grid

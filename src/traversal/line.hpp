@@ -76,17 +76,17 @@ class LineLength {
 // One axis of a line, mirrored so that the line runs in the positive direction.
 template <std::int32_t kResolution>
 class Axis {
-  static_assert(kResolution >= 1);
+  static_assert(1 <= kResolution && kResolution <= std::numeric_limits<std::uint16_t>::max());
   static constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
 
  public:
   constexpr Axis(std::int32_t start, std::int32_t end)
-      : step_(end < start ? -1 : 1),
-        start_cell_(numeric::div_floor(start, kResolution)),
+      : start_cell_(numeric::div_floor(start, kResolution)),
+        step_(end < start ? -1 : 1),
         // Folding mirrors the axis. After mirroring, a start on a border is at the far end of its
         // cell, so its offset is r and not 0.
-        offset_(end < start ? static_cast<std::uint32_t>((start_cell_ + 1) * kResolution - start)
-                            : static_cast<std::uint32_t>(start - start_cell_ * kResolution)),
+        offset_(static_cast<std::uint16_t>(end < start ? (start_cell_ + 1) * kResolution - start
+                                                       : start - start_cell_ * kResolution)),
         length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
 
   [[nodiscard]] constexpr std::int32_t step() const { return step_; }
@@ -141,9 +141,10 @@ class Axis {
     return offset_ * share.denominator + share.numerator * length_;
   }
 
-  std::int32_t step_;
+  // Kept small: many lines are cached.
   std::int32_t start_cell_;
-  std::uint32_t offset_;
+  std::int16_t step_;
+  std::uint16_t offset_;
   std::uint32_t length_;
 };
 

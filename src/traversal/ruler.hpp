@@ -7,15 +7,15 @@
 // and L is its total length in millimetres. Line::through(z) computes this result.
 //
 // Estimate: The ruler estimates T as base + z slope, in units of 2^-32 borders, where
-//     base  = floor(f 2^32 / r)
+//     base  = floor(f 2^32 / r), but at most 2^32 - 1
 //     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
 // q and e are the inverse and the exponent of LineLength. Everything is rounded down, so the
 // estimate is never too large.
 //
-// Error: base is too small by less than 1. slope is too small by less than 1 because of its own
+// Error: base is too small by at most 1. slope is too small by less than 1 because of its own
 // rounding, and by less than w / (r 2^e) because of the rounding of q. A cell is wider than 2 mm,
 // so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total the estimate is too
-// small by less than 1 + 2 z. For z < 2^18 this error is below kSlack = 2^20.
+// small by at most 1 + 2 z. For z < 2^18 this error is below kSlack = 2^20.
 //
 // The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
 // next integer. Otherwise Line::through() computes the result. This happens about once per 2^12
@@ -24,15 +24,17 @@
 // A fraction of the length is converted to a distance in units of 2^-14 mm, rounded down. Only the
 // upper word of its product with the slope is used, so the result for each axis is in units of
 // 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14 borders.
-// base and the product are each too small by less than one unit. slope is too small by less than 2
+// base and the product are each too small by at most one unit. slope is too small by less than 2
 // units of 2^-32 borders per millimetre. In total this is less than 2^19 units of 2^-32 borders, or
 // 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
-// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31 and base <= 2^32. A line of L < 2^18 mm crosses
+// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses
 // fewer than 2^17 borders of an axis.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "numeric/divisor.hpp"
 #include "traversal/line.hpp"
@@ -71,7 +73,8 @@ class AxisRuler {
 
  public:
   constexpr AxisRuler(const Axis<kResolution>& axis, const LineLength& length)
-      : base_((std::uint64_t{axis.offset()} << 32) / kSide),
+      : base_(static_cast<std::uint32_t>(
+            std::min((std::uint64_t{axis.offset()} << 32) / kSide, kMostBase))),
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
@@ -88,7 +91,7 @@ class AxisRuler {
   // borders.
   [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
     const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
-    return static_cast<std::uint32_t>(base_ >> (32 - MeasuredShare::kFractionBits)) +
+    return (base_ >> (32 - MeasuredShare::kFractionBits)) +
            static_cast<std::uint32_t>(product >> 32);
   }
   [[nodiscard]] static constexpr bool is_exact_share(std::uint32_t estimate) {
@@ -96,7 +99,9 @@ class AxisRuler {
   }
 
  private:
-  std::uint64_t base_;
+  static constexpr std::uint64_t kMostBase = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t base_;
   std::uint32_t slope_;
 };
 

@@ -218,7 +218,7 @@ void fuse(const FuseOptions& options) {
   });
   std::optional<StreamRecorder> recorder;
   if (options.stream.empty()) {
-    assembler.trust();
+    assembler.trust_raw();
   } else {
     recorder.emplace(options.stream);
   }

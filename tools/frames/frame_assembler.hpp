@@ -59,8 +59,12 @@ class FrameAssembler {
   void note_silence();
 
   // From now on, the messages come from this process, so none can be damaged: their checksums and
-  // those of the grids are not verified.
-  void trust() { is_trusted_ = true; }
+  // those of the grids are not verified. Their tiles must be raw.
+  void trust_raw() {
+    is_trusted_ = true;
+    indexes_.keep_none();
+    classes_.keep_none();
+  }
 
   // To be called when what comes next is another stream, or this one from its beginning: a
   // recording that is played again has the run numbers that it had.

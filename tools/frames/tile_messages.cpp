@@ -25,7 +25,7 @@ bool TileDecoder::decode(const stream::TileRecord& record, std::uint32_t frame_n
     ++counts.tiles_malformed;
     return false;
   }
-  if (stream::stands_by_itself(record.encoding)) {
+  if (keeps_references_ && stream::stands_by_itself(record.encoding)) {
     references_->keep(record.tile, cells, frame_number, record.payload.size());
   }
   return true;

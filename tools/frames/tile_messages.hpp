@@ -32,8 +32,12 @@ class TileDecoder {
 
   void forget() { references_->forget(); }
 
+  // From now on every tile stands by itself, so none is kept for later ones.
+  void keep_none() { keeps_references_ = false; }
+
  private:
   stream::Storage storage_;
+  bool keeps_references_ = true;
   std::unique_ptr<stream::References> references_;
 };
 
