@@ -255,18 +255,17 @@ void add_points(CLI::App& program) {
                                                      {"ms", TimeUnit::kMilliseconds},
                                                      {"us", TimeUnit::kMicroseconds},
                                                      {"ns", TimeUnit::kNanoseconds}};
+  const CLI::Validator is_unit(
+      [](const std::string& word) {
+        return units.contains(word) ? std::string() : word + " is none of s, ms, us, ns";
+      },
+      "{s,ms,us,ns}");
   command
       ->add_option_function<std::string>(
-          "--time-unit",
-          [options](const std::string& word) {
-            const auto found = units.find(word);
-            if (found == units.end()) {
-              throw CLI::ValidationError("--time-unit", word + " is none of s, ms, us, ns");
-            }
-            options->unit = found->second;
-          },
+          "--time-unit", [options](const std::string& word) { options->unit = units.at(word); },
           "Unit of the points' own times")
-      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)");
+      ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
+      ->check(is_unit);
   add_option(*command, "--rate", "HZ  (default 10)", options->clouds_per_second,
              "Files of clouds per second")
       ->check(CLI::Range(0.1, 100.0));

@@ -56,7 +56,7 @@ def replayed(path: pathlib.Path) -> tuple[list[iogrid.Frame], iogrid.Receiver]:
 
 def printed_by_the_readme(*frames: iogrid.Frame | None) -> str:
     """By the line that README.md has for Python, of what `listen` hands out."""
-    line = re.search(r"^\| Python \| `([^`]+)`", (streams.ROOT / "README.md").read_text(), re.M).group(1)
+    line = re.search(r"^- Python: `([^`]+)`", (streams.ROOT / "README.md").read_text(), re.M).group(1)
     with unittest.mock.patch("iogrid.listen", return_value=frames), \
             contextlib.redirect_stdout(io.StringIO()) as said:
         exec(line, {"iogrid": iogrid})  # noqa: S102
