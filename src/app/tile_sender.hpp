@@ -72,7 +72,8 @@ class TileSender {
     tiles_.begin_classes(header, window, grid_.cell_mm);
   }
 
-  // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have a known cell.
+  // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have at least one
+  // known cell.
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
     add({.tile = tile, .cells = cells}, cells_stay);
   }

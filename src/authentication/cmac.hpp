@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// An expanded key, which consists of its round keys and both subkeys.
+// An expanded key: its round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);

@@ -117,8 +117,8 @@ class FrameFusion {
   }
 
   // Visits the tiles of the frame in ascending order and clears the frame. Calls visit(number,
-  // indexes) for each tile with a known cell. The indexes are stored row by row from the lowest y,
-  // and are valid only during the call.
+  // indexes) for each tile with at least one known cell. The indexes are stored row by row from the
+  // lowest y, and are valid only during the call.
   template <typename Visit>
   void release(Visit&& visit) {
     release_with_heights([&](std::size_t tile, auto indexes,

@@ -1,5 +1,5 @@
-// Prepares the slices of a round of parts (fusion/shared_fusion.hpp) for the window. The tiles of
-// each slice's parts are joined, for up to six slices at a time.
+// Prepares the slices of a round of parts (fusion/shared_fusion.hpp) for the window. Joins the
+// tiles of each slice's parts, for up to six slices at a time.
 //
 // A task that copies tiles never reads its own output, so it can be repeated from its start.
 #pragma once

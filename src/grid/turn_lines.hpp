@@ -76,9 +76,9 @@ class TurnLines {
   }
 
  private:
-  // A turn visits all lines, so each line is fetched from memory again. The ranges on the car are
-  // needed at a line's first point, but the line itself is needed only when it is carved. The
-  // ranges are therefore stored separately, next to the ranges of neighbouring lines.
+  // Every turn visits all lines, so each line is fetched from memory again in each turn. The ranges
+  // on the car are needed at a line's first point, but the line itself is needed only when it is
+  // carved. The ranges are therefore stored separately, next to the ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

@@ -68,7 +68,7 @@ class Beams {
     return std::span(from_below_).first(layer_count_);
   }
   // The points of a packet from which the car's tilt is estimated. They come from every second
-  // layer of the lower two thirds, in enough firings for kSamples points.
+  // layer of the lower two thirds, and from enough firings to give kSamples points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }

@@ -62,7 +62,7 @@ class Ground {
     const Stretch low = low_beams_.at(sector, layer);
     return {low.from_mm, std::min(exit_mm, low.to_mm)};
   }
-  // The distance from which on a beam is low.
+  // A beam is low at this distance and beyond.
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }

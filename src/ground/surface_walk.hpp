@@ -3,9 +3,9 @@
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
-// the slope. The first ground of a sector must also be near the car's plane, or not much higher
-// than the surface of the last turn. If the first ground is far and high, the steps after it must
-// be small. If the lowest return is far below the prediction, it is always ground, because the
+// the slope. The first ground in a sector must also be close to the car's plane, or not much higher
+// than the surface of the previous turn. If the first ground is far and high, the steps after it
+// must be small. If the lowest return is far below the prediction, it is always ground, because the
 // supposed ground before it must have been an object. It is also ground if it is not much higher
 // than the lowest return in the nearest adjacent sectors. A bin without ground of its own uses the
 // ground of the adjacent sectors if their heights fit. Otherwise its ground is interpolated between

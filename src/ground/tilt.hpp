@@ -1,10 +1,11 @@
 // The tilt and lift of the car since the last turn, estimated from one packet.
 //
 // The surface comes from the previous turn. Braking and bumps tilt the car by up to one degree per
-// turn, which is 0.35 m at a distance of 20 m. Therefore a straight line is fitted to the packet's
-// returns that lie near the sensor and near the ground. The line gives the height above the surface
-// as a function of distance. A packet covers a narrow sector, in which pitch and roll appear as a
-// single slope. The result depends only on the returns of the packet and on the surface.
+// turn of the lidar, which is 0.35 m at a distance of 20 m. Therefore a straight line is fitted to
+// the packet's returns that lie near the sensor and near the ground. The line gives the height
+// above the surface as a function of distance. A packet covers a narrow sector, in which pitch and
+// roll appear as a single slope. The result depends only on the returns of the packet and on the
+// surface.
 #pragma once
 
 #include <array>

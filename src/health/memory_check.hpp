@@ -42,8 +42,8 @@ class MemoryCheck {
   // Checks all regions at once. Returns the index of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due by now. Returns the index of a region if a slice completes it
-  // and it has changed. The first call only sets the start time.
+  // Checks the slices that are due by now. If a slice completes the check of a region and the
+  // region has changed, returns the index of the region. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
   // The number of complete rounds, modulo 2^32.

@@ -4,9 +4,9 @@
 // A tile starts to wait when it enters the window or when the map changes. It also starts to wait
 // when the transform has moved one of its corners by more than a cell since it was drawn, or when
 // the blur becomes wider than the blur with which it was drawn. If the blur becomes narrower, the
-// tile is not drawn again, because its mask is still correct, although less specific than possible.
-// While a tile waits, its cells may have any class. The tile that has waited longest is drawn
-// first. If several tiles have waited equally long, the tile with the lowest slot is drawn first.
+// tile is not drawn again: its mask is still correct, but less specific than it could be. While a
+// tile waits, its cells may have any class. The tile that has waited longest is drawn first. If
+// several tiles have waited equally long, the tile with the lowest slot is drawn first.
 //
 // If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. It is still
 // drawn, so that renewed agreement can be detected.

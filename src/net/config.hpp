@@ -27,7 +27,7 @@ struct Config {
   // The only host that receives messages and ping replies. It must be another host in the subnet.
   Ipv4Address peer;
 
-  // The UDP port of the peer for messages, 1 to 65535.
+  // The peer's UDP port for messages, 1 to 65535.
   std::uint16_t peer_port;
 
   // The target's UDP source port for messages, 1 to 65535.

@@ -166,7 +166,7 @@ inline constexpr std::int32_t kBadOverGood = 8;
 // have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// A track whose box has had the size of a car for this many updates needs only this many good
+// A track whose box has had the size of a car for kSteadyFrom updates needs only kSteadyHits good
 // places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;

@@ -78,7 +78,7 @@ class Track {
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
   // The standard deviation of the speed, from both axes, in mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
-  // Whether the track is larger than a walker and slow, and most of its hits are standing. These
+  // Whether the track is slow and larger than a walker, and most of its hits are standing. These
   // hits may belong to an object that is parked next to it.
   [[nodiscard]] bool is_mostly_standing() const;
   // Whether the track has a heading and the size of a car.

@@ -1,6 +1,6 @@
 // Determines whether a frame confirms or contradicts standing cells.
 //
-// Each tile is evaluated in its state before the frame, so the order of tiles does not matter.
+// Each tile is evaluated as it was before the frame, so the order of the tiles does not matter.
 #pragma once
 
 #include <algorithm>

@@ -6,10 +6,10 @@
 // messages, a jump, a new run of the source, a contradiction by the sensors, or a growing delay.
 // Data registered before a break has lost its position, so the window becomes unknown.
 //
-// A forged message must not blind the target permanently. A message of another run or another time,
-// which does not continue the current sequence, is accepted only after kConfirmations such messages
-// in a row. If such a message goes back in time or belongs to an earlier run, there must also have
-// been no message of the current sequence for kLostUs.
+// A forged message must not blind the target permanently. A message that does not continue the
+// current sequence, because its run or its time differs, is accepted only after kConfirmations such
+// messages in a row. If such a message goes back in time or belongs to an earlier run, there must
+// also have been no message of the current sequence for kLostUs.
 #pragma once
 
 #include <array>

@@ -20,10 +20,9 @@ struct Motion {
 // this makes the chord too long by one part in ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
-// Interpolates linearly between two poses at elapsed_us of span_us. The heading turns in the
-// direction of the smaller angle. If both angles are equal, it turns clockwise. 0 <= elapsed_us <=
-// span_us, 0 < span_us <= 10^6,
-// |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, with ties rounded up.
+// Interpolates linearly between two poses at elapsed_us of span_us. The heading turns the shorter
+// way. If both angles are equal, it turns clockwise. 0 <= elapsed_us <= span_us, 0 < span_us <=
+// 10^6, |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, with ties rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 

@@ -35,7 +35,7 @@ struct SingleTarget {
 
  private:
   // The number of cells to sum on each side. The powers of two shift the maximum term by sigma^2 ln
-  // 2 / cell^2 cells. At 12 sigma beyond this maximum, a term is below 1e-30 of the maximum.
+  // 2 / cell^2 cells. 12 sigma beyond this maximum, a term is below 1e-30 times the maximum.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);

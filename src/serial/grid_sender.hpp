@@ -7,8 +7,8 @@
 // 0.8 m cells), and the full-resolution cells. A flow sends the tiles of its grid in rounds. It
 // sends at most one round per frame, and continues in the next frame where it stopped. A message
 // contains the cells of every known tile in its tile range; all other tiles in the range are
-// unknown. No tile of a receiver is therefore older than one round. A frame without any sensor has
-// no known cells. For such a frame, only an empty message of the coarsest grid is sent as a
+// unknown. The tiles of a receiver are therefore at most one round old. A frame without any sensor
+// has no known cells. For such a frame, only an empty message of the coarsest grid is sent as a
 // heartbeat.
 #pragma once
 

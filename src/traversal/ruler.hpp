@@ -112,7 +112,7 @@ class Ruler {
   constexpr Ruler(const Line<kResolution>& line, const LineLength& length)
       : x_(line.x(), length), y_(line.y(), length) {}
 
-  // `line` and `length` must be the arguments of the constructor.
+  // `line` and `length` must be those passed to the constructor.
   [[nodiscard]] constexpr Position through(std::uint32_t distance_mm, const Line<kResolution>& line,
                                            const LineLength& length) const {
     const std::uint64_t x = x_.estimate(distance_mm);

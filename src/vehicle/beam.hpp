@@ -13,7 +13,7 @@ namespace iog::vehicle {
 
 // The outcome of a scan point. Each point has exactly one outcome. If several apply, the first in
 // this order is reported: no return, flagged as dirt or rain, too near, flagged as ground, too far,
-// outside the height band or the ground limits, later echo, used. The values are used on the wire
+// outside the height band or the ground limits, later echo, used. These values are sent on the wire
 // (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and adds a hit

@@ -51,8 +51,9 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// The horizontal range is range_mm times the share, rounded down. The share is in units of 2^-30
-// and the range is below 2^30, so the result is the upper word of one 32 x 32-bit product.
+// The horizontal range is range_mm times the share, rounded down. The share is in units of 2^-30.
+// The range is below 2^30 and is shifted left by 2, so the result is the upper word of one 32 x
+// 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
