@@ -10,21 +10,21 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 535.97;
+inline constexpr double kPointCycles = 496.75;
 // A cell, carved.
-inline constexpr double kCellCycles = 2.43;
+inline constexpr double kCellCycles = 2.18;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8657.14;
+inline constexpr double kTileCycles = 8660.99;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 43824.67;
+inline constexpr double kClassTileCycles = 44069.85;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 4964.83;
+inline constexpr double kPointOnceCycles = 4570.80;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 508.07;
+inline constexpr double kLaterEchoCycles = 497.66;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 8928.50;
+inline constexpr double kDearestTileCycles = 8948.55;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 45283.26;
+inline constexpr double kDearestClassTileCycles = 45333.65;
 // An azimuth step of a level unit that turns, of which the line is carved.
 inline constexpr double kTurnStepCycles = 779.14;
 // A point of such a unit, besides.
@@ -47,7 +47,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.672, 0.460, 0.389};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.678, 0.469, 0.397};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -60,33 +60,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4607818},
-    {"ring_road", 2321, 721236, 478, 7209944},
+    {"city", 2885, 466621, 231, 4463777},
+    {"ring_road", 2321, 721236, 478, 6852752},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1332066},
-    {"city, 3 LUX", 2240, 369547, 154, 1891867},
-    {"city, 4 LUX", 2885, 466621, 231, 2485478},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1314228},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1996290},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 3104808},
+    {"city, 2 LUX", 1551, 254292, 132, 1294036},
+    {"city, 3 LUX", 2240, 369547, 154, 1824938},
+    {"city, 4 LUX", 2885, 466621, 231, 2348466},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1261410},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1879395},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 2724728},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 9833494},
-    {"random_ranges", 3216, 744588, 600, 8786920},
-    {"layers_apart", 3216, 888340, 665, 9672716},
-    {"beyond_range", 3216, 1451672, 680, 9438218},
-    {"three_echoes", 9648, 1344110, 666, 11755647},
-    {"missing_returns", 1618, 721483, 664, 8915049},
-    {"random_azimuths", 3216, 1999952, 665, 20008179},
-    {"diagonal", 3216, 2222062, 126, 7724568},
-    {"one_direction", 3216, 1538471, 48, 1769706},
-    {"short_beams", 9648, 24984, 4, 5031012},
-    {"flood", 9648, 6802620, 126, 10795539},
+    {"full_range", 3216, 1424967, 668, 9340201},
+    {"random_ranges", 3216, 744588, 600, 8395175},
+    {"layers_apart", 3216, 888340, 665, 9284220},
+    {"beyond_range", 3216, 1451672, 680, 8837487},
+    {"three_echoes", 9648, 1344110, 666, 11225104},
+    {"missing_returns", 1618, 721483, 664, 8523272},
+    {"random_azimuths", 3216, 1999952, 665, 18687259},
+    {"diagonal", 3216, 2222062, 126, 7393908},
+    {"one_direction", 3216, 1538471, 48, 1802463},
+    {"short_beams", 9648, 24984, 4, 4921920},
+    {"flood", 9648, 6802620, 126, 10520920},
 }};
 
 struct ModelledTurn {
