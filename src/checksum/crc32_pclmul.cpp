@@ -11,6 +11,7 @@
 #include <wmmintrin.h>
 
 #include "checksum/crc32.hpp"
+#include "checksum/look_ups.hpp"
 #include "checksum/reflected_crc32.hpp"
 #include "checksum/reflected_field.hpp"
 #include "wire/byte_order.hpp"
@@ -85,15 +86,6 @@ class Products {
 
 bool has_products() { return __builtin_cpu_supports("pclmul"); }
 
-// The state after these bytes alone.
-template <std::uint32_t kPolynomial>
-std::uint32_t remainder_by_look_up(std::uint32_t state, std::span<const std::byte> bytes) {
-  ReflectedCrc32<kPolynomial, 8> crc;
-  crc.set_state(state);
-  crc.update(bytes);
-  return crc.state();
-}
-
 }  // namespace
 
 template <std::uint32_t kPolynomial>
@@ -101,23 +93,22 @@ void FastCrc32<kPolynomial>::update(std::span<const std::byte> bytes) {
   if (bytes.size() >= kBlock && has_products()) {
     const auto blocks = bytes.first(bytes.size() / kBlock * kBlock);
     const auto rest = Products<kPolynomial>::folded(state_, blocks);
-    state_ = remainder_by_look_up<kPolynomial>(0, rest);
+    state_ = LookUps<kPolynomial>::updated(0, rest);
     bytes = bytes.subspan(blocks.size());
   }
-  state_ = remainder_by_look_up<kPolynomial>(state_, bytes);
+  state_ = LookUps<kPolynomial>::updated(state_, bytes);
 }
 
 template <std::uint32_t kPolynomial>
 std::uint32_t FastCrc32<kPolynomial>::after_zeros(std::uint32_t state, std::size_t before) {
+  if (!has_products()) {
+    return LookUps<kPolynomial>::after_zeros(state, before);
+  }
   for (; before > 0; --before) {
     state = ReflectedCrc32<kPolynomial, 1>::after_byte(state);
   }
-  if (!has_products()) {
-    using Field = ReflectedField<kPolynomial>;
-    return Field::product(state, Field::power_of_x8(kPartBytes));
-  }
   const auto rest = Products<kPolynomial>::template before_zeros<kPartBytes>(state);
-  return remainder_by_look_up<kPolynomial>(0, rest);
+  return LookUps<kPolynomial>::updated(0, rest);
 }
 
 template class FastCrc32<0x04C11DB7>;

@@ -131,7 +131,7 @@ Summary::Summary(const std::string& folder, const std::string& settings)
     file.finish();
     append(csv_row(head()));
   } else if (!std::filesystem::exists(of_rows)) {
-    throw UsageError(path_ + ": no table of iog batch; give another --out");
+    throw UsageError(path_ + ": iog batch did not write this table; give another --out");
   } else if (const auto known = read_file(of_rows);
              !std::ranges::equal(known, std::as_bytes(std::span(settings)))) {
     throw UsageError(path_ + ": its rows are of another car, other options or another iog, see " +
