@@ -11,7 +11,7 @@ struct Limits {
   std::int32_t top_mm = 2'200;
 };
 
-// A return farther below the surface than this is a mirror image, a hole or a drop.
+// A return more than kUnderMm below the surface is a mirror image, a hole or a drop.
 inline constexpr std::int32_t kUnderMm = 400;
 
 enum class Kind : std::uint8_t {
