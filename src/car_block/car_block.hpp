@@ -69,7 +69,8 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message about a refused car. The console, the stream and `iog image` use this message.
+// The message about a refused car. The console, the stream and `iog image` display the message
+// about a refused car.
 class Words {
  public:
   explicit Words(const Verdict& verdict);
