@@ -1,5 +1,5 @@
-// Computes the carry-less products of eight bytes at a time, as the Cortex-A9 does in one
-// instruction.
+// Computes the carry-less products of eight bytes at a time, like a single instruction of the
+// Cortex-A9.
 //
 // This code is the reference. The NEON implementation is in checksum/crc32_neon.cpp.
 #pragma once
