@@ -121,7 +121,7 @@ inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 // Classifies the returns of one packet.
 class PacketJudge {
  public:
-  // `ground` and `lows` must outlive this object. `tilt` is the tilt of this packet.
+  // `ground` and `lows` must outlive this object. `tilt` is the tilt of the packet.
   PacketJudge(const Ground& ground, Lows& lows, Tilt tilt)
       : beams_(&ground.beams()),
         surface_(&ground.surface()),

@@ -5,7 +5,8 @@
 
 namespace iog::ground {
 
-// A return between these heights above the ground is an obstacle. Both limits are included.
+// A return at a height from low_mm to top_mm above the ground is an obstacle. Both limits are
+// included.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;
