@@ -13,8 +13,9 @@
 //     if its slot plus the number of fused frames, including this frame, is even.
 // The result does not depend on the order of slices or tiles.
 //
-// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile are one
-// step. No item of a step writes data that another item of the step reads from a neighbouring tile.
+// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile run in
+// the same loop. No item of a step writes data that another item of the step reads from a
+// neighbouring tile.
 //
 // Each frame has a budget of groups. Groups with hits are fused first, and then the other groups.
 // Within each kind, groups are ordered by slot and group number. Groups that are over budget are
