@@ -18,7 +18,8 @@ namespace iog::protection {
 }
 
 // Returns the outcome of checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged. The
-// outcome is an enumerator of the caller's Fate. The order of messages is not checked.
+// outcome is returned as an enumerator of the caller's `Fate`. The order of messages is not
+// checked.
 template <typename Fate>
 [[nodiscard]] constexpr Fate fate_of(const Received& received, Fate sound) {
   switch (received.header) {
