@@ -63,7 +63,7 @@ struct Arc {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
   // Returns the index at the offset `off_ticks` from the detection's azimuth. The magnitude of the
-  // offset must be at most reach_ticks(). A border belongs to the outer cell.
+  // offset must be at most reach_ticks(). An offset on a border belongs to the outer cell.
   [[nodiscard]] constexpr index::OccupancyIndex at(std::int32_t off_ticks) const {
     const std::int32_t off = off_ticks < 0 ? -off_ticks : off_ticks;
     return marks[static_cast<std::size_t>((2 * off + cell_ticks) / (2 * std::int32_t{cell_ticks}))];
