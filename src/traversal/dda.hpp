@@ -63,8 +63,8 @@ struct Dda {
   return std::numeric_limits<std::uint32_t>::max() / (length_u + 1) - 1;
 }
 
-// Returns the Dda at the column `columns_before` columns before the start of the line. `is_steep`
-// is true if y is the u axis.
+// Returns the Dda `columns_before` columns before the start of the line. `is_steep` is true if y is
+// the u axis.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr Dda dda_of(const Line<kResolution>& line, bool is_steep,
                                    std::uint32_t columns_before) {

@@ -1,4 +1,4 @@
-// Counts the borders that a line has crossed after a given distance. The count takes one
+// Counts the borders that a line has crossed after a given distance. Counting takes one
 // multiplication per axis. A beam needs such counts for its scan point and for the start of each
 // zone of its profile.
 //
@@ -51,7 +51,8 @@ class MeasuredShare {
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // `denominator` divides by the denominator of the fraction, which must be below 2^32.
+  // `denominator` is the divisor for the denominator of the fraction. The denominator must be below
+  // 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),
