@@ -21,8 +21,8 @@
 
 namespace iog::work {
 
-// A compiler barrier between stores of this core. If core 0 sees any store after the barrier when
-// this core has ended, core 0 also sees all stores before the barrier.
+// A compiler barrier between two stores of the current core. If core 0 sees any store after the
+// barrier when this core has ended, core 0 also sees all stores before the barrier.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // The object must be in static memory if the image is large.
