@@ -194,8 +194,8 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  // If the car's grid is not the default grid, the number of cells per side is written as 0, and the
-  // rectangle follows.
+  // If the car's grid is not the default grid, the number of cells per side is written as 0, and
+  // the rectangle follows.
   void grid(const geometry::Grid& grid) {
     const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
     numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});
