@@ -30,7 +30,7 @@ inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
 // Messages of one run must be at least kMinSpacingUs apart on the sender's clock. Messages that are
 // closer together are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
-// kHistoryMessages messages always cover more than the required second.
+// A history of kHistoryMessages messages always covers more than the required second.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
