@@ -112,10 +112,11 @@ struct ObjectPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent if its part number exceeds the number of parts, the object
-// count does not match the parts, the part has objects but no time, a record is truncated, the IDs
-// are not in ascending order, a state is unknown, or the state excludes a velocity or standard
-// deviation.
+// kInconsistent. A part is inconsistent in each of these cases:
+//   * The part number exceeds the number of parts, or the object count does not match the parts.
+//   * The part has objects but no time, or a record is truncated.
+//   * The IDs are not in ascending order.
+//   * A state is unknown, or the state excludes a velocity or standard deviation.
 [[nodiscard]] ReadStatus read_objects(std::span<const std::byte> body, ObjectPart& part);
 
 }  // namespace iog::stream

@@ -64,8 +64,10 @@ struct ReceptionPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent if its part number exceeds the number of parts, the number
-// of receptions is wrong for this part, a record is truncated, or the times decrease.
+// kInconsistent. A part is inconsistent in each of these cases:
+//   * The part number exceeds the number of parts.
+//   * The number of receptions is wrong for this part.
+//   * A record is truncated, or the times decrease.
 [[nodiscard]] ReadStatus read_receptions(std::span<const std::byte> body, ReceptionPart& part);
 
 }  // namespace iog::stream

@@ -182,8 +182,10 @@ class TileRecords {
 };
 
 // Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. A message is
-// inconsistent if it covers tiles outside its grid, contains a tile that it does not cover, repeats
-// a tile, contains a tile longer than a raw tile, or has a wrong number of tiles.
+// inconsistent in each of these cases:
+//   * The message covers tiles outside its grid, or contains a tile that it does not cover.
+//   * The message repeats a tile, or contains a tile longer than a raw tile.
+//   * The number of tiles is wrong.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);
 
