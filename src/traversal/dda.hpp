@@ -17,7 +17,7 @@
 // The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of
 // 32-bit words whose carry indicates a rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
-// phase and step are too large by at most 1, and never too small. After n columns, the phase
+// `phase` and `step` are too large by at most 1, and never too small. After n columns, the phase
 // therefore exceeds the exact phase by at most n + 1. No carry is missed. The value y is an
 // integer, and is at most w_u - 1 in a column without a carry. No false carry therefore occurs
 // while the excess is below 2^32 / w_u. This requires
