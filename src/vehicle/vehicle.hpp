@@ -43,7 +43,7 @@ inline constexpr std::size_t kMaxTurnLines = 8192;
 // subcells of the exact end.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of each beam of a layer, as a function of the beam's azimuth a:
+// One coordinate of the end of a layer's beams, as a function of the beam's azimuth a:
 //   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
