@@ -60,7 +60,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
 
-// A wire format, given by its index in the list.
+// A wire format, given by its index in AnyDecoder.
 enum class Format : std::uint8_t {};
 
 namespace formats_detail {

@@ -1,17 +1,17 @@
-// Data packets of Hesai Pandar, PandarXT, PandarQT and QT128. This file contains the common
-// properties of these units and one decoder for all of them.
+// Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars. All of these units
+// share one decoder.
 //
-// One datagram is little endian. It contains a header with the numbers of lasers and blocks, then
-// the blocks, each with an azimuth and a range for each laser, and a tail with time, return mode
-// and the manufacturer's byte (docs/spec.md). A Pandar40P has no header. Instead, each of its
-// blocks begins with a flag. The azimuth is clockwise from straight ahead. In dual return mode, the
-// blocks form pairs with the same azimuth. The position of the nearer return in a pair depends on
-// the unit, so the decoder compares the ranges. All other differences between units are described
-// by HesaiUnit, from which the compiler generates a decoder.
+// A datagram is little-endian. It contains a header with the numbers of lasers and blocks, the
+// blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
+// Each block contains an azimuth and one range per laser. Packets of a Pandar40P have no header.
+// Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
+// return mode, the blocks form pairs with the same azimuth. The position of the nearer return in a
+// pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all other
+// differences between units. The compiler generates a decoder from each HesaiUnit.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
-// turns by up to 0.2 degrees while the lasers of a block fire. This rotation is ignored, as in the
-// manufacturer's own conversion.
+// turns by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
+// conversion, the decoder ignores this rotation.
 #pragma once
 
 #include <array>
@@ -82,14 +82,14 @@ class HesaiPacket {
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
-  // Checks the whole packet and keeps a view of it.
+  // Checks the whole packet and keeps a view of the datagram.
   [[nodiscard]] DecodeStatus read(const HesaiUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
   [[nodiscard]] bool is_dual() const { return is_dual_; }
 
-  // Inlined because it is called for every point. If the unit is known at compile time, most of it
-  // is optimised away.
+  // This function is inlined because it is called for every point. If the unit is known at compile
+  // time, the compiler optimises most of the function away.
   [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
                                 std::size_t channel) const {
     ScanPoint point;
@@ -155,9 +155,9 @@ class HesaiDecoder : public HesaiPacket {
     return kUnit.blocks * kUnit.lasers;
   }
 
-  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
-  // corrections exist. There is one correction for each laser, or none. Returns kOk, kWrongLength,
-  // kWrongType or kWrongAngle.
+  // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
+  // and the corrections exist. There is one correction for each laser, or none. Returns kOk,
+  // kWrongLength, kWrongType or kWrongAngle.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);
