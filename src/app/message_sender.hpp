@@ -20,12 +20,12 @@ class MessageSender {
   // platform must outlive this object.
   explicit MessageSender(P& platform) : platform_(&platform) {}
 
-  // The number of the next message.
+  // Returns the sequence number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
   // Sends a complete message that has room for its protection. Returns false if the network did not
-  // accept it. A lost message also uses up a sequence number, so that the receiver notices the
-  // loss.
+  // accept the message. Lost messages also use up sequence numbers, so that the receiver notices
+  // the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;
