@@ -41,8 +41,8 @@ class Frame {
   using Outcome = intake::Intake::Outcome;
 
   // vehicle and space must outlive this object. The scans of all sensors together may mark at most
-  // grid::kMaxMarks cells. replayer_ipv4 may send on behalf of every sensor. replayer_ipv4 is 0 if
-  // there is no replayer.
+  // grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of every sensor. `replayer_ipv4` is 0
+  // if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
@@ -71,9 +71,9 @@ class Frame {
     return outcome == Outcome::kThisFrame && is_full ? Outcome::kNextFrame : outcome;
   }
 
-  // Call these functions only after classify() has returned kThisFrame. accept() counts the packet.
-  // keep() counts the packet and buffers it with its measurement time. fuse() counts the packet and
-  // fuses its points on the cores of the crew, immediately or later.
+  // Call these functions only after classify() has returned kThisFrame. `accept()` counts the
+  // packet. `keep()` counts the packet and buffers it with its measurement time. `fuse()` counts
+  // the packet and fuses its points on the cores of the crew, immediately or later.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us, std::uint64_t measured_us) {
     accept(packet, now_us);
@@ -102,7 +102,7 @@ class Frame {
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
   // finish() completes the grid. After each stage, finish() calls lap(stage) with the stage's
-  // stream::StageTicks. end_fusion() is the last step of finish(). Callers that fuse the buffered
+  // stream::StageTicks. `end_fusion()` is the last step of finish(). Callers that fuse the buffered
   // packets themselves call only end_fusion().
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {

@@ -52,7 +52,7 @@ class Life {
     supervision_.lives(static_cast<std::size_t>(who), now_us);
   }
 
-  // Call this function once per pass, after all steps. machine and platform are the same as in
+  // Call this function once per pass, after all steps. `machine` and platform are the same as in
   // app/loop.hpp.
   template <typename M, typename P>
   void end_pass(M& machine, P& platform, const health::MemoryCheck& check) {

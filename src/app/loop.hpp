@@ -119,7 +119,7 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // team() returns the supervised cores (app/life.hpp). frames() returns the number of closed
+  // team() returns the supervised cores (app/life.hpp). `frames()` returns the number of closed
   // frames, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }

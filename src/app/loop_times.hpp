@@ -30,7 +30,7 @@ class LoopTimes {
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 
-  // Call this function once per frame. ticks_hz is the frequency of the stopwatch. If ticks_hz is
+  // Call this function once per frame. `ticks_hz` is the frequency of the stopwatch. If ticks_hz is
   // 0, all times are 0.
   void add(const FrameTimes& frame, const work::CoreTimes& cores, std::uint32_t ticks_hz) {
     const auto us = [ticks_hz](std::uint64_t ticks) {

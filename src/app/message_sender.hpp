@@ -32,8 +32,9 @@ class MessageSender {
     return platform_->send_message(message);
   }
 
-  // Sends a message with a header and a body. write(buffer) writes the body and returns its length
-  // in bytes. If the message is lost, the receiver detects the loss from the next sequence number.
+  // Sends a message with a header and a body. `write(buffer)` writes the body and returns its
+  // length in bytes. If the message is lost, the receiver detects the loss from the next sequence
+  // number.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

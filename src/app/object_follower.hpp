@@ -16,9 +16,9 @@ namespace iog::app {
 // An ObjectFollower uses 2 MB, so it must be in static memory.
 class ObjectFollower {
  public:
-  // Begins a frame whose slices have been added to the window. end_us is the middle of the frame's
-  // last slice, on the clock of the poses. `slices` contains at least one registered slice. `car`
-  // is the vehicle's pose at end_us.
+  // Begins a frame whose slices have been added to the window. `end_us` is the middle of the
+  // frame's last slice, on the clock of the poses. `slices` contains at least one registered slice.
+  // `car` is the vehicle's pose at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
   // Reads the labels of the frame's hits. All cores of the crew share this work. The classes must
@@ -29,7 +29,7 @@ class ObjectFollower {
   // label.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
-  // Handles a frame without slices. end_us is the end of the frame.
+  // Handles a frame without slices. `end_us` is the end of the frame.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
   // Call this function when the window has lost its position.

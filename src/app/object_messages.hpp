@@ -12,7 +12,8 @@ namespace iog::app {
 // Tracks with fewer updates are not sent, because they are still uncertain.
 inline constexpr std::uint32_t kToldFrom = 4;  // updates
 
-// Returns the record of an existing track. now_us is the time to which the track's position refers.
+// Returns the record of an existing track. `now_us` is the time to which the track's position
+// refers.
 [[nodiscard]] stream::ObjectRecord record_of(const objects::Track& track, std::uint64_t now_us,
                                              objects::Point car);
 

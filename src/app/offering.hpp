@@ -30,7 +30,7 @@ class Offering {
   // expected.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // port and host must outlive this object. run_number is the seed of the random delay before the
+  // port and host must outlive this object. `run_number` is the seed of the random delay before the
   // first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),

@@ -79,10 +79,10 @@ class PerceptionEngine {
     lap(&stream::StageTicks::perceive);
   }
   // decide(), follow_objects() and end() are the three steps of finish(), for callers that run
-  // other tasks at the same time. decide() completes the grid and all classes except those of
-  // moving objects. follow_objects() adds the classes of moving objects on core 0. Other cores may
-  // read the grid while follow_objects() runs. end() stores the ground. While end() runs, core 0
-  // runs do_beside(), which may read the classes.
+  // other tasks at the same time. `decide()` completes the grid and all classes except those of
+  // moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other cores
+  // may read the grid while follow_objects() runs. `end()` stores the ground. While end() runs,
+  // core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -105,16 +105,16 @@ class PerceptionEngine {
     window_.end_frame(crew, do_beside);
   }
   // describe() fills in the engine's fields of the frame's header or of the classes' end message.
-  // list_objects() lists the tracked objects.
+  // `list_objects()` lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // slices() returns the registered slices. stamp_us() returns the frame's end on the clock of the
-  // poses. A frame ends at the end of its last slice or, without packets, at the time of the newest
-  // pose. The value of stamp_us() increases from frame to frame even if the clock of the poses
-  // restarts or is unknown. is_forgotten() returns true if the earlier content of the window has
-  // lost its position.
+  // slices() returns the registered slices. `stamp_us()` returns the frame's end on the clock of
+  // the poses. A frame ends at the end of its last slice or, without packets, at the time of the
+  // newest pose. The value of stamp_us() increases from frame to frame even if the clock of the
+  // poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
+  // window has lost its position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }

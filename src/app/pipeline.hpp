@@ -53,8 +53,8 @@ struct NoPerception {
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send on behalf of
-  // every sensor. replayer_ipv4 is 0 if there is no replayer.
+  // vehicle, platform and sinks must outlive the pipeline. `replayer_ipv4` may send on behalf of
+  // every sensor. `replayer_ipv4` is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -120,7 +120,7 @@ class FramePipeline {
     }
   }
 
-  // is_begun() returns true if the current frame has packets. deadline_us() returns the frame's
+  // is_begun() returns true if the current frame has packets. `deadline_us()` returns the frame's
   // deadline.
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
@@ -150,8 +150,8 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
-  // These functions measure the times of stages. begin_stage() starts the timer. end_stage() adds
-  // the elapsed time to a stage and restarts the timer for the next stage.
+  // These functions measure the times of stages. `begin_stage()` starts the timer. `end_stage()`
+  // adds the elapsed time to a stage and restarts the timer for the next stage.
   using Stage = std::uint32_t stream::StageTicks::*;
   void begin_stage() { since_ = platform_->ticks(); }
   void end_stage(Stage stage) {
@@ -312,7 +312,7 @@ class FramePipeline {
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// A pipeline with the classes of the window. unfit_for_perception() must return kNone for the
+// A pipeline with the classes of the window. `unfit_for_perception()` must return kNone for the
 // vehicle. The replayer may also send poses.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;

@@ -80,7 +80,7 @@ class TileSender {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
   // Adds a tile of classes. The cells must not change until finish(). The tile is skipped if no
-  // cell has a class. age_frames is the number of frames since the tile's classes were computed.
+  // cell has a class. `age_frames` is the number of frames since the tile's classes were computed.
   // `version` must not be 0, and must differ from the previous version if the cells have changed
   // since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
@@ -120,7 +120,7 @@ class TileSender {
   }
 
  private:
-  // Tiles whose cells change are copied and encoded in rounds of kBatch tiles. kBatch is large
+  // Tiles whose cells change are copied and encoded in rounds of kBatch tiles. `kBatch` is large
   // enough to keep the number of rounds low, and small enough to keep the data of a round in the L2
   // cache.
   static constexpr std::size_t kBatch = 192;

@@ -1,5 +1,5 @@
 // Determines the class and the bits of one cell. This file is the specification in plain integers.
-// decision_neon.cpp computes the same results for eight cells at once.
+// `decision_neon.cpp` computes the same results for eight cells at once.
 //
 // The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K.
 // Therefore, at most one of F and P is 2^14 or more. P is split into a moving part m <= M + O <= P

@@ -1,5 +1,5 @@
 // Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in plain
-// integers. fusion_neon.cpp computes the same results for eight cells at once.
+// integers. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
 // All values are in units of 2^-15. a.b is floor(ab / 2^15), and ~a is 32767 - a. o and f are
 // evidence, and c and x are conflict. F, O, M and K are masses. P is O + M + K, and the ignorance W

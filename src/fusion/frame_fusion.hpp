@@ -110,9 +110,9 @@ class FrameFusion {
     return is_known;
   }
 
-  // keeps_heights() returns true if heights are kept (grid/frame_grids.hpp). low_and_tall() returns
-  // the cells of a tile that a low beam freed or a tall return hit. The tile must not have been
-  // taken yet.
+  // keeps_heights() returns true if heights are kept (grid/frame_grids.hpp). `low_and_tall()`
+  // returns the cells of a tile that a low beam freed or a tall return hit. The tile must not have
+  // been taken yet.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
   [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
     return grids_.low_and_tall(tile);

@@ -25,9 +25,9 @@ struct KeptPacket {
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // FrameSlices sets these members. has_time is true if the measurement time is known on the clock
-  // of the poses. `slice` is the slice that contains this time. Packets of the same group are fused
-  // together.
+  // FrameSlices sets these members. `has_time` is true if the measurement time is known on the
+  // clock of the poses. `slice` is the slice that contains this time. Packets of the same group are
+  // fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;

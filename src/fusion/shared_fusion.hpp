@@ -133,7 +133,7 @@ class SharedFusion {
   // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
   // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // deal(), fuse_next() and join() do the same as fuse_kept(), step by step. deal() splits the
+  // deal(), fuse_next() and join() do the same as fuse_kept(), step by step. `deal()` splits the
   // buffered packets in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);

@@ -24,7 +24,7 @@ namespace iog::grid {
 
 class AzimuthCarver {
  public:
-  // All three must outlive the carver.
+  // All arguments must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
@@ -115,8 +115,9 @@ class AzimuthCarver {
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
-  // The current sensor and azimuth, and two bit sets with one bit per slot. further_found_ contains
-  // the further lines that have been found. lines_in_use_ contains the lines with pending beams.
+  // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
+  // contains the further lines that have been found. `lines_in_use_` contains the lines with
+  // pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

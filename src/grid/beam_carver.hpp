@@ -22,7 +22,7 @@
 
 namespace iog::grid {
 
-// One beam: the range of its point along the line, and the point's effect on the grid.
+// A beam, given by the range of its point along the line and by the point's effect on the grid.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
@@ -48,9 +48,9 @@ class BeamCarver {
   // Returns true if low beams and tall returns are recorded.
   [[nodiscard]] bool keeps_heights() const { return keeps_heights_; }
 
-  // Carves and marks according to the beam's evidence. steps_of(end) returns the steps of the line
-  // for a beam that ends at `end`. The steps must have room for one more beam. low_of() returns the
-  // part of the line in which the beam is low.
+  // Carves and marks according to the beam's evidence. `steps_of(end)` returns the steps of the
+  // line for a beam that ends at `end`. The steps must have room for one more beam. `low_of()`
+  // returns the part of the line in which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
@@ -93,9 +93,9 @@ class BeamCarver {
 //    steps     +14       -7 at b         -7 at d
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
-// distance (j + 1) Delta or less. `through` is the number of these crossings. The zone of 1D cell
-// (k - 2) therefore begins in the cell that contains the point at (k - 2) Delta. In this example,
-// the point is in cell b.
+// distance (j + 1) Delta or less. `through` is the number of borders that the line crosses up to a
+// distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point at (k
+// - 2) Delta. In this example, the point is in cell b.
 //
 // This function is inline, because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,

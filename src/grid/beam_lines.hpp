@@ -114,7 +114,7 @@ class alignas(kCacheLineBytes) KeptLine {
                                                 const vehicle::Sensor& sensor,
                                                 std::int32_t end_z) const;
 
-  // end_at() returns the end of the cell that contains the point at to_mm. part_between() returns
+  // end_at() returns the end of the cell that contains the point at to_mm. `part_between()` returns
   // the part from the cell at from_mm to the end of the cell at to_mm.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
@@ -187,8 +187,8 @@ class KeptHeight {
   // Returns the height of the beam's end, in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // Returns the part in which the beam is low (vehicle::Sensor::moved). The part is computed on
-  // first use.
+  // Returns the part of the line in which the beam is low (vehicle::Sensor::moved). The part is
+  // computed on first use.
   [[nodiscard]] const LinePart& low_part(const vehicle::Vehicle& vehicle,
                                          const vehicle::Sensor& sensor, const KeptLine& line) {
     if (!has_low_) {
@@ -209,8 +209,8 @@ class KeptHeight {
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
-// cached. Four layers and two lines are enough for a LUX. They are also enough for a level rotating
-// lidar, because all layers of such a lidar share one line.
+// cached. Four layers and two lines are enough for a LUX, and for a level rotating lidar, because
+// all layers of such a lidar share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -277,9 +277,9 @@ class KeptAzimuth {
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With up
-// to three sensors, azimuths in the LUX's finest steps, an eighth of a degree, also map to distinct
-// slots. With four sensors, nearly all of these azimuths map to distinct slots.
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. The
+// finest steps of a LUX are an eighth of a degree. With up to three sensors, the azimuths in these
+// steps also map to distinct slots. With four sensors, nearly all of them map to distinct slots.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

@@ -19,9 +19,9 @@
 
 namespace iog::grid {
 
-// A cursor on a block path. It consists of the current block, the block's code, and the codes of
-// the following blocks. The code selects the stride to the next block, in stored blocks. masks[code
-// / 2] selects the cells of the block that the line crosses.
+// A cursor on a block path. The cursor consists of the current block, the block's code, and the
+// codes of the following blocks. The code selects the stride to the next block, in stored blocks.
+// masks[code / 2] selects the cells of the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;
@@ -129,9 +129,9 @@ class BlockPath {
   }
 
  private:
-  // A line is monotone on each axis, so it enters at most as many blocks as both axes have
-  // together. The search always stores two codes per column of blocks, even if only one code is
-  // valid.
+  // A line is monotone on each axis. The number of blocks that a line enters is therefore at most
+  // the number of block columns plus the number of block rows. The search always stores two codes
+  // per column of blocks, even if only one code is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
@@ -141,7 +141,7 @@ class BlockPath {
   std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
   // The height at which the line leaves the first column of tiles, in units of 2^-32 of a tile.
-  // leaves_first_above_ is true if this height is above the first tile.
+  // `leaves_first_above_` is true if this height is above the first tile.
   std::uint32_t tile_height_ = 0;
   // The state from which the search resumes: the phase at the next column of blocks
   // (traversal::Dda), the phase's increment, and v within the block.

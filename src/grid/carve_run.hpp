@@ -1,4 +1,4 @@
-// The hot loop of carving. It carves consecutive blocks of a path by the same amount.
+// The hot loop of carving, which carves consecutive blocks of a path by the same amount.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The grids of a frame. `indexes` contains the occupancy index of each cell. If the vehicle's
-// window needs them, `heights` contains the cells that a low beam freed or a tall return hit
+// window uses heights, `heights` contains the cells that a low beam freed or a tall return hit
 // (perception/opening.hpp).
 //
 // A beam is low where it is at most `low_m` above the ground. A tall return lies at least `tall_m`

@@ -32,9 +32,9 @@ static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 
 // returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// Returns the step along an arc, in ticks. This is the largest step that is at most one cell long
-// at this range, or one tick if one tick is longer than a cell. The constant for 2 pi is slightly
-// too large.
+// Returns the step along an arc, in ticks. The result is the largest step that is at most one cell
+// long at this range, or one tick if one tick is longer than a cell. The constant for 2 pi is
+// slightly too large.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;

@@ -23,7 +23,7 @@ namespace iog::grid {
 
 class TurnCarver {
  public:
-  // All three must outlive the carver.
+  // All arguments must outlive the carver.
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 

@@ -14,10 +14,10 @@
 
 namespace iog::grid {
 
-// The properties of a layer that do not depend on the azimuth. range_share is the ratio of
-// horizontal range to range. in_band contains the horizontal ranges within the height band.
-// clears_mm is the horizontal range up to which the layer carves without an echo. band is the part
-// of the line within the height band.
+// The properties of a layer that do not depend on the azimuth. `range_share` is the ratio of
+// horizontal range to range. `in_band` contains the horizontal ranges within the height band.
+// `clears_mm` is the horizontal range up to which the layer carves without an echo. `band` is the
+// part of the line within the height band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
@@ -57,8 +57,8 @@ class TurnLines {
  public:
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
-  // Returns the horizontal ranges that end on the car itself. They are computed on first use. The
-  // sensor must belong to the vehicle, and the sensor's layers must share lines.
+  // Returns the horizontal ranges that end on the car itself, computed on first use. The sensor
+  // must belong to the vehicle, and the sensor's layers must share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;

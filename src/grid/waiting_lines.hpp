@@ -87,8 +87,8 @@ class RankSet {
 // apart, which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that each point accesses. This part fits into one cache line, and
-  // the points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
+  // The part of a pending line that each point accesses. The part fits into one cache line. The
+  // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
   // layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;
@@ -146,8 +146,8 @@ class WaitingLines {
   static constexpr std::uint32_t kPlaces = 512;
   // The points of a slot fill an odd number of cache lines, so that slots do not compete for the
   // same cache sets. The 2 in the condition below covers the beams beyond the band. At most
-  // enough_beams of these beams are carved. Together, they change a line by less than two other
-  // beams could.
+  // `enough_beams` beams beyond the band are carved. Together, these beams change a line by less
+  // than two other beams could.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

@@ -88,7 +88,7 @@ class FrozenWatch {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }
 
-  // note_taken() records a packet that was accepted. note_frozen() records a packet that was
+  // note_taken() records a packet that was accepted. `note_frozen()` records a packet that was
   // dropped because it is frozen.
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);

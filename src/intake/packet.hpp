@@ -105,7 +105,7 @@ class Packet {
   }
 
  private:
-  // Calls visit(decoder) with the packet's decoder. std::visit() would need abort() from the C++
+  // Calls visit(decoder) with the packet's decoder. `std::visit()` would need abort() from the C++
   // library, which the target does not have.
   template <typename Self, typename Visit>
   static void with_decoder(Self& self, Visit&& visit) {

@@ -34,8 +34,8 @@ class ScanTracker {
     kTooSoon,      // its scan begins too soon after the last scan for any unit
   };
 
-  // `turns` is true if the scans are turns of a spinning lidar. scan_width_ticks is the width of a
-  // whole scan. `packets` is the maximum number of packets per scan. The tracker remembers
+  // `turns` is true if the scans are turns of a spinning lidar. `scan_width_ticks` is the width of
+  // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers
   // `packets` packets, but at least kRemembered.
   ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)

@@ -78,7 +78,7 @@ class WatchedSectors {
   std::array<SectorView, vehicle::kMaxSensors> views_{};
   std::array<BlockedSectors, vehicle::kMaxSensors> blocked_{};
   std::array<std::optional<std::uint64_t>, vehicle::kMaxSensors> swept_{};
-  // swept_us_ contains the time at which each sector was last swept. was_swept_ contains the
+  // swept_us_ contains the time at which each sector was last swept. `was_swept_` contains the
   // sectors that have ever been swept. Both are used only for spinning units.
   std::array<std::array<std::uint64_t, kSectors>, vehicle::kMaxSensors> swept_us_{};
   std::array<std::uint64_t, vehicle::kMaxSensors> was_swept_{};

@@ -6,11 +6,11 @@
 // (docs/spec.md, section 1.2.4). The manufacturer's document is not public, so the layout is taken
 // from two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
-// A detection is a reflection with its own direction. Its elevation is far less accurate than its
-// azimuth, and the radar reports the standard deviation. The decoder moves the elevation towards
-// the horizon by one standard deviation, but not past the horizon, and rounds the result to a
-// layer. The height band therefore drops a detection only if it is outside the band by more than
-// one standard deviation. The decoder ignores speeds.
+// A detection is a reflection with its own direction. The elevation of a detection is far less
+// accurate than its azimuth. The radar reports the standard deviation of the elevation. The decoder
+// moves the elevation towards the horizon by one standard deviation, but not past the horizon, and
+// rounds the result to a layer. The height band therefore drops a detection only if it is outside
+// the band by more than one standard deviation. The decoder ignores speeds.
 #pragma once
 
 #include <array>
@@ -68,8 +68,8 @@ class ContinentalArs548 {
 
   // Checks the whole list, including every detection, and keeps a view of the datagram. The view is
   // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
-  // kWrongType means that the radar sent another type of message, such as an object list or a
-  // status message. kWrongPoint means more than 800 detections, or a valid detection at an
+  // `kWrongType` means that the radar sent another type of message, such as an object list or a
+  // status message. `kWrongPoint` means more than 800 detections, or a valid detection at an
   // impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
@@ -108,7 +108,7 @@ class ContinentalArs548 {
   [[nodiscard]] static std::uint32_t range_at(DetectionBytes bytes) {
     return wire::load_be32(bytes.subspan<17, 4>());
   }
-  // An invalid detection results in a point without a range.
+  // An invalid detection becomes a point without a range.
   [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
   [[nodiscard]] static bool is_place(DetectionBytes bytes);
 

@@ -1,4 +1,4 @@
-// Values from the data sheet of a scanner. A car file need not repeat them.
+// The values that are taken from a scanner's data sheet. Car files need not repeat these values.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// All wire formats and their decoders.
+// Lists all wire formats and their decoders.
 //
 // A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if the elevations
 // differ between units), points_of_packet(), decode(), info(), move_to() and for_each_point(). See

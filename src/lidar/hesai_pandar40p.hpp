@@ -1,5 +1,5 @@
 // Decodes the data packets of the Hesai Pandar40P (Pandar40P User Manual, "Point Cloud UDP Data").
-// A packet has no header. It contains ten blocks, each with a flag. The elevations differ between
+// A packet contains ten blocks, each with a flag, but no header. The elevations differ between
 // units, so the car file specifies them.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 10
 // fires 28.58 us before the timestamp, and each block fires 55.56 us before the next block. The
-// lasers of a block fire 3.62 to 54.67 us before the block's time.
+// lasers of a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
                                           .blocks = 10,
                                           .lasers = 40,

@@ -11,7 +11,7 @@ namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 6 fires
 // 42.58 us before the timestamp, and each block fires 55.56 us before the next block. The lasers of
-// a block fire 3.62 to 54.67 us before the block's time.
+// a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,

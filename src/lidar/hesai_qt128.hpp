@@ -16,7 +16,7 @@ namespace iog::lidar {
 // checksums, and it cannot verify the 32-byte signature. The manual's appendix "Absolute time of
 // point cloud data" defines the firing times. Block 1 fires 9 us after the timestamp, and each
 // block fires 111.11 us before the next block. The lasers of a block fire 0.6 to 100.52 us after
-// the block's time. In tier4/nebula, block 2 fires first.
+// the block's firing time. In tier4/nebula, block 2 fires first.
 inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
                                       .flags = 0x1D,
                                       .header_bytes = 12,
@@ -43,8 +43,8 @@ inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
 class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
-  // In single return mode, one turn takes 450 packets of 256 points. In each packet, 64 of the
-  // points did not fire. In dual return mode, one turn has more points than a frame can mark.
+  // In single return mode, one turn takes 450 packets of 256 points. Each packet contains 64 points
+  // whose lasers did not fire. In dual return mode, one turn has more points than a frame can mark.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -1,6 +1,6 @@
 // Decodes the data packets of the Hesai PandarXT-16, PandarXT-32 and PandarXT-32M (PandarXT User
-// Manual, "Point Cloud Data Packet"). These lidars differ in the numbers of lasers and blocks and
-// in the unit of distance.
+// Manual, "Point Cloud Data Packet"). XT units differ in the numbers of lasers and blocks and in
+// the unit of distance.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct HesaiXtLayout {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. The last
 // block fires 5.632 us after the timestamp, and each block fires 50 us before the next block. The
-// first laser of a block fires 0.368 us after the block's time. Each further laser fires laser_ns
-// after the previous laser.
+// first laser of a block fires 0.368 us after the block's firing time. Each further laser fires
+// laser_ns after the previous laser.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,

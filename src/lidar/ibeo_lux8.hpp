@@ -30,7 +30,7 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // The elevations for a mirror without tilt. tools/car/tilted_mirror.hpp adds the tilt of the
+  // The elevations for a mirror without tilt. `tools/car/tilted_mirror.hpp` adds the tilt of the
   // mirror.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};

@@ -5,8 +5,8 @@
 
 namespace iog::lidar {
 
-// The calibration of one laser, as given in the car file. docs/sensors.md describes how to convert
-// a manufacturer's file to a table of lasers.
+// The calibration of one laser, as given in the car file. `docs/sensors.md` describes how to
+// convert a manufacturer's file to a table of lasers.
 struct Laser {
   double elevation_deg = 0;  // -90 to 90, positive up
   double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 to 30

@@ -44,11 +44,11 @@ class MavlinkUltrasonic {
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) { return 1; }
 
-  // Returns kOk, kWrongLength, kWrongType or kWrongAngle. kWrongLength means that the length
-  // differs from the length in the header or exceeds the maximum for the message. kWrongType means
-  // that the message is not MAVLink 2, is signed or has other flags, has another message number,
-  // has a wrong checksum, or is not from an ultrasonic sensor. kWrongAngle means that, according to
-  // the message, the sensor does not point to a side of its carrier.
+  // Returns kOk, kWrongLength, kWrongType or kWrongAngle. `kWrongLength` means that the length
+  // differs from the length in the header or exceeds the maximum for the message. `kWrongType`
+  // means that the message is not MAVLink 2, is signed or has other flags, has another message
+  // number, has a wrong checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
+  // according to the message, the sensor does not point to a side of its carrier.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   // Returns the checksum of a message. `message` must not include the checksum field, and must have

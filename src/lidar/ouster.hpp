@@ -7,9 +7,9 @@
 // return" (RNG19 dual). The car file specifies the profile, the number of rows and the number of
 // columns per turn, because packets do not contain them.
 //
-// Column i of W is measured when the head has turned clockwise by i / W of a turn, starting in the
-// direction opposite to x. The head is 16 mm wide. The decoder assumes that beams start at the
-// centre of the head. This assumption moves a point by less than 1 mm.
+// Column i of W columns is measured when the head has turned clockwise by i / W of a turn, starting
+// in the direction opposite to x. The head is 16 mm wide. The decoder assumes that beams start at
+// the centre of the head. This assumption moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -162,12 +162,12 @@ class OusterDecoder : public OusterPacket {
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
   // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
-  // and the unit's corrections exist. There is one correction for each row. Returns kOk,
-  // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType means that the
+  // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
+  // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
   // packet has another type, or that the times between columns do not match the unit's mode.
-  // kWrongAngle means that a column number is too high or contradicts its encoder, or that the
-  // columns are not consecutive. kWrongPoint means that no column was measured. kOtherUnit means
-  // that the pixels have the format of another profile.
+  // `kWrongAngle` means that a column number is too high or contradicts its encoder, or that the
+  // columns are not consecutive. `kWrongPoint` means that no column was measured. `kOtherUnit`
+  // means that the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }

@@ -141,12 +141,12 @@ class PointsDecoder : public PointsPacket {
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
   // Checks the datagram and keeps a view of its points. The view is valid only while the datagram
-  // and the unit's elevations exist. There is one elevation for each layer. Returns kOk,
-  // kWrongLength, kWrongType, kWrongAngle or kWrongPoint. kWrongLength means that the length
+  // and the unit's elevations exist. The unit has one elevation per layer. Returns kOk,
+  // kWrongLength, kWrongType, kWrongAngle or kWrongPoint. `kWrongLength` means that the length
   // differs from the length in the header or exceeds the maximum, or that the unit has no layers.
-  // kWrongType means that the magic number, the version or a flag is unknown. kWrongAngle means
+  // `kWrongType` means that the magic number, the version or a flag is unknown. `kWrongAngle` means
   // that the sector is larger than a turn, or that the scan has no datagram of this number.
-  // kWrongPoint means that a point is impossible or outside the sector of the datagram.
+  // `kWrongPoint` means that a point is impossible or outside the sector of the datagram.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
   }

@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// This range is beyond the reach of every unit. Longer ranges, in a packet or after the unit's
-// correction, are clamped to this value.
+// This constant is beyond the reach of every unit. Longer ranges, in a packet or after the unit's
+// correction, are clamped to kMaxRangeMm.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 struct ScanPoint {
@@ -54,7 +54,7 @@ struct Sweep {
   bool is_of_packet = false;  // the times refer to the packet, otherwise to the whole scan
 };
 
-// The contents of a packet's header. They are available before any point is checked.
+// The contents of a packet's header, which are available before any point is checked.
 struct PacketInfo {
   std::uint64_t fingerprint = 0;  // two packets have the same value only if they are identical
   std::uint32_t scan_number = 0;  // scan counter of the sensor; 0 if the format has none

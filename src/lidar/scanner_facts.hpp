@@ -1,5 +1,5 @@
-// The properties of a scanner that follow from its format. They are taken from the format's
-// decoder.
+// The properties of a scanner that follow from its format. The format's decoder defines these
+// properties.
 #pragma once
 
 #include <cstddef>

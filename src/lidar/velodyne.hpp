@@ -1,10 +1,10 @@
-// Decodes the data packets of Velodyne lidars. All of these units share one decoder.
+// Decodes the data packets of Velodyne lidars. All Velodyne units share one decoder.
 //
-// A datagram has 1206 bytes and is little-endian. It contains 12 blocks, followed by the time, the
-// return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and 32 ranges.
-// Units differ in the lasers of a block, in the firing time of each laser and in the unit of range.
-// VelodyneUnit describes these differences, and the compiler generates a decoder from each
-// VelodyneUnit.
+// A datagram has 1206 bytes and is little-endian. The datagram contains 12 blocks, followed by the
+// time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
+// 32 ranges. Units differ in the lasers of a block, in the firing time of each laser and in the
+// unit of range. VelodyneUnit describes these differences, and the compiler generates a decoder
+// from each VelodyneUnit.
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ class VelodynePacket {
   // If two adjacent blocks are more than 3 degrees apart, the packet is not a single sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // Packets do not contain the rotation of the head during the last block, and the rotation speed
-  // varies by up to a tenth. The sector of a packet is therefore widened by this value. As a
+  // varies by up to a tenth. The sector of a packet is therefore widened by kSeamTicks. As a
   // result, adjacent sectors overlap instead of leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
 
@@ -119,7 +119,7 @@ class VelodynePacket {
     return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
   }
 
-  // The properties that all points of a block share. They are computed once per block.
+  // The properties that all points of a block share, computed once per block.
   struct Block {
     std::span<const std::byte, kBlockBytes> bytes;
     std::span<const std::byte, kBlockBytes> other;  // contains the other echo of each point
@@ -131,8 +131,8 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // Returns the number of blocks with the same azimuth. This number is the number of banks times
-  // the number of echoes.
+  // Returns the number of blocks with the same azimuth, that is, the number of banks times the
+  // number of echoes.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }
@@ -168,8 +168,8 @@ class VelodyneDecoder : public VelodynePacket {
   [[nodiscard]] static constexpr const VelodyneUnit& unit() { return kUnit; }
 
   // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
-  // and the corrections exist. There is one correction for each layer, or none. Returns kOk,
-  // kWrongLength, kWrongType, kWrongAngle or kOtherUnit.
+  // and the corrections exist. `corrections` contains one correction per layer, or is empty.
+  // Returns kOk, kWrongLength, kWrongType, kWrongAngle or kOtherUnit.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);
@@ -206,8 +206,8 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
   // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit as
-  // std::for_each() does. Returning visit keeps its counters in registers. Requires decode() ==
-  // kOk.
+  // std::for_each() does. The compiler can then keep counters inside visit in registers. Requires
+  // decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {

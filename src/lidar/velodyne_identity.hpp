@@ -66,7 +66,7 @@ class VelodyneIdentity {
  public:
   // Returns the formats that are consistent with this packet and the previous packets of the
   // sender. The set contains one format if the result is certain, and no format if the packet is
-  // not from a Velodyne. The function accepts any bytes. It checks only flags, azimuths and time.
+  // not from a Velodyne. The function accepts any bytes, and checks only flags, azimuths and time.
   // The decoder detects other faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
   // Same as above, for a packet that its decoder has accepted.
@@ -81,7 +81,7 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // These sums cover all pairs of consecutive packets since the last result.
+  // The sums over all pairs of consecutive packets since the last result.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

@@ -1,5 +1,6 @@
 // The properties of a unit that a single data packet shows: the bytes that identify the unit, and
-// the rotation of the head during the packet. lidar/velodyne.hpp decodes the points of the packet.
+// the rotation of the head during the packet. `lidar/velodyne.hpp` decodes the points of the
+// packet.
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,7 @@ class Agreement {
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
   // The minimum areas, in cells of 0.1 m. A round with fewer than kFewestFree free cells (50 m2) is
-  // ignored. kFewestInside (5 m2) is needed because the map may show a wall too far out.
+  // ignored. `kFewestInside` (5 m2) is needed because the map may show a wall too far out.
   static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;

@@ -1,4 +1,4 @@
-// A map block contains buildings and roads as polygons, with an index of buckets. docs/spec.md,
+// A map block contains buildings and roads as polygons, with an index of buckets. `docs/spec.md`,
 // section 6, describes each byte.
 //
 // A block is untrusted until check() has accepted the whole block. A Block reads accepted bytes
@@ -139,7 +139,7 @@ class Block {
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
-  // These functions access the index. entries_of() returns the range of entries of a bucket, and
+  // These functions access the index. `entries_of()` returns the range of entries of a bucket, and
   // feature_of_entry() returns the feature of an entry.
   struct Entries {
     std::uint32_t next = 0;

@@ -1,6 +1,6 @@
 // Defines the messages that transmit chunks of a map block. A message consists of the SOME/IP and
 // E2E headers of every message (protection/protected_message.hpp), a header of 20 bytes, and up to
-// 1280 bytes of the block, in big-endian byte order. docs/spec.md, section 7.1, describes each
+// 1280 bytes of the block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each
 // byte.
 //
 // The sender and the target share this file, so both use the same format.

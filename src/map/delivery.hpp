@@ -52,8 +52,8 @@ struct DeliveryReport {
 // A Delivery uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
-  // replayer_ipv4 is 0 if there is no replayer.
+  // description.is_valid() must be true. `replayer_ipv4` may also send on behalf of the source.
+  // `replayer_ipv4` is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;

@@ -1,4 +1,5 @@
-// Defines the outcomes of datagrams on the map port. docs/spec.md, section 7.2, defines the values.
+// Defines the outcomes of datagrams on the map port. `docs/spec.md`, section 7.2, defines the
+// values.
 #pragma once
 
 #include <cstddef>

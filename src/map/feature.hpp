@@ -1,4 +1,4 @@
-// One feature of a block. docs/spec.md, section 6.3, describes each byte.
+// One feature of a block. `docs/spec.md`, section 6.3, describes each byte.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kWorkPerCrossing = 8;
 
 class TileDrawing {
  public:
-  // The bytes of the block must outlive the drawing. is_outside() must be false for the tile.
+  // The bytes of the block must outlive the drawing. `is_outside()` must be false for the tile.
   // `radius` is in cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 

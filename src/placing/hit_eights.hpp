@@ -1,5 +1,5 @@
-// Finds the hits in a band of a tile. hit_eights.cpp is the reference implementation. CMake selects
-// either hit_eights.cpp or hit_eights_neon.cpp.
+// Finds the hits in a band of a tile. `hit_eights.cpp` is the reference implementation. CMake
+// selects either hit_eights.cpp or hit_eights_neon.cpp.
 #pragma once
 
 #include <cstddef>

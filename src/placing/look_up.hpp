@@ -1,4 +1,4 @@
-// Gathers free space from the slice grid into window cells. look_up.cpp is the reference
+// Gathers free space from the slice grid into window cells. `look_up.cpp` is the reference
 // implementation. CMake selects either look_up.cpp or look_up_neon.cpp.
 #pragma once
 

@@ -26,7 +26,7 @@ class SliceCells {
   static constexpr std::int32_t kBlockSide = 8;
 
   // Sets a tile of the grid. The indexes are stored row by row from the lowest y. Before the call,
-  // the tile's cells must be unknown. low_and_tall contains the free cells that a low beam freed,
+  // the tile's cells must be unknown. `low_and_tall` contains the free cells that a low beam freed,
   // and the hit cells with a tall return.
   void set(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {}) {
     places_[tile] = used_++;
