@@ -1,5 +1,5 @@
-// The clock of the perception grid. It stores the timestamps of the newest 64 frames, and the decay
-// of evidence since each frame.
+// The clock of the perception grid stores the timestamps of the newest 64 frames, and the decay of
+// evidence since each frame.
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
 // timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest

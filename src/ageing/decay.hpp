@@ -1,9 +1,10 @@
 // Computes the decay of a mass after a time, as a product over the bits of the time.
 //
-// kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms)) for each bit j. The factors
-// of the bits that are set in t are multiplied, starting with the lowest bit, and each product is
-// rounded down. All factors and products are below 1, and each of them loses less than one unit of
-// 2^-31. The computed kappa(t) is therefore at most 16 + 15 units below the true value.
+// The decay after a time t is kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms))
+// for each bit j. The factors of the bits that are set in t are multiplied, starting with the
+// lowest bit, and each product is rounded down. All factors and products are below 1, and each of
+// them loses less than one unit of 2^-31. The computed kappa(t) is therefore at most 16 + 15 units
+// below the true value.
 //
 // Factors are below 2^31, so the product of two factors is below 2^62.
 #pragma once

@@ -16,10 +16,10 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// The constants of Kurdej 2015, section 7.3. They describe an object of length L = 3 m that moves
-// at V_min = 1 m/s or faster, d = 0.5 m behind another object. The accumulator is full after L /
-// V_min (delta), and empty again after d / V_min (gamma = L / d = 6). At the scan rate of the
-// thesis, a full accumulator specialises all mass within one scan.
+// The constants of Kurdej 2015, section 7.3. These constants describe an object of length L = 3 m
+// that moves at V_min = 1 m/s or faster, d = 0.5 m behind another object. The accumulator is full
+// after L / V_min (delta), and empty again after d / V_min (gamma = L / d = 6). At the scan rate of
+// the thesis, a full accumulator specialises all mass within one scan.
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;
@@ -38,7 +38,7 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// 1 minus 0.7, the mass of crossing beams in 100 ms.
+// The doubt that remains after 100 ms of crossing beams, which have a mass of 0.7.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
 // Returns the mass of crossing beams after 1 ... 100 ms. This function runs only on a PC or at

@@ -11,9 +11,9 @@ namespace iog::app {
 static_assert(net::FragmentSenders::kMostDatagrams >= 2 * vehicle::kMaxSensors + 2);
 
 // The replayer may send on behalf of every sensor. If a sensor has no configured address, the
-// target accepts fragments from any sender, because any sender may send the sensor's packets. Poses
-// and maps without a configured address add no sender, because they fit into a single Ethernet
-// frame.
+// target accepts fragments from any sender, because any sender may send the sensor's packets. If
+// the source of poses or maps has no configured address, the target accepts no fragments from the
+// source, because poses and map chunks fit into a single Ethernet frame.
 [[nodiscard]] inline net::FragmentSenders fragment_senders(const vehicle::Vehicle& car,
                                                            net::Ipv4Address replayer) {
   net::FragmentSenders senders;

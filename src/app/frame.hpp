@@ -40,9 +40,9 @@ class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
 
-  // vehicle and space must outlive this object. The scans of all sensors together may mark at most
-  // grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of every sensor. `replayer_ipv4` is 0
-  // if there is no replayer.
+  // `vehicle` and `space` must outlive this object. The scans of all sensors together may mark at
+  // most grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of every sensor. `replayer_ipv4`
+  // is 0 if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
@@ -101,7 +101,7 @@ class Frame {
   // Returns the frame number, which starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // finish() completes the grid. After each stage, finish() calls lap(stage) with the stage's
+  // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's
   // stream::StageTicks. `end_fusion()` is the last step of finish(). Callers that fuse the buffered
   // packets themselves call only end_fusion().
   template <typename Lap>

@@ -64,7 +64,7 @@ concept Machine = requires(T& machine) {
 
 // The maximum number of datagrams that the loop processes in one pass. Because of this limit, a
 // flood of datagrams cannot keep the loop from running its tick and servicing the watchdog. A frame
-// of four LUX has 24 datagrams, and a full receive ring contains 256.
+// of four LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
 // The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
@@ -119,7 +119,7 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // team() returns the supervised cores (app/life.hpp). `frames()` returns the number of closed
+  // `team()` returns the supervised cores (app/life.hpp). `frames()` returns the number of closed
   // frames, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -203,8 +203,8 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. It sends every frame to the network, with classes if the vehicle has
-// enabled them. The serial link transmits as much of the frame's grid as the bandwidth allows.
+// The target's pipeline, which sends every frame to the network, with classes if the vehicle has
+// classes. The serial link transmits as much of the frame's grid as the bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
@@ -219,8 +219,8 @@ template <typename ItsPipeline>
 }
 
 // Processes the datagrams of one pass, at most kMaxDatagramsPerPass. If the frame is due to end,
-// the function stops early, so that slow processing of points cannot delay the end of the frame. It
-// also stops early if datagrams have waited too long.
+// the function stops early, so that slow processing of points cannot delay the end of the frame.
+// The function also stops early if datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
                     ItsPipeline& pipeline) {
@@ -262,7 +262,7 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
   backlog.begin(now_us);
 }
 
-// Runs a step of the memory check if one is due. Ends the run if a memory region has changed.
+// Runs a step of the memory check if a step is due. Ends the run if a memory region has changed.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
   if (const auto changed = check.step(machine.clock().now_us())) {

@@ -17,7 +17,7 @@ namespace iog::app {
 template <Platform P>
 class MessageSender {
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   explicit MessageSender(P& platform) : platform_(&platform) {}
 
   // Returns the sequence number of the next message.
@@ -32,9 +32,9 @@ class MessageSender {
     return platform_->send_message(message);
   }
 
-  // Sends a message with a header and a body. `write(buffer)` writes the body and returns its
-  // length in bytes. If the message is lost, the receiver detects the loss from the next sequence
-  // number.
+  // Sends a message with a header and a body. `write(buffer)` writes the body and returns the
+  // length of the body in bytes. If the message is lost, the receiver detects the loss from the
+  // next sequence number.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

@@ -16,7 +16,7 @@ namespace iog::app {
 template <Platform P>
 class NetworkSink {
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   NetworkSink(P& platform, Coding coding, const geometry::Grid& grid = {})
       : messages_(platform), tiles_(platform, messages_, coding, grid) {}
   NetworkSink(const NetworkSink&) = delete;

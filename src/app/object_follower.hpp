@@ -25,8 +25,8 @@ class ObjectFollower {
   // have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks and labels the cells of moving objects. Call this function before the frame
-  // has ended. It uses only the labels of the window, and reads all labels before it changes any
-  // label.
+  // has ended. The function uses only the labels of the window, and reads all labels before it
+  // changes any label.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
   // Handles a frame without slices. `end_us` is the end of the frame.

@@ -4,7 +4,7 @@
 //
 // The peer has priority over the subscriber. A frame has at most kMostMessages messages. The target
 // sends a copy only while enough buffers remain for the frame's messages to the peer. The port's
-// ring is larger, so that it has room for the copies.
+// ring is enlarged to make room for the copies.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@ class Offering {
   // expected.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // port and host must outlive this object. `run_number` is the seed of the random delay before the
-  // first offer.
+  // `port` and `host` must outlive this object. `run_number` is the seed of the random delay before
+  // the first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),
         host_(host),

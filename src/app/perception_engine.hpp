@@ -78,8 +78,8 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // decide(), follow_objects() and end() are the three steps of finish(), for callers that run
-  // other tasks at the same time. `decide()` completes the grid and all classes except those of
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(), for callers that
+  // run other tasks at the same time. `decide()` completes the grid and all classes except those of
   // moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other cores
   // may read the grid while follow_objects() runs. `end()` stores the ground. While end() runs,
   // core 0 runs do_beside(), which may read the classes.
@@ -104,13 +104,13 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // describe() fills in the engine's fields of the frame's header or of the classes' end message.
+  // `describe()` fills in the engine's fields of the frame's header or of the classes' end message.
   // `list_objects()` lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // slices() returns the registered slices. `stamp_us()` returns the frame's end on the clock of
+  // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
   // the poses. A frame ends at the end of its last slice or, without packets, at the time of the
   // newest pose. The value of stamp_us() increases from frame to frame even if the clock of the
   // poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the

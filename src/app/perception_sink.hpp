@@ -22,7 +22,7 @@ class PerceptionSink : private NetworkSink<P> {
   using Indexes = NetworkSink<P>;
 
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   PerceptionSink(P& platform, Coding coding, const geometry::Grid& grid = {})
       : Indexes(platform, coding, grid), classes_(platform, this->messages(), coding, grid) {}
 
@@ -41,8 +41,8 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // encode_tiles(), encode_classes() and send_classes() send the frame in three steps. The first
-  // two steps distribute their work among the cores. Core 0 also runs do_beside() during
+  // `encode_tiles()`, `encode_classes()` and `send_classes()` send the frame in three steps. The
+  // first two steps distribute their work among the cores. Core 0 also runs do_beside() during
   // encode_tiles(), and sends the messages of the tiles during encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {

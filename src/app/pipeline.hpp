@@ -53,8 +53,8 @@ struct NoPerception {
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // vehicle, platform and sinks must outlive the pipeline. `replayer_ipv4` may send on behalf of
-  // every sensor. `replayer_ipv4` is 0 if there is no replayer.
+  // `vehicle`, `platform` and `sinks` must outlive the pipeline. `replayer_ipv4` may send on behalf
+  // of every sensor. `replayer_ipv4` is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -120,7 +120,7 @@ class FramePipeline {
     }
   }
 
-  // is_begun() returns true if the current frame has packets. `deadline_us()` returns the frame's
+  // `is_begun()` returns true if the current frame has packets. `deadline_us()` returns the frame's
   // deadline.
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
@@ -219,7 +219,7 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // publish() and publish_divided() are not inlined, so that both use the same stack space.
+  // `publish()` and `publish_divided()` are not inlined, so that both use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -233,10 +233,10 @@ class FramePipeline {
     keep_cache(false);
   }
 
-  // Each tile and its reference are used once per frame. They must not evict the tables and the
-  // cached lines, which the next frame uses again. Raw tiles have no reference, and classes use
-  // most of their data again. In both cases, keeping the cache would only cost time
-  // (lab/notes/2026-11-29-l2-lockdown.md).
+  // Each tile and its reference are used once per frame. Tiles and references must not evict the
+  // tables and the cached lines, which the next frame uses again. Keeping the cache would only cost
+  // time for raw tiles, which have no reference, and for classes, which use most of their data
+  // again (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -260,7 +260,7 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The frame owns the grid. It visits each known tile once and then clears the tile.
+  // The frame owns the grid, visits each known tile once, and then clears the tile.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {

@@ -34,11 +34,11 @@ struct FrameTimes {
   bool has_packets = false;
 };
 
-// send_message(bytes) sends a copy of at most protection::kMaxMessageBytes bytes. It returns false
-// if the message cannot be sent. `ticks()` and ticks_hz() form a stopwatch, like hal::Stopwatch.
-// `vitals(times)` is called once per frame, before the frame's first message. `run_number()` is the
-// same as in hal::RunNumber. `cores()` returns the number of working cores. `share(items, work,
-// beside)` runs all items, like work::Team.
+// `send_message(bytes)` sends a copy of at most protection::kMaxMessageBytes bytes.
+// `send_message()` returns false if the message cannot be sent. `ticks()` and ticks_hz() form a
+// stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the frame's
+// first message. `run_number()` is the same as in hal::RunNumber. `cores()` returns the number of
+// working cores. `share(items, work, beside)` runs all items, like work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {

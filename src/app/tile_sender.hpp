@@ -45,9 +45,9 @@ enum class Coding : std::uint8_t { kShortest, kRaw };
 // The time for which the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// A TileSender uses 2.2 or 2.4 MB for sent and encoded tiles and, for indexes, a batch of copies.
-// It must be in static memory. Hash is stream::GridHash for indexes and stream::ClassHash for
-// classes.
+// A TileSender must be in static memory, because it uses 2.2 or 2.4 MB for sent and encoded tiles
+// and, for indexes, a batch of copies. Hash is stream::GridHash for indexes and stream::ClassHash
+// for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -57,7 +57,7 @@ class TileSender {
     std::uint32_t crc = 0;         // of the grid
   };
 
-  // platform and messages must outlive this object.
+  // `platform` and `messages` must outlive this object.
   TileSender(P& platform, MessageSender<P>& messages, Coding coding,
              const geometry::Grid& grid = {})
       : platform_(&platform), messages_(&messages), coding_{coding}, grid_{grid} {}

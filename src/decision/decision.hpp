@@ -62,7 +62,7 @@ using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Contains two of the members of Bits.
+// Contains two members of Bits.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;

@@ -1,6 +1,6 @@
-// A basic belief assignment that grades masses by the magnitude of an occupancy index. Its focal
-// sets are ignorance and either free or occupied. Without an assignment, all hits have the same
-// mass, and all crossing beams have the same mass (Gains).
+// A basic belief assignment that grades masses by the magnitude of an occupancy index. The focal
+// sets of the assignment are ignorance and either free or occupied. Without an assignment, all hits
+// have the same mass, and all crossing beams have the same mass (Gains).
 //
 // Masses are multiples of 1/128, rounded down. Indexes whose magnitude exceeds kGradedIndexes - 1
 // have the same mass as kGradedIndexes - 1.
@@ -32,7 +32,7 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// This function is not constexpr and never defined. A call at compile time therefore fails, and the
+// This function is neither constexpr nor defined. A call at compile time therefore fails, and the
 // error message contains the name of the function.
 void an_index_beyond_the_table_has_another_mass();
 

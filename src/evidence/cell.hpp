@@ -1,9 +1,9 @@
 // Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in plain
 // integers. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
-// All values are in units of 2^-15. a.b is floor(ab / 2^15), and ~a is 32767 - a. o and f are
-// evidence, and c and x are conflict. F, O, M and K are masses. P is O + M + K, and the ignorance W
-// is 32767 - F - P.
+// All values are in units of 2^-15. `a.b` is floor(ab / 2^15), and `~a` is 32767 - a. `o` and `f`
+// are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
+// ignorance W is 32767 - F - P.
 //
 // A cell is valid if F, O, M, K and the persistence are 0 ... 32767 and W >= 0. Factors and
 // evidence are 0 ... 32767, and o or f is 0. Under these conditions, the following bounds hold:
@@ -11,9 +11,9 @@
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
 //   ageing       no mass grows, so W >= 0 still holds
-//   a hit        f = x = 0: F' + c = F.~o + F.o <= F, and O' + M' + K' <= P + W.o + c, so the sum
+//   a hit        f = x = 0, so F' + c = F.~o + F.o <= F and O' + M' + K' <= P + W.o + c; the sum
 //                of all is at most F + P + W = 32767
-//   free         o = c = 0: F' <= F + W.f and O' + M' + K' <= P.~f <= P, the same
+//   free         o = c = 0, so F' <= F + W.f and O' + M' + K' <= P.~f <= P; the sum is the same
 //   conflict     c + x <= 32767, because one of them is 0
 //   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks
@@ -73,7 +73,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) 
   return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
 }
 
-// index must be in -127 ... 127.
+// `index` must be in -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {
   constexpr int kUnit = (kCertain + 1) / kMassFraction;
@@ -88,9 +88,9 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Returns the masses after the evidence. c is the conflict of a cell that was free and is now
-// occupied. If the object moved into the cell, c is added to {M}, and otherwise to O. x is the
-// conflict of a cell that was occupied and is now free. x is added to ignorance.
+// Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
+// occupied. If the object moved into the cell, c is added to {M}, and otherwise to O. `x` is the
+// conflict of a cell that was occupied and is now free. `x` is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);

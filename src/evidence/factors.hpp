@@ -1,12 +1,12 @@
 // Defines the effects of time on a cell, in units of 2^-15: the decay of the cell's masses, and the
-// weight of a frame's evidence. src/ageing computes both from the timestamps of frames.
+// weight of a frame's evidence. `src/ageing` computes both from the timestamps of frames.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::evidence {
 
-// The ageing factor 1, which leaves a mass unchanged. An int16 stores its value, 2^15, as -2^15.
+// The ageing factor 1, which leaves a mass unchanged. An int16 stores the value 2^15 as -2^15.
 inline constexpr std::int16_t kWhole = -32768;
 
 // The ageing factors (Kurdej 2015, chapter 6). Each factor is 0 ... 32767, or kWhole.

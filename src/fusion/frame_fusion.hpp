@@ -30,7 +30,7 @@ namespace iog::fusion {
 
 class FrameFusion {
  public:
-  // vehicle must outlive this object.
+  // `vehicle` must outlive this object.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
       : grids_(vehicle.window.is_opened_from_below),
         turns_(vehicle, grids_, marks_),
@@ -42,7 +42,7 @@ class FrameFusion {
 
   // Sets the ground models that classify the packets of sensors with an estimated ground. The
   // lowest returns of these sensors are also collected. The models must belong to the vehicle and
-  // outlive this object. They may change only while no beams are pending.
+  // outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
   // Returns the lowest returns of a sensor. `place` is the sensor's position among the sensors with
   // an estimated ground.
@@ -62,8 +62,8 @@ class FrameFusion {
 
   // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
   // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
-  // The function calls count(fate) for each point. It is inline, so that points are decoded in
-  // registers.
+  // The function calls count(fate) for each point. The function is inline, so that points are
+  // decoded in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -110,7 +110,7 @@ class FrameFusion {
     return is_known;
   }
 
-  // keeps_heights() returns true if heights are kept (grid/frame_grids.hpp). `low_and_tall()`
+  // `keeps_heights()` returns true if heights are kept (grid/frame_grids.hpp). `low_and_tall()`
   // returns the cells of a tile that a low beam freed or a tall return hit. The tile must not have
   // been taken yet.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }

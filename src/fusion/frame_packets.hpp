@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // The measurement time. It refers to the clock of the poses if the sensor is synchronised, and
+  // The measurement time refers to the clock of the poses if the sensor is synchronised, and
   // otherwise to the target's clock.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;

@@ -22,8 +22,8 @@ struct FramePart {
 
 class FrameParts {
  public:
-  // The maximum number of parts fused in one round. A frame of four LUX has slightly fewer packets,
-  // so that no core waits long for the last part.
+  // The maximum number of parts fused in one round. A frame of four LUX has about this number of
+  // packets, so that no core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Splits the packets into parts. Each packet's group must be 0 ... groups - 1 or kNowhere. The

@@ -21,8 +21,8 @@
 
 namespace iog::fusion {
 
-// The maximum number of registered slices per frame. 32 slices of 8 ms last more than twice as long
-// as a turn of a VLP-16.
+// The maximum number of registered slices per frame. With 8 ms per slice, 32 slices last more than
+// twice as long as a turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
 struct PlacedSlice {

@@ -27,7 +27,7 @@ class FrameTiles {
     }
   }
 
-  // is_known() returns true if the tile has a known cell. `tile()` returns the indexes of a known
+  // `is_known()` returns true if the tile has a known cell. `tile()` returns the indexes of a known
   // tile.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }

@@ -2,10 +2,10 @@
 // fusing all evidence of the index grids with hits_win.
 //
 // The index of a joined cell is the saturating sum of the cell's positive indexes in all grids. If
-// no index is positive, it is the saturating sum of the negative indexes (docs/model.md section 3).
-// A saturating sum of numbers with the same sign does not depend on their order. A frame can
-// therefore be split in any way. Fusing each part from zero with hits_win and joining the parts has
-// the same result as fusing the whole frame.
+// no index is positive, the joined index is the saturating sum of the negative indexes
+// (docs/model.md section 3). A saturating sum of numbers with the same sign does not depend on
+// their order. A frame can therefore be split in any way. Fusing each part from zero with hits_win
+// and joining the parts has the same result as fusing the whole frame.
 #pragma once
 
 #include <array>

@@ -45,19 +45,19 @@ struct FusedPart {
   FrameTiles tiles;
 };
 
-// The additional memory for fusion on several cores. It consists of a FrameFusion for each helper,
-// and slots for the results of the parts.
+// The additional memory for fusion on several cores. This memory consists of a FrameFusion for each
+// helper, and slots for the results of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
-// The additional memory for kCores cores: 74 MB for four cores, and none for one core. It must be
-// in static memory.
+// The additional memory for kCores cores: 74 MB for four cores, and none for one core. A
+// HelpersMemory must be in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
-  // vehicle must outlive this object.
+  // `vehicle` must outlive this object.
   explicit HelpersMemory(const vehicle::Vehicle& vehicle)
       : HelpersMemory(vehicle, std::make_index_sequence<kCores - 1>()) {}
 
@@ -133,8 +133,8 @@ class SharedFusion {
   // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
   // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // deal(), fuse_next() and join() do the same as fuse_kept(), step by step. `deal()` splits the
-  // buffered packets in the same way as FrameParts::deal().
+  // `deal()`, `fuse_next()` and `join()` do the same as fuse_kept(), step by step. `deal()` splits
+  // the buffered packets in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
@@ -142,8 +142,8 @@ class SharedFusion {
   // free, the function first joins the parts of earlier rounds.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
-  // round() returns the parts of the last fused round, and tiles() returns their results. Both are
-  // valid until the next round.
+  // `round()` returns the parts of the last fused round, and tiles() returns their results. Both
+  // are valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;

@@ -18,7 +18,7 @@ struct Cell {
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// Cells [0, width) x [0, height).
+// Contains the cells [0, width) x [0, height).
 struct CellArea {
   std::int32_t width = 0;
   std::int32_t height = 0;

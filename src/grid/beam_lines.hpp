@@ -36,7 +36,7 @@ class BandLimits {
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
-  // end_z is the height of the line's end, in subcells.
+  // `end_z` is the height of the line's end, in subcells.
   BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
   // Returns the intersection of these limits with a part of the line.
@@ -114,8 +114,8 @@ class alignas(kCacheLineBytes) KeptLine {
                                                 const vehicle::Sensor& sensor,
                                                 std::int32_t end_z) const;
 
-  // end_at() returns the end of the cell that contains the point at to_mm. `part_between()` returns
-  // the part from the cell at from_mm to the end of the cell at to_mm.
+  // `end_at()` returns the end of the cell that contains the point at to_mm. `part_between()`
+  // returns the part from the cell at from_mm to the end of the cell at to_mm.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
     return to_mm == 0 ? first

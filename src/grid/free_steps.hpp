@@ -72,7 +72,7 @@ class FreeSteps {
 
   [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
 
-  // from_start() returns the amount carved where the line enters the grid. `last()` returns the
+  // `from_start()` returns the amount carved where the line enters the grid. `last()` returns the
   // point of the last change. Cells beyond this point are not carved.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] Between last() const { return last_; }

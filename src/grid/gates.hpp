@@ -34,7 +34,7 @@ struct BandJudge {
             .otherwise = vehicle::Fate::kOutsideHeightBand,
             .is_whole = ends_in_band && in_band.first == 0};
   }
-  // behind_mm() and rank() return the members of TurnLayer with the same names.
+  // `behind_mm()` and `rank()` return the members of TurnLayer with the same names.
   [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
     return layers->layers[layer].behind_mm;
   }
@@ -80,7 +80,7 @@ class BandGate {
   // If the distance of a hit is at least far_mm(), the beam clears the free parts of all layers
   // whose rank is at least TurnLayers::near_rank.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
-  // part() returns the part of the line that the layer may free. `end()` returns the end of this
+  // `part()` returns the part of the line that the layer may free. `end()` returns the end of this
   // part if the part is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
@@ -89,8 +89,8 @@ class BandGate {
   [[nodiscard]] Between end(std::size_t layer) const {
     return line_->end_in_band(layers_->layers[layer].band);
   }
-  // low_part() returns the part of the line in which the layer is low. `may_be_low()` returns true
-  // if this part may begin before a hit at the given range.
+  // `low_part()` returns the part of the line in which the layer is low. `may_be_low()` returns
+  // true if this part may begin before a hit at the given range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }

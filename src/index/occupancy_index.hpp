@@ -16,8 +16,8 @@ namespace iog::index {
 // The index as stored in a grid. The value -128 never occurs, so the range is symmetric.
 using OccupancyIndex = std::int8_t;
 
-// The range of an index in a cell of type Cell. A smaller epsilon needs a wider cell type, but no
-// change of the code.
+// The range of an index in a cell of type Cell. A smaller epsilon needs a wider cell type, but the
+// code stays the same.
 template <std::signed_integral Cell>
 inline constexpr Cell kIndexMax = std::numeric_limits<Cell>::max();
 template <std::signed_integral Cell>
@@ -42,8 +42,8 @@ requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_po
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a byte that was carved with saturation at the minimum of int8 to an index. -128 becomes
-// -127.
+// Converts a byte that was carved with saturation at the minimum of int8 to an index. The value
+// -128 becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

@@ -1,8 +1,8 @@
 // The recursive set S_epsilon, and the quantisation of a probability to an element of the set
 // (docs/model.md section 2, thesis section 3.3.3).
 //
-// p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of p_n equal n times the log-odds of
-// p_1, so fusion is a sum of indexes.
+// The probabilities of the set are p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of
+// p_n equal n times the log-odds of p_1, so fusion is a sum of indexes.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ enum class Quantisation : std::uint8_t {
 
 class RecursiveSet {
  public:
-  // epsilon is half the width of the interval around 1/2 between p_-1 and p_1. It must be above 0
-  // and below 1/2.
+  // `epsilon` is half the width of the interval around 1/2 between p_-1 and p_1. `epsilon` must be
+  // above 0 and below 1/2.
   constexpr explicit RecursiveSet(double epsilon) : ratio_((0.5 - epsilon) / (0.5 + epsilon)) {}
 
   // Returns p_n, for |n| up to a few million.

@@ -1,25 +1,28 @@
 // Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
 // are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
 // the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore judged only
-// by beams for which a return is expected. There are four kinds of sectors:
+// by beams for which a return is expected. There are ground, sky, level and open sectors.
 //
-// - Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the
-//   car's plane within 20 m and with a slope of at least 1 in 16. A turn blocks the sector if less
-//   than one sixteenth of the sector's ground beams have a return, and one of two conditions holds:
-//   less than one sixteenth of all beams in the sector have a return, or at least one quarter of
-//   the sector's ground beams previously had a return. The latter fraction is a running mean,
-//   updated by 1/32 per turn. The sector opens after three turns in which one eighth of its ground
-//   beams, or else of all its beams, have a return.
-// - Sky sectors are the other sectors of a spinning lidar. They are blocked while all ground
-//   sectors of the lidar are blocked.
-// - Level sectors belong to units that do not spin or have no ground beams. At least one beam of a
-//   level sector meets the car's plane within the unit's range. The sector is blocked after 32
-//   scans without a return, and opens after two scans with a return. After three scans without any
-//   return, all sectors of the unit are blocked.
-// - Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-//   range, such as a level 2D scanner. Only beams with any echo are judged. The sector is blocked
-//   after 32 scans in which less than one sixteenth of these echoes count as returns. It opens
-//   after two other scans.
+// Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
+// plane within 20 m and with a slope of at least 1 in 16. A turn blocks a ground sector if less
+// than one sixteenth of its ground beams have a return, and one of two conditions holds: less than
+// one sixteenth of all its beams have a return, or at least one quarter of its ground beams
+// previously had a return. The previous fraction is a running mean, updated by 1/32 per turn. A
+// ground sector opens after three turns in which one eighth of its ground beams, or else of all its
+// beams, have a return.
+//
+// Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
+// sectors of the lidar are blocked.
+//
+// Level sectors belong to units that do not spin or have no ground beams. At least one beam of a
+// level sector meets the car's plane within the unit's range. A level sector is blocked after 32
+// scans without a return, and opens after two scans with a return. After three scans without any
+// return, all sectors of the unit are blocked.
+//
+// Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
+// range, such as a level 2D scanner. Only beams with any echo are judged. An open sector is blocked
+// after 32 scans in which less than one sixteenth of these echoes count as returns, and opens after
+// two other scans.
 //
 // Returns closer than the sensor's minimum range, and returns that the sensor flags as dirt or
 // rain, are ignored. Only whole turns and scans are judged. Turns and scans are sums over packets,
@@ -66,7 +69,7 @@ class AzimuthParts {
 // The blocked sectors of one sensor.
 class BlockedSectors {
  public:
-  // sensor and view must outlive this object.
+  // `sensor` and `view` must outlive this object.
   BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view);
   BlockedSectors() = default;
 
@@ -80,8 +83,8 @@ class BlockedSectors {
     std::array<std::int16_t, kSectors> levels{};
     std::array<std::uint16_t, kSectors> gave{};  // mean fraction of ground beams with a return
     std::uint8_t empty_turns = 0;
-    // Bit i of seen is set if the sensor has looked into sector i since start. Bit i of blocked is
-    // set if the sensor is blocked in sector i.
+    // Bit i of `seen` is set if the sensor has looked into sector i since start. Bit i of `blocked`
+    // is set if the sensor is blocked in sector i.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };

@@ -75,7 +75,7 @@ class Intake {
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // Returns true if the sensor has not swept more than `ticks` ticks of the sector in this frame.
+  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, std::size_t sensor,
                                       const lidar::Sector& sector) const {
     return trackers_[sensor].misses_more_than(ticks, sector);

@@ -43,7 +43,7 @@ class RangeDigest {
 };
 
 // The hashes of a sensor's latest packets. Hashes in the same bucket form a chain, like the strings
-// in a compressor (RFC 1951, section 4).
+// in a deflate compressor (RFC 1951, section 4).
 class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
@@ -88,7 +88,7 @@ class FrozenWatch {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }
 
-  // note_taken() records a packet that was accepted. `note_frozen()` records a packet that was
+  // `note_taken()` records a packet that was accepted. `note_frozen()` records a packet that was
   // dropped because it is frozen.
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);

@@ -73,8 +73,8 @@ class Packet {
   }
 
   // Calls visit(std::uint32_t) for raw ranges of a valid packet, and returns visit. For a spinning
-  // unit, the function visits the ranges of the sampled points. For other units, it visits all
-  // ranges.
+  // unit, the function visits the ranges of the sampled points. For other units, the function
+  // visits all ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {

@@ -59,7 +59,7 @@ class ScanTracker {
   }
   // Returns the number of ticks that the sensor has swept in this frame.
   [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
-  // Returns true if the sensor has not swept more than `ticks` ticks of the sector in this frame.
+  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const {
     return swept_.misses_more_than(ticks, sector);
   }
@@ -81,7 +81,7 @@ class ScanTracker {
   static constexpr std::uint64_t kShortestScanUs = 10'000;
   static constexpr std::uint64_t kShortestTurnUs = 25'000;
   // A packet is late if its scan is at most kLateScans scans before the newest scan. If the
-  // packet's scan is further behind, the sensor has restarted.
+  // packet's scan is older, the sensor has restarted.
   static constexpr std::uint16_t kLateScans = 8;
 
   [[nodiscard]] bool is_known(std::uint64_t fingerprint) const;

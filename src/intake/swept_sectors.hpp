@@ -15,7 +15,7 @@ class SweptSectors {
   // The number of ticks per turn of an Ouster, which is the maximum of all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
-  // ticks_per_turn must be at most kMaxTicksPerTurn. Sectors must lie within one turn.
+  // `ticks_per_turn` must be at most kMaxTicksPerTurn. Sectors must lie within one turn.
   explicit SweptSectors(std::uint32_t ticks_per_turn);
   SweptSectors() = default;
 

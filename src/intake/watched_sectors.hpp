@@ -3,11 +3,12 @@
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle
-// with a radius of 20 m around the origin. A sensor watches a sector if the sensor reaches this arc
-// and has swept the azimuths at which it sees the arc. A sensor that does not spin must have swept
-// seven eighths of these azimuths in the current frame. A spinning unit may sweep a sector in two
-// frames, and a frame may be shorter than a turn. For a spinning unit, it is therefore enough to
-// sweep half of the azimuths in one frame. The sector then counts as watched for 200 ms.
+// with a radius of 20 m around the origin. A sensor watches a sector if the sensor reaches the
+// sector's arc and has swept the azimuths at which it sees the arc. A sensor that does not spin
+// must have swept seven eighths of the arc's azimuths in the current frame. A spinning unit may
+// sweep a sector in two frames, and a frame may be shorter than a turn. For a spinning unit, it is
+// therefore enough to sweep half of the azimuths in one frame. The sector then counts as watched
+// for 200 ms.
 //
 // Radars and ultrasonic sensors watch no sector, because they do not report every object.
 //
@@ -78,8 +79,8 @@ class WatchedSectors {
   std::array<SectorView, vehicle::kMaxSensors> views_{};
   std::array<BlockedSectors, vehicle::kMaxSensors> blocked_{};
   std::array<std::optional<std::uint64_t>, vehicle::kMaxSensors> swept_{};
-  // swept_us_ contains the time at which each sector was last swept. `was_swept_` contains the
-  // sectors that have ever been swept. Both are used only for spinning units.
+  // `swept_us_` contains the time at which each sector was last swept. `was_swept_` contains the
+  // sectors that have ever been swept. Both members are used only for spinning units.
   std::array<std::array<std::uint64_t, kSectors>, vehicle::kMaxSensors> swept_us_{};
   std::array<std::uint64_t, vehicle::kMaxSensors> was_swept_{};
 };

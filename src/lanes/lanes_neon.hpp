@@ -12,7 +12,7 @@ namespace iog::lanes {
 
 class NeonLanes {
  public:
-  // memcpy with a known alignment saves one cycle.
+  // `memcpy` with a known alignment saves one cycle.
   static NeonLanes load(const LaneBytes& from) {
     int8x16_t lanes;
     __builtin_memcpy(&lanes, __builtin_assume_aligned(&from, kLaneCount), kLaneCount);

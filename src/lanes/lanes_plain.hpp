@@ -1,6 +1,6 @@
 // The plain C++ version of the operations on sixteen indexes at once and on two rows of bits. This
-// version is the specification of the other versions. It is used on machines without vector
-// instructions.
+// version is the specification of the other versions. Machines without vector instructions use this
+// version.
 #pragma once
 
 #include <algorithm>
@@ -103,7 +103,7 @@ class PlainRowPair {
     to[1] = second_;
   }
 
-  // Bits 16 to 47 of both rows.
+  // Stores bits 16 to 47 of both rows.
   void store_middle(std::uint32_t* to) const {
     to[0] = static_cast<std::uint32_t>(first_ >> 16);
     to[1] = static_cast<std::uint32_t>(second_ >> 16);
@@ -119,7 +119,7 @@ class PlainRowPair {
     return {first_ & ~other.first_, second_ & ~other.second_};
   }
 
-  // up() shifts towards the higher bits and down() towards the lower bits. Both fill with zeros.
+  // `up()` shifts towards the higher bits and down() towards the lower bits. Both fill with zeros.
   template <int kBits>
   [[nodiscard]] PlainRowPair up() const {
     return {first_ << kBits, second_ << kBits};

@@ -1,6 +1,6 @@
 // NEON loads and stores of ARM state that advance their own pointer, and other single instructions
-// for which the compiler would emit two or three. CMake generates lanes/moves_neon.hpp as a copy of
-// this header or of moves_a64_neon.hpp.
+// that the compiler would replace with two or three instructions. CMake generates
+// lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -105,8 +105,8 @@ inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right
       : "memory");
 }
 
-// Returns cells + stride * (fine_row >> 16), computed in one instruction. |stride| must be less
-// than 2^15.
+// Returns cells + stride * (fine_row >> 16), computed in one instruction. The absolute value of
+// `stride` must be less than 2^15.
 inline const std::int8_t* row_at(const std::int8_t* cells, std::int32_t fine_row,
                                  std::int32_t stride) {
   const std::int8_t* row;

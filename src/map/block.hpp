@@ -119,7 +119,7 @@ class Block {
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
   // Returns the date in seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // Returns the map's accuracy. 95 of 100 vertices are closer to their true positions than this
+  // Returns the map's accuracy. Of 100 vertices, 95 are closer to their true positions than this
   // distance.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
@@ -127,15 +127,15 @@ class Block {
   [[nodiscard]] std::uint32_t feature_count() const { return tables_.features; }
   [[nodiscard]] std::string_view attribution() const;  // UTF-8
 
-  // number must be below feature_count().
+  // `number` must be below feature_count().
   [[nodiscard]] Feature feature(std::uint32_t number) const {
     return Feature(
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
   // Calls visit(const Feature&) once for each feature whose box overlaps the given box. The
-  // function visits buckets row by row. Within a bucket, it visits features in the order of their
-  // numbers.
+  // function visits buckets row by row. Within a bucket, the function visits features in the order
+  // of their numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 

@@ -1,7 +1,6 @@
-// Defines the messages that transmit chunks of a map block. A message consists of the SOME/IP and
-// E2E headers of every message (protection/protected_message.hpp), a header of 20 bytes, and up to
-// 1280 bytes of the block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each
-// byte.
+// Defines the messages that transmit chunks of a map block. Each message consists of SOME/IP and
+// E2E headers (protection/protected_message.hpp), a header of 20 bytes, and up to 1280 bytes of the
+// block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each byte.
 //
 // The sender and the target share this file, so both use the same format.
 #pragma once
@@ -53,7 +52,7 @@ struct Chunk {
 };
 
 // Returns the chunk with this number. The number must be below chunk_count(). `block` contains all
-// bytes of the block. Its size must be 1 ... kMaxBlockBytes.
+// bytes of the block. The size of `block` must be 1 ... kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 

@@ -52,7 +52,7 @@ struct DeliveryReport {
 // A Delivery uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // description.is_valid() must be true. `replayer_ipv4` may also send on behalf of the source.
+  // `description.is_valid()` must be true. `replayer_ipv4` may also send on behalf of the source.
   // `replayer_ipv4` is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
@@ -95,7 +95,7 @@ class Delivery {
   [[nodiscard]] bool is_in_use(const BlockName& block) const;
   void begin(const BlockName& block);
   void put(const Chunk& chunk);
-  // The bytes of the incoming block.
+  // Returns the bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
   // Returns the result of the check. Returns kDamaged if the block's CRC differs from the CRC in
   // the block's chunks.

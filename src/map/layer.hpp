@@ -1,5 +1,5 @@
-// The map layer of the window. The layer schedules the drawing of tiles. It determines which tiles
-// are drawn, which tiles are pending, and which tiles must be drawn again.
+// The map layer of the window. The layer schedules the drawing of tiles, that is, it determines
+// which tiles are drawn, which tiles are pending, and which tiles must be drawn again.
 //
 // A tile becomes pending when it enters the window or when the map changes. A drawn tile also
 // becomes pending if the transform has moved any corner by more than a cell since the drawing, or

@@ -3,8 +3,9 @@
 //
 // A cell's own classes are the classes of all features that contain the cell's centre. If no
 // feature contains the centre, the cell's own class is intermediate space. Outside the extent of
-// the block, any class is possible. A cell may have the own classes of all cells within the radius.
-// A drawing can be suspended. The result is available only when the drawing is complete.
+// the block, any class is possible. The allowed classes of a cell are the own classes of all cells
+// within the radius. A drawing can be suspended. The result is available only when the drawing is
+// complete.
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ struct FineBox {
 
 class TilePlace {
  public:
-  // local_frame is the pose of the local frame in the plane of the map, within
+  // `local_frame` is the pose of the local frame in the plane of the map, within
   // pose::kMaxCoordinateMm.
   TilePlace(const pose::Pose& local_frame, window::TileNumber tile,
             std::int32_t cell_mm = geometry::kCellMm);

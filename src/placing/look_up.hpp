@@ -13,8 +13,8 @@
 
 namespace iog::placing {
 
-// The images, in the slice grid, of a run of eight window cells. They are computed once for all
-// runs of a slice.
+// The images, in the slice grid, of a run of eight window cells, computed once for all runs of a
+// slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
 // 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are

@@ -29,7 +29,7 @@ static_assert(kMostIndex == kBeside - 1);
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }
 
-// has_bit is the extra bit of a free or hit cell.
+// `has_bit` is the extra bit of a free or hit cell.
 [[nodiscard]] constexpr std::int8_t byte_of(std::int32_t index, bool has_bit) {
   const std::int32_t most = std::clamp(index, -kMostIndex, kMostIndex);
   const std::int32_t beside = index != 0 && has_bit ? kBeside : 0;

@@ -67,7 +67,7 @@ class SliceCells {
   };
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
-  // is_known_near() returns true if any cell of a rectangle may be known. The rectangle may lie
+  // `is_known_near()` returns true if any cell of a rectangle may be known. The rectangle may lie
   // anywhere, but must have at most kMostNear columns and rows.
   static constexpr std::int32_t kMostNear = 13;
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
