@@ -13,7 +13,7 @@
 //   ageing       no mass grows, so W >= 0 still holds
 //   a hit        f = x = 0, so F' + c = F.~o + F.o <= F and O' + M' + K' <= P + W.o + c; the sum
 //                of all is at most F + P + W = 32767
-//   free         o = c = 0, so F' <= F + W.f and O' + M' + K' <= P.~f <= P; the sum is the same
+//   free         o = c = 0, so F' <= F + W.f and O' + M' + K' <= P.~f <= P; the same bound holds
 //   conflict     c + x <= 32767, because one of them is 0
 //   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks

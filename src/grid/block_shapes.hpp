@@ -1,8 +1,8 @@
 // A one-byte code for the cells of a 4 by 4 block that a line crosses.
 //
 // A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
-// of both axes and rises by at most one cell per column. u is the column number along the line's
-// longer axis, and v is the row number along the other axis. Such a line can enter a block in the
+// of both axes and rises by at most one cell per column. `u` is the column number along the line's
+// longer axis, and `v` is the row number along the other axis. Such a line can enter a block in the
 // seven numbered cells:
 //
 //     v
@@ -54,7 +54,7 @@ struct BlockColumn {
   std::uint8_t next_v = 0;  // row in which the line enters the next column of blocks
 };
 
-// The orientation of u and v in the grid. u corresponds to y if `is_steep`, and otherwise to x.
+// The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
 // Both u and v may run in the negative direction.
 struct Orientation {
   bool is_steep = false;
@@ -97,8 +97,8 @@ struct BlockMasks {
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// This table is indexed by 16 v plus four bits. v is the row in which the line enters the column of
-// blocks from the left. Each bit represents one column of cells, with the first column in the
+// This table is indexed by 16 v plus four bits. `v` is the row in which the line enters the column
+// of blocks from the left. Each bit represents one column of cells, with the first column in the
 // highest bit. A bit is set if the line crosses a border of v in the bit's column.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
