@@ -35,9 +35,9 @@ struct RunBefore {
   friend constexpr bool operator==(const RunBefore&, const RunBefore&) = default;
 };
 
-// `end_run(end, words)` ends the run, and does not return on a machine. It stores `end` for the
-// next run, and displays `words`, at most 200 characters, to the user.
-// `run_before()` returns the end of the previous run, which is constant during a run.
+// `end_run(end, words)` ends the run, and does not return on a machine. `end_run()` stores `end`
+// for the next run, and displays `words`, at most 200 characters, to the user. `run_before()`
+// returns the end of the previous run, which is constant during a run.
 template <typename T>
 concept EndsRuns = requires(T& machine, const T& view, End end, std::string_view words) {
   { machine.end_run(end, words) } -> std::same_as<void>;

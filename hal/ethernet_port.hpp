@@ -39,16 +39,14 @@ struct PortLife {
 };
 
 // `receive()` returns the oldest received frame, or an empty span. The frame remains valid and
-// unchanged until release().
-// `release()` frees the frame that receive() returned. Call this function only after receive() has
-// returned a frame.
-// `acquire()` returns a free transmit buffer of at least 1514 bytes. If the ring is full, acquire()
-// returns an empty span and counts the failure. A second call before commit() returns the same
-// buffer.
-// `room()` returns the minimum number of buffers that acquire() can return now.
-// `commit(n)` queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
-// `pump()` passes a bounded number of queued frames to the controller. Call this function once per
-// pass of the loop. It may restart a stopped controller, but not while a buffer is acquired.
+// unchanged until release(). `release()` frees the frame that receive() returned. Call this
+// function only after receive() has returned a frame. `acquire()` returns a free transmit buffer of
+// at least 1514 bytes. If the ring is full, acquire() returns an empty span and counts the failure.
+// A second call before commit() returns the same buffer. `room()` returns the minimum number of
+// buffers that acquire() can return now. `commit(n)` queues the first n bytes of the acquired
+// buffer, 14 <= n <= 1514. `pump()` passes a bounded number of queued frames to the controller.
+// Call this function once per pass of the loop. `pump()` may restart a stopped controller, but not
+// while a buffer is acquired.
 template <typename Port>
 concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
   { port.receive() } -> std::same_as<std::span<const std::byte>>;

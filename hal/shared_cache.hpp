@@ -6,9 +6,9 @@
 
 namespace iog::hal {
 
-// After `keep_cache(true)`, newly cached data replaces only a small part of the cache. This changes
-// only run times, but no results.
-// `keep_cache(false)` ends this mode. Initially, the mode is off.
+// After `keep_cache(true)`, newly cached data replaces only a small part of the cache. This mode
+// changes run times, but not results. `keep_cache(false)` ends the mode. Initially, the mode is
+// off.
 template <typename T>
 concept SharedCache = requires(T& machine) {
   { machine.keep_cache(true) } -> std::same_as<void>;

@@ -32,7 +32,7 @@ struct BootRecord {
 // The record, at an address of linker/<board>.ld. The record is deliberately never initialised.
 extern "C" BootRecord boot_record;
 
-// The DDR after the record. It is never written, so it keeps its content from power-up.
+// The DDR after the record is never written, so it keeps its content from power-up.
 // NOLINTNEXTLINE(readability-identifier-naming): a symbol of the linker script
 extern "C" const std::array<std::uint32_t, 1024> boot_noise;
 

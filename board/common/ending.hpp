@@ -1,7 +1,7 @@
 // Ends a run and writes one line with the reason to the console and to the boot record.
 //
-// This code runs when all other code has ended. It uses only registers and the uncached record, but
-// no driver objects. Each step runs at most once.
+// This code runs when all other code has ended, so it uses only registers and the uncached record,
+// but no driver objects. Each step runs at most once.
 #pragma once
 
 #include <string_view>

@@ -8,7 +8,7 @@
 
 namespace iog::board {
 
-// The priority of all interrupts. It only has to be more urgent than the mask 0xff.
+// The priority of all interrupts, which only has to be more urgent than the mask 0xff.
 inline constexpr std::uint8_t kInterruptPriority = 0xa0;
 
 // Switches the GIC off, disables all lines, and makes all lines level-sensitive. A boot loader may

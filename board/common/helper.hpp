@@ -39,7 +39,8 @@ extern Helpers all_helpers;
 [[noreturn]] void end_helper(hal::CoreState state, const TextLine& last_word);
 
 // hear_core_0() configures the interrupt controller to pass the wake and stop interrupts to this
-// core. `hear_nobody()` configures it to pass no interrupts. Each board implements hear_core_0().
+// core. `hear_nobody()` configures the interrupt controller to pass no interrupts. Each board
+// implements hear_core_0().
 void hear_core_0();
 void hear_nobody();
 

@@ -1,7 +1,7 @@
 // Measures the maximum depth of a stack from the fill pattern that is still intact.
 //
 // Checking the whole pattern in every frame would take 65,536 loads and a quarter of the L2 cache.
-// Each check therefore makes a bounded number of loads. It examines the words just below the
+// Each check therefore makes a bounded number of loads. A check examines the words just below the
 // deepest used word, and one part of the remaining stack. Successive checks examine different
 // parts.
 #pragma once

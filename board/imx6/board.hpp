@@ -1,5 +1,4 @@
-// The SABRE Lite board. It provides the application with one started object for each interface in
-// hal/.
+// The SABRE Lite board provides the application with one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ struct FaultStatus {
 
 // Returns a text such as "data abort pc=... lr=... sp=... spsr=... fsr=... far=...". If the address
 // lies below a stack, the text ends with "(stack guard)". An "asynchronous abort" has no address.
-// Its pc is the instruction at which the core received the abort.
+// The pc of an asynchronous abort is the instruction at which the core received the abort.
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
 
 // startup.S calls this function on the stack of the exception's mode.

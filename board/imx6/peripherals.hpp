@@ -1,4 +1,4 @@
-// The peripherals of this chip. linker/imx6_peripherals.ld gives each symbol its address and its
+// The peripherals of this chip. `linker/imx6_peripherals.ld` gives each symbol its address and its
 // chapter.
 #pragma once
 

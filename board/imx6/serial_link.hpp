@@ -34,7 +34,7 @@ class SerialLink {
   std::size_t free_bytes() const { return kRingBytes - (queued_ - sent_); }
   void write(std::span<const std::byte> bytes);
 
-  // Writes at most 16 bytes to the FIFO. If no bytes can be sent, the function reads only one
+  // Writes at most 16 bytes to the FIFO. If no bytes can be sent, the function reads at most one
   // register.
   void pump();
 

@@ -1,4 +1,4 @@
-// The ZCU102 board. It provides the application with one started object for each interface in hal/.
+// The ZCU102 board provides the application with one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Interrupts wake the loop. An interrupt interrupts running code only to stop a helper.
+// Interrupts wake the loop. Running code is interrupted only to stop a helper.
 //
 // As on the i.MX6 (board/imx6/gic.hpp), core 0 always masks interrupts, and WFI returns when an
 // interrupt is pending. The interrupts are a received frame and the 1 ms timer. TF-A reserves group

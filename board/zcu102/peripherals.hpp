@@ -1,4 +1,4 @@
-// The peripherals of this chip. linker/zcu102_peripherals.ld gives each symbol its address.
+// The peripherals of this chip. `linker/zcu102_peripherals.ld` gives each symbol its address.
 #pragma once
 
 #include "registers/gem.hpp"

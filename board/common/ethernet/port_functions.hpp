@@ -15,7 +15,8 @@ namespace iog::board {
 inline constexpr std::uint64_t kStuckUs = 500'000;
 // The shortest time between two restarts because of bus errors.
 inline constexpr std::uint64_t kBusErrorPauseUs = 100'000;
-// The GEM's smallest statistics counter has 10 bits. At 1 Gbit/s, it saturates after 0.7 ms.
+// The GEM's smallest statistics counter has 10 bits. At 1 Gbit/s, this counter saturates after 0.7
+// ms.
 inline constexpr std::uint64_t kStatisticsPeriodUs = 1000;
 
 template <typename Controller>

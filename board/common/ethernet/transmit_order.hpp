@@ -45,8 +45,8 @@ class TransmitOrder {
   }
 
  private:
-  // index must be less than size, and steps must be at most size. The function needs no division,
-  // which the Cortex-A9 does not have.
+  // `index` must be less than the size of the ring, and `steps` must be at most this size. The
+  // function needs no division, which the Cortex-A9 does not have.
   std::size_t after(std::size_t index, std::size_t steps) const {
     const std::size_t sum = index + steps;
     return sum >= size_ ? sum - size_ : sum;

@@ -5,10 +5,10 @@
 // bytes on Linux, about 90 frames), and datagrams have no flow control. The bucket therefore gains
 // kFramesPerWindow tokens every kWindowUs, and holds at most kBurstFrames tokens.
 //
-//   8 frames per 250 us of 1538 bytes on the wire (1514, FCS, preamble, gap) are 394 Mbit/s, below
-//   the 400 Mbit/s that the i.MX6Q's Ethernet sustains (erratum ERR004512). A complete grid is sent
-//   within 34 ms, and grids are 40 ms apart. The burst covers one tick of the sleeping loop (1 ms)
-//   and has 48 KiB, a quarter of that socket buffer.
+//   Sending 8 frames of 1538 bytes on the wire (1514, FCS, preamble, gap) per 250 us needs 394
+//   Mbit/s, below the 400 Mbit/s that the i.MX6Q's Ethernet sustains (erratum ERR004512). A
+//   complete grid is sent within 34 ms, and grids are 40 ms apart. The burst covers one tick of the
+//   sleeping loop (1 ms) and has 48 KiB, a quarter of the receiver's socket buffer.
 #pragma once
 
 #include <cstddef>
