@@ -166,7 +166,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // Fuses as many slices at once as fit into memory, then adds these slices to the window.
+  // Fuses as many slices at once as fit into memory, and then adds these slices to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();

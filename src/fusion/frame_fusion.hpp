@@ -44,8 +44,8 @@ class FrameFusion {
   // lowest returns of these sensors are also collected. The models must belong to the vehicle and
   // outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // Returns the lowest returns of a sensor. `place` is the sensor's position among the sensors with
-  // an estimated ground.
+  // Returns the collection of a sensor's lowest returns. `place` is the sensor's position among the
+  // sensors with an estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
   // Stores the mark of this point, or the marks of its arc, and carves the point's beam immediately

@@ -279,7 +279,8 @@ class KeptAzimuth {
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
 // sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. The
 // finest steps of a LUX are an eighth of a degree. With up to three sensors, the azimuths in these
-// steps also map to distinct slots. With four sensors, nearly all of them map to distinct slots.
+// steps also map to distinct slots. With four sensors, nearly all azimuths in these steps map to
+// distinct slots.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

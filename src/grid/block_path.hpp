@@ -56,8 +56,7 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // Converts a position to a position relative to the corner of the first block, in the line's own
-  // direction.
+  // Returns the position relative to the corner of the first block, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }

@@ -144,7 +144,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet for the fusion code. At silent azimuths, a missing return is not evidence.
+// A view of a packet for the fusion code. At silent azimuths, a missing return is no evidence of
+// free space.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

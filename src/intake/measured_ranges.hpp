@@ -93,7 +93,7 @@ class FrozenWatch {
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);
 
-  // Ends the frame and starts the next one.
+  // Ends the frame and starts the next frame.
   void start_frame();
 
  private:
