@@ -38,7 +38,7 @@ bool WindowView::copy_classes(std::size_t slot,
   if (classes) {
     std::ranges::copy(*classes, std::as_writable_bytes(to).begin());
   } else {
-    std::ranges::fill(to, std::int8_t{0});
+    std::fill_n(to.begin(), to.size(), std::int8_t{0});
   }
   return classes.has_value();
 }

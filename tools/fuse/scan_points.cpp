@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "intake/packet.hpp"
+#include "tools/vehicles/packet_points.hpp"
 #include "tools/vehicles/point_place.hpp"
 
 namespace iog::tools {
@@ -39,17 +40,18 @@ std::vector<SeenPoint> ScanPoints::points_of(const CapturedDatagram& packet) {
     return {};
   }
   std::vector<vehicle::Fate> fates;
-  fusion_->add_all(sensor, decoded, [&](vehicle::Fate fate) { fates.push_back(fate); });
+  const ListedPacket listed(decoded);
+  fusion_->add_all(sensor, listed, [&](vehicle::Fate fate) { fates.push_back(fate); });
   fusion_->clear();
   std::vector<SeenPoint> points;
   const PointPlacer placer(car_->sensors[number]);
   auto fate = fates.begin();
-  decoded.for_each_point([&](const lidar::ScanPoint& point) {
+  for (const lidar::ScanPoint& point : listed.points()) {
     if (point.range_mm != 0) {
       append(placer.place(point), *fate, points);
     }
     ++fate;
-  });
+  }
   return points;
 }
 

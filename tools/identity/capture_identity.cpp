@@ -112,9 +112,11 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
 
 void CaptureIdentity::note_directions(std::span<const std::byte> scan, Port& port) {
   std::set<std::int32_t> directions;
-  intake::Packet::decode(lidar::kFormat<lidar::IbeoLux>, scan)
-      .for_each_point(
-          [&](const lidar::ScanPoint& point) { directions.insert(point.azimuth_ticks); });
+  lidar::IbeoLux lux;
+  if (lux.decode(scan) == lidar::DecodeStatus::kOk) {
+    lux.for_each_point(
+        [&](const lidar::ScanPoint& point) { directions.insert(point.azimuth_ticks); });
+  }
   for (auto next = directions.begin(); next != directions.end(); ++next) {
     if (next != directions.begin()) {
       ++port.steps[*next - *std::prev(next)];

@@ -7,6 +7,7 @@
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
 #include "tools/car/mount.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::tools {
 namespace {
@@ -55,11 +56,11 @@ void UnitTurns::take(const CapturedDatagram& datagram) {
     end_turn();
   }
   last_us_ = datagram.time_us;
-  packet.for_each_point([&](const lidar::ScanPoint& point) {
+  for (const lidar::ScanPoint& point : points_of(packet)) {
     if (point.range_mm >= sensor_->range_min_mm && point.range_mm > 0) {
       keep(placer_.place(point));
     }
-  });
+  }
 }
 
 void UnitTurns::keep(const PointPlace& place) {

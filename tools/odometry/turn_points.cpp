@@ -8,6 +8,7 @@
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::tools {
 namespace {
@@ -51,7 +52,9 @@ std::optional<Turn> TurnPoints::take(const CapturedDatagram& datagram) {
       }
     }
     turn_.end_us = std::max(turn_.end_us, datagram.time_us);
-    packet.for_each_point([&](const lidar::ScanPoint& point) { keep(datagram, unit, point); });
+    for (const lidar::ScanPoint& point : points_of(packet)) {
+      keep(datagram, unit, point);
+    }
   }
   return whole;
 }

@@ -1,6 +1,7 @@
 #include "lab/experiments/hills/fate_watch.hpp"
 
 #include "lab/experiments/perceiver.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::lab {
 
@@ -17,7 +18,8 @@ const std::vector<vehicle::Fate>& FateWatch::take(const tools::CapturedDatagram&
       *frame_, frame_->receive({kReplayer, datagram.destination.port, datagram.payload}),
       [&](const intake::SensorPacket& packet) {
         frame_->accept(packet, now_us);
-        frame_->fusion().own().add_all(vehicle_->sensors[packet.sensor], packet.packet,
+        frame_->fusion().own().add_all(vehicle_->sensors[packet.sensor],
+                                       tools::ListedPacket(packet.packet),
                                        [this](vehicle::Fate fate) { fates_.push_back(fate); });
       },
       [&] { close_frame(now_us); });

@@ -17,6 +17,7 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/fuse/offline_target.hpp"
 #include "tools/program/file.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::tools {
 namespace {
@@ -128,9 +129,9 @@ std::vector<CapturedDatagram> points_of(const CapturedDatagram& own, const vehic
   EXPECT_TRUE(packet.is_sound());
   const lidar::PacketInfo& info = packet.info();
   std::vector<tests::SentPoint> points;
-  packet.for_each_point([&](const lidar::ScanPoint& point) {
+  for (const lidar::ScanPoint& point : tools::points_of(packet)) {
     points.push_back(are_places ? place_of(point, unit) : direction_of(point, unit));
-  });
+  }
   const auto parts_of = [&](std::uint32_t ticks) {
     return static_cast<std::uint32_t>(std::uint64_t{ticks} * 360 * kDegree /
                                       static_cast<std::uint64_t>(unit.scan_ticks));

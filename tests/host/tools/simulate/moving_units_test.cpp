@@ -20,6 +20,7 @@
 #include "stream/crc32.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/simulate/drives/drive.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::tools {
 namespace {
@@ -90,10 +91,10 @@ Placed placed_by(const std::string& car_name) {
           intake::measured_us(decoding, packet.info(), datagram.time_us);
       const double time_s = static_cast<double>(measured_us - kDriveStartUs) / 1e6;
       const Placement then = drive.scene().ego_at(time_s).at;
-      packet.for_each_point([&](const lidar::ScanPoint& point) {
+      for (const lidar::ScanPoint& point : points_of(packet)) {
         const double elevation = elevation_of(sensor, point.layer);
         if (point.range_mm == 0 || std::abs(elevation) > 2.5 * kDegree) {
-          return;
+          continue;
         }
         const double azimuth =
             point.azimuth_ticks * 2 * std::numbers::pi / turn + sensor.mount.yaw_deg * kDegree;
@@ -102,7 +103,7 @@ Placed placed_by(const std::string& car_name) {
         const double y = sensor.mount.y_m + range_m * std::sin(azimuth);
         placed.by_packet.push_back({moved(then, x, y).x, time_s * 10 - frame});
         placed.by_turn.push_back({moved(at_end, x, y).x, time_s * 10 - frame});
-      });
+      }
     }
   }
   return placed;
@@ -171,28 +172,28 @@ TEST(MovingUnits, EveryPointHasItsTruth) {
       const vehicle::Sensor& decoding = car.vehicle->sensors[sensor];
       const description::SensorConfig& config = car.sensors[sensor];
       std::size_t number = 0;
-      intake::Packet::decode(decoding.format, packet.datagram.payload, decoding.unit())
-          .for_each_point([&](const lidar::ScanPoint& point) {
-            ASSERT_LT(number, packet.points.size());
-            const PointTruth& truth = packet.points[number++];
-            ++counts[truth.what];
-            EXPECT_EQ(truth.what == PointClass::kNothing, point.range_mm == 0) << name;
-            EXPECT_EQ(truth.what == PointClass::kClutter, point.is_rain || point.is_dirt) << name;
-            EXPECT_TRUE(!point.is_ground || truth.what == PointClass::kGround) << name;
-            EXPECT_EQ(truth.what == PointClass::kMoving,
-                      truth.what == PointClass::kMoving && truth.thing >= kFirstMover);
-            if (truth.what == PointClass::kGround) {
-              EXPECT_EQ(truth.height_m, 0) << name;
-            }
-            // Nearer than 20 m the height is what elevation and range say: the car nods by 0.2
-            // degrees.
-            if (name == "roof_hdl32e" && point.range_mm > 0 && point.range_mm < 20'000) {
-              const double elevation = elevation_of(config, point.layer);
-              const double height =
-                  config.mount.z_m + point.range_mm / 1000.0 * std::sin(elevation);
-              EXPECT_NEAR(truth.height_m, height, 0.2) << name;
-            }
-          });
+      const auto decoded =
+          intake::Packet::decode(decoding.format, packet.datagram.payload, decoding.unit());
+      for (const lidar::ScanPoint& point : points_of(decoded)) {
+        ASSERT_LT(number, packet.points.size());
+        const PointTruth& truth = packet.points[number++];
+        ++counts[truth.what];
+        EXPECT_EQ(truth.what == PointClass::kNothing, point.range_mm == 0) << name;
+        EXPECT_EQ(truth.what == PointClass::kClutter, point.is_rain || point.is_dirt) << name;
+        EXPECT_TRUE(!point.is_ground || truth.what == PointClass::kGround) << name;
+        EXPECT_EQ(truth.what == PointClass::kMoving,
+                  truth.what == PointClass::kMoving && truth.thing >= kFirstMover);
+        if (truth.what == PointClass::kGround) {
+          EXPECT_EQ(truth.height_m, 0) << name;
+        }
+        // Nearer than 20 m the height is what elevation and range say: the car nods by 0.2
+        // degrees.
+        if (name == "roof_hdl32e" && point.range_mm > 0 && point.range_mm < 20'000) {
+          const double elevation = elevation_of(config, point.layer);
+          const double height = config.mount.z_m + point.range_mm / 1000.0 * std::sin(elevation);
+          EXPECT_NEAR(truth.height_m, height, 0.2) << name;
+        }
+      }
       EXPECT_EQ(number, packet.points.size()) << name;
     }
     EXPECT_GT(counts[PointClass::kGround], 20) << name;
@@ -259,10 +260,10 @@ TEST(MovingUnitsOfAllCars, APointIsWhereItsTruthSays) {
       const EgoPose ego =
           drive.scene().ego_at(static_cast<double>(measured_us - kDriveStartUs) / 1e6);
       auto next = simulated.points.begin();
-      packet.for_each_point([&](const lidar::ScanPoint& point) {
+      for (const lidar::ScanPoint& point : points_of(packet)) {
         const PointTruth& truth = *next++;
         if (point.range_mm == 0) {
-          return;
+          continue;
         }
         const Vector3 placed = place_of(point, sensor, ego);
         const double off =
@@ -273,7 +274,7 @@ TEST(MovingUnitsOfAllCars, APointIsWhereItsTruthSays) {
             << name;
         square_sum += off * off;
         ++count;
-      });
+      }
     }
     EXPECT_GT(count, 5'000) << name;
     EXPECT_LT(std::sqrt(square_sum / count), 0.08) << name;

@@ -18,6 +18,7 @@
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/scanners/packet_encoder.hpp"
 #include "tools/simulate/scanners/spinning_beams.hpp"
+#include "tools/vehicles/packet_points.hpp"
 
 namespace iog::tools {
 namespace {
@@ -132,7 +133,7 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
     const intake::Packet packet = intake::Packet::decode(config.format, bytes, sensor.unit());
     ASSERT_TRUE(packet.is_sound()) << unit.car;
     std::set<int> layers;
-    packet.for_each_point([&](const lidar::ScanPoint& point) {
+    for (const lidar::ScanPoint& point : points_of(packet)) {
       double elevation_deg = 0;
       double height_m = 0;
       if (config.lasers.empty()) {
@@ -144,7 +145,7 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
         height_m = config.lasers[point.layer].height_m;
       }
       if (point.range_mm == 0 || elevation_deg > -3) {
-        return;
+        continue;
       }
       const double elevation = elevation_deg * 3.14159265358979 / 180;
       const double start_m = config.mount.z_m + height_m / std::cos(elevation);
@@ -153,7 +154,7 @@ TEST(SpinningDrive, LowBeamsEndOnTheGround) {
       ASSERT_NEAR(end_m, 0, -std::sin(elevation) * (4 * config.sigma_m + 0.004))
           << unit.car << " " << elevation_deg;
       layers.insert(point.layer);
-    });
+    }
     EXPECT_GT(layers.size(), 5U) << unit.car;
   }
 }
