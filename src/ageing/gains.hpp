@@ -38,7 +38,7 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// The doubt that remains after 100 ms of crossing beams, which have a mass of 0.7.
+// The doubt that remains in a cell after beams with a mass of 0.7 have crossed it for 100 ms.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
 // Returns the mass of crossing beams after 1 ... 100 ms. This function runs only on a PC or at

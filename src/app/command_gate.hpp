@@ -47,8 +47,8 @@ class CommandGate {
 
   // Returns the datagram for the pipeline, or nothing if the datagram is a command that is not
   // authentic. The returned datagram is valid until the next call. A command from an unknown source
-  // passes with an empty payload, and the pipeline counts the unknown source. As a result, the gate
-  // computes no MAC for unknown sources.
+  // is passed on with an empty payload, and the pipeline counts it. As a result, the gate computes
+  // no MAC for unknown sources.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;

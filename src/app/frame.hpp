@@ -4,8 +4,8 @@
 //
 // A frame opens with its first packet. The frame ends when every sensor has delivered its scan,
 // when a sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes
-// first. If no packets arrive, an empty frame ends every two periods, so that missing data is
-// reported.
+// first. If no packets arrive, an empty frame is closed every two periods so that the loss of data
+// is reported.
 //
 // A single core fuses each packet on arrival. A dense lidar may send more points than one core can
 // process. Several cores therefore buffer the lidar's packets until each core has a part. The cores

@@ -5,7 +5,7 @@
 //
 // A core that faulted or was stopped is known to be lost. A lost core need not report, because the
 // other cores do its work (docs/cores.md). A core that should be alive but does not answer a
-// wake-up is late, even if the core has no work.
+// wake-up counts as late, even if it has no work.
 #pragma once
 
 #include <array>

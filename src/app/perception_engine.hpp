@@ -2,8 +2,8 @@
 //
 // The engine buffers the packets until the frame ends. Packets measured in the same slice of a few
 // milliseconds are then fused together and added to the window with the slice's pose. The frame's
-// own grid is joined from the grids of its slices. This grid is byte-for-byte identical to a grid
-// whose packets were fused on arrival.
+// own grid is assembled from the grids of its slices. This grid is byte-for-byte identical to a
+// grid whose packets were fused on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid

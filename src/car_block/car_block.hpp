@@ -36,7 +36,7 @@ struct Firmware {
 // must be valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
-// Writes a block without a car. The firmware refuses this block until `iog image` adds a car.
+// Writes an empty car block. The firmware refuses this block until `iog image` adds a car.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
 // Returns the properties of the firmware, or nothing if the firmware record is invalid.
@@ -69,8 +69,8 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message about a refused car. The console, the stream and `iog image` display the message
-// about a refused car.
+// The message that is shown when a car block is rejected. The console, the stream and `iog image`
+// display it.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

@@ -64,8 +64,8 @@ void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
 // Checks the tables of a car that has passed check_numbers().
 void check_tables(const vehicle::Vehicle& car, const vehicle::Tell& tell);
 
-// Returns the first fault. If the car has no fault, the field of the result is empty. `network` is
-// the network configuration in the same block.
+// Returns the first fault. If the car is valid, `field` in the result is empty. `network` is the
+// network configuration in the same block.
 [[nodiscard]] vehicle::Fault fault_of(const vehicle::Vehicle& car, const net::Config& network);
 
 }  // namespace iog::car_block

@@ -126,7 +126,8 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// Returns a cell after a frame with evidence. The cell must already be aged.
+// Returns the new value of a cell after a frame that brought evidence for it. The cell must already
+// be aged.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =
       product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);

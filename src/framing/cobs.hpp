@@ -23,8 +23,8 @@ inline constexpr std::byte kDelimiter{0};
 inline constexpr std::size_t kMaxBlockBytes = 254;
 
 // Returns the maximum length of a framed message of `bytes` bytes. The frame consists of the
-// message, at least one code byte, and the delimiter. Each started group of 254 bytes takes one
-// code byte.
+// message, at least one code byte, and the delimiter. Each group of 254 bytes, full or partial,
+// costs one code byte.
 [[nodiscard]] constexpr std::size_t max_framed_bytes(std::size_t bytes) {
   return bytes + bytes / kMaxBlockBytes + 2;
 }

@@ -48,10 +48,11 @@ class FrameFusion {
   // sensors with an estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Stores the mark of this point, or the marks of its arc, and carves the point's beam immediately
-  // or later. The sensor must belong to the vehicle, and the point's layer and azimuth must be
-  // valid in the sensor's format. Returns within the vehicle's height band are obstacles. All
-  // points of a frame together may mark at most kMaxMarks cells.
+  // Stores the mark for this point (or the marks for its arc). Carves the point's beam, either
+  // immediately or when a later call carves all pending beams. The sensor must belong to the
+  // vehicle, and the point's layer and azimuth must be valid in the sensor's format. Returns within
+  // the vehicle's height band are obstacles. All points of a frame together may mark at most
+  // kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);

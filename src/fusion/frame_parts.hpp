@@ -35,7 +35,7 @@ class FrameParts {
   // fit. If no parts are left, the result is empty.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // Returns the numbers, within the frame, of the packets in a part.
+  // Returns the frame-relative numbers of the packets in a part.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }

@@ -99,7 +99,7 @@ class SharedFusion {
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Returns core 0's own fusion, which is clear whenever the crew fuses parts.
+  // Returns core 0's own fusion, which is empty whenever the crew fuses the parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
   // Returns the ground models, which change at the end of a frame.

@@ -39,8 +39,9 @@ static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
   return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
-// In the default grid, the vehicle frame's origin is the corner at the centre. In metres, cell (x,
-// y) covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the same.
+// In the default grid, the vehicle frame's origin is the cell corner at the centre of the grid. In
+// metres, cell (x, y) covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the
+// same.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;

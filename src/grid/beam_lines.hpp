@@ -55,8 +55,8 @@ class BandLimits {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance or beyond free the whole part, because the zones before these points
-  // are also beyond the part.
+  // A point at or beyond this distance frees the whole part, because the uncertain zone in front of
+  // the point is also beyond the part.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
   // Returns true if this part ends farther along a line than the part of another layer.

@@ -108,8 +108,7 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // A line crosses at most kSlots - 2 borders between two cells of the grid. One more border may
-  // follow the last cell.
+  // A line crosses at most kSlots - 2 cell borders. One more border may follow the last cell.
   static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
   Between first_;

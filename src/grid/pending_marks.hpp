@@ -47,8 +47,8 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 
 // Returns the maximum number of cells that one point of this sensor can mark. If the sensor has an
 // arc, the maximum is the number of steps of the longest arc. Otherwise, a point can mark its own
-// cell and the cells behind it, up to the near_after_count 1D cells of the sensor's profile. A line
-// of length d enters at most sqrt(2) d / cell + 2 further cells.
+// cell and the cells within near_after_count 1D cells behind it, as given by the sensor's profile.
+// A line of length d enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor, sensor.range.mm());

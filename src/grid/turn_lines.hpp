@@ -39,8 +39,8 @@ struct TurnLayers {
   bool start_in_band = false;
   // The number of beams that saturate a cell.
   std::uint32_t enough_beams = 0;
-  // A hit at this distance or beyond frees all cells within the band that layers with a rank of
-  // near_rank or higher may free.
+  // A hit at this distance or beyond frees every cell in the band that can be freed by layers of
+  // rank near_rank or higher.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()

@@ -40,9 +40,10 @@ class LowBeams {
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 
-  // Returns the stretch of a beam. If the sensor is mounted higher than low_mm above the car's
-  // plane, the stretch starts where the beam descends to low_mm. Otherwise, the stretch extends
-  // from the start of the beam to the point where the beam rises above low_mm.
+  // Returns the part of a beam's line in which the beam is low. If the sensor is mounted higher
+  // than low_mm above the car's plane, the stretch starts where the beam descends to low_mm.
+  // Otherwise, the stretch extends from the start of the beam to the point where the beam rises
+  // above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

@@ -14,7 +14,7 @@ namespace iog::ground {
 class Surface {
  public:
   // The heights above the car's plane in mm, at the start of each bin and at the end of the last
-  // bin. Between two of these points, the ground is straight.
+  // bin. Between adjacent points, the ground is a straight line.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
   static constexpr std::int32_t kMost = 32'000;  // maximum magnitude of any height

@@ -42,8 +42,8 @@ requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_po
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a byte that was carved with saturation at the minimum of int8 to an index. The value
-// -128 becomes -127.
+// Converts a carved byte to an index. Carving saturates at the minimum of int8. The value -128
+// becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

@@ -8,8 +8,9 @@
 // than one sixteenth of its ground beams have a return, and one of two conditions holds: less than
 // one sixteenth of all its beams have a return, or at least one quarter of its ground beams
 // previously had a return. The previous fraction is a running mean, updated by 1/32 per turn. A
-// ground sector opens after three turns in which one eighth of its ground beams, or else of all its
-// beams, have a return.
+// ground sector is unblocked after three turns in which one eighth of its ground beams have a
+// return. If less than one quarter of its ground beams previously had a return, one eighth of all
+// its beams is also enough.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
@@ -17,12 +18,12 @@
 // Level sectors belong to units that do not spin or have no ground beams. At least one beam of a
 // level sector meets the car's plane within the unit's range. A level sector is blocked after 32
 // scans without a return, and opens after two scans with a return. After three scans without any
-// return, all sectors of the unit are blocked.
+// return, all sectors of the unit are reported as blocked.
 //
 // Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-// range, such as a level 2D scanner. Only beams with any echo are judged. An open sector is blocked
-// after 32 scans in which less than one sixteenth of these echoes count as returns, and opens after
-// two other scans.
+// range, such as a level 2D scanner. Only beams with any echo are judged. An open sector becomes
+// blocked after 32 scans in which less than one sixteenth of these echoes count as returns. It is
+// unblocked after two scans in which more of them do.
 //
 // Returns closer than the sensor's minimum range, and returns that the sensor flags as dirt or
 // rain, are ignored. Only whole turns and scans are judged. Turns and scans are sums over packets,

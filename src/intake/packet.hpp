@@ -87,7 +87,7 @@ class Packet {
     return visit;
   }
 
-  // Returns the properties of the unit that a valid Velodyne packet shows. Returns null for other
+  // Returns the properties of the unit, as found in a valid Velodyne packet. Returns null for other
   // packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;

@@ -1,5 +1,5 @@
-// The NEON version, for the target, of the operations on sixteen indexes at once and on two rows of
-// bits.
+// The NEON implementation, for the target, of the operations on sixteen indexes at once and on two
+// rows of bits.
 #pragma once
 
 #include <arm_neon.h>

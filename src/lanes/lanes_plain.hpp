@@ -1,5 +1,5 @@
 // The plain C++ version of the operations on sixteen indexes at once and on two rows of bits. This
-// version is the specification of the other versions. Machines without vector instructions use this
+// version is the reference for the other versions. Machines without vector instructions use this
 // version.
 #pragma once
 

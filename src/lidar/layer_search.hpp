@@ -19,7 +19,7 @@ class LayerSearch {
 
   LayerSearch() = default;
   // `rising` must contain at least one elevation. The elevations must be in ascending order and
-  // within a quarter turn, which has at most 2^20 units. The array must outlive the search.
+  // span at most a quarter turn (2^20 units). The array must outlive the search.
   explicit LayerSearch(std::span<const std::int32_t> rising) : rising_(rising) {
     const std::size_t last = rising.size() - 1;
     lowest_ = rising.front() - (last == 0 ? kAlone : (rising[1] - rising[0]) / 2);

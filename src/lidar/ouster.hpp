@@ -165,9 +165,9 @@ class OusterDecoder : public OusterPacket {
   // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
   // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
   // packet has another type, or that the times between columns do not match the unit's mode.
-  // `kWrongAngle` means that a column number is too high or contradicts its encoder, or that the
-  // columns are not consecutive. `kWrongPoint` means that no column was measured. `kOtherUnit`
-  // means that the pixels have the format of another profile.
+  // `kWrongAngle` means that a column number is too high or does not match the encoder value, or
+  // that the columns are not consecutive. `kWrongPoint` means that no column was measured.
+  // `kOtherUnit` means that the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }

@@ -1,5 +1,5 @@
-// Receives map blocks in chunks. Of the two buffers, chunks are stored in the buffer that does not
-// contain the block in use.
+// Receives map blocks in chunks. Chunks are stored in whichever of the two buffers does not hold
+// the block in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the whole block is checked, with a limited number of bytes per frame. A valid block is

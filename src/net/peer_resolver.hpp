@@ -39,8 +39,8 @@ class PeerResolver {
 
   // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
   // unsolicited ARP packet. A different station is therefore accepted only if the known station has
-  // not answered for one interval. Until then, the known station is in doubt, as it is after a call
-  // of hear().
+  // not answered for one interval. Until then, the known station is in doubt, just as after a call
+  // to hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of

@@ -1,4 +1,4 @@
-// The gate of a track. A track takes hits up to this distance outside its box.
+// The gate of a track. A track claims hits up to this distance outside its box.
 #pragma once
 
 #include <algorithm>

@@ -64,7 +64,7 @@ inline constexpr std::int32_t kContradictionMm = 150;
 inline constexpr std::int32_t kGapMm = 400;
 inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
-// These values determine whether a cluster next to a track is attached to the track.
+// These values determine whether a cluster next to a track is attached to it.
 inline constexpr std::int32_t kAttachMm = 300;  // in addition to the gap
 inline constexpr std::int32_t kHeadwayMs = 50;  // no road user follows a moving object more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
@@ -147,12 +147,12 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // Parameters of the trail of a receding track, which consists of the places that the track has
 // left. A frame supports the trail under two conditions. The track's own beams must pass at least
-// kTrailPlaces of the places that the track has left. The number of passed places must be at least
-// kGoodOverBad times the number of places that are hit again. A beam passes a place if it misses
-// the place by at most kBesideMm. A place that is still occupied is hit again within kLayersMs,
-// even if the sensor scans its layers one after the other. For tracks below kLayersSpeed, hits on
-// such a place count. Hits behind a faster track may belong to the track itself, because its speed
-// is not known well enough.
+// kTrailPlaces of the places that the track has left. There must be at least kGoodOverBad times as
+// many passed places as places that were hit again. A beam passes a place if it misses the place by
+// at most kBesideMm. A place that is still occupied is hit again within kLayersMs, even if the
+// sensor scans its layers one after the other. For tracks below kLayersSpeed, hits on such a place
+// count. Hits behind a faster track may belong to the track itself, because its speed is not known
+// well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -202,7 +202,7 @@ inline constexpr std::int32_t kMovingConfidence = 5;
 // track must be at least kSureConfidence. At least kSureUnopposed frames must have supported the
 // motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad good or neutral
 // places for each bad place. Each opposing frame cancels kOpposed supporting frames. A frame that
-// does not oppose the motion supports the motion if the frame has at least kSteadyHits good places.
+// does not oppose the motion supports it if the frame has at least kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

@@ -1,8 +1,8 @@
 // Tracks moving objects with the hits of each frame and the classes of the perception grid.
 //
-// A track is a box with a velocity to which hits are assigned. A track is moving only if the grid
-// confirms its motion (docs/objects.md). The tracker never changes the grid. The tracker performs
-// the following steps for each frame:
+// A track is a moving box, and hits are assigned to it. A track is moving only if the grid confirms
+// its motion (docs/objects.md). The tracker never changes the grid. The tracker performs the
+// following steps for each frame:
 //
 //     hits -> [claim] by tracks -> [cluster] the rest -> [attach, associate] to tracks
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid

@@ -1,4 +1,4 @@
-// Implements free-space gating. Only low beams open cells to motion.
+// Implements free-space gating. Only low beams make a cell eligible for motion detection.
 //
 // A beam frees every cell that it crosses within the height band. Some of these cells are above a
 // bonnet, a verge or a kerb, or are seen through the windows of a parked car. If a later beam hits

@@ -29,9 +29,9 @@ static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 // Converts a length to cells, rounded up.
 [[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
 
-// A hit is classified as moved only if a tall return is within this distance along each axis. The
-// larger distance is for sensors whose tall returns must also be high above the highest ground
-// nearby (ground/ground.hpp), because these sensors have fewer tall returns.
+// A hit is classified as moved only if a tall return is within this distance along each axis. Some
+// sensors have fewer tall returns, because their tall returns must also be well above the highest
+// ground nearby (ground/ground.hpp). The larger distance applies to these sensors.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
@@ -44,7 +44,7 @@ struct Around {
   // A hit belongs to a standing object if a standing cell is within this distance.
   int beside = 1;
   // Gaps between beams are closed with the radius `gaps`. All cells within this distance of a dense
-  // cell must be seen.
+  // cell must have been observed.
   int gaps = 2;
   // All cells within this distance of an open cell must be free. New hits are counted within the
   // same distance of a cell.

@@ -42,10 +42,10 @@ struct StandingCounts {
 // poles and other cars are confirmed at the same time.
 //
 // If the poses are wrong from the start, few cells become standing, and beams cross a much larger
-// fraction of these cells. A lower minimum number of cells therefore applies as long as the poses
-// have never moved the car. As long as the poses have never moved the car, more than an eighth of
-// the cells must be crossed in many successive frames. The excess over an eighth is accumulated,
-// and decays over about a hundred frames.
+// fraction of these cells. The minimum number of cells is therefore lower until the poses first
+// show the car moving. As long as the poses have never moved the car, more than an eighth of the
+// cells must be crossed in many successive frames. The excess over an eighth is accumulated, and
+// decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {

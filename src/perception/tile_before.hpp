@@ -15,7 +15,7 @@ namespace iog::perception {
 
 class TileBefore {
  public:
-  // Call begin() before the first group changes.
+  // Call begin() before changing any group of a tile.
   void begin(bool is_known) {
     is_known_ = is_known;
     count_ = 0;

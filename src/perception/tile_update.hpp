@@ -33,8 +33,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // Updates tiles for the frame that has just ended according to the clock. If `assignment` is
-  // null, all hits have the same mass. Both arguments must outlive this object.
+  // Updates tiles for the frame that `clock` has just ended. If `assignment` is null, all hits have
+  // the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {

@@ -74,11 +74,11 @@ class FrameEvidence {
   // Returns the tile's cells with a tall return. The result is valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Removes the evidence of the given cells of the tile at a slot.
+  // Removes the evidence from the given cells of the tile in a slot.
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:
-  // A square of tiles of the window. Tiles are counted from the window's lowest corner.
+  // A square block of tiles in the window. Tiles are counted from the window's lowest corner.
   struct Region {
     window::TileNumber low{};
     std::int32_t tiles_across = window::kTilesAcross;

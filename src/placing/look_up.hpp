@@ -22,9 +22,9 @@ namespace iog::placing {
 // run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells,
 // so a run covers at most six rows.
 //
-// The offset of a cell from the lowest column or row of its run is the integer part of the cell's
-// steps. The offset is larger by one if the fraction of the steps and the fraction of the lowest
-// column or row add up to 1 or more. The result is exact.
+// A cell's offset from the lowest column or row of its run is the integer part of its step value.
+// The offset is larger by one if the fraction of the steps and the fraction of the lowest column or
+// row add up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;

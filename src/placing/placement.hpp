@@ -107,7 +107,7 @@ class CellMap {
 }
 
 // The bounds of the images of a rectangle of cells, relative to the image of the rectangle's first
-// cell. The bounds include the lowest and the highest cell.
+// cell. Both bounds are inclusive.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

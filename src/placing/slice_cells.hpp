@@ -100,8 +100,7 @@ class SliceCells {
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // Each row has one extra byte before the bytes of the grid, and two extra bytes after the bytes
-  // of the grid.
+  // Each row has one extra byte before the grid's bytes and two after them.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {

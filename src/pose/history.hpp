@@ -78,8 +78,8 @@ class History {
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // Converts a time on the target's clock to the clock of the source, using the message with the
-  // shortest delay in the last second. The result is never ahead by more than the shortest delay of
-  // a message. Returns nothing if no message arrived in the last second.
+  // shortest delay in the last second. The result lags behind the source's clock by the delay of
+  // this message. Returns nothing if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
   // Returns the number of breaks so far. Data registered in an earlier epoch has lost its position.

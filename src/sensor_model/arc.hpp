@@ -80,7 +80,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-// Computes an arc. If even cell 0 cannot get an index, the count of the result is 0.
+// Computes an arc. If not even cell 0 can be given an index, the result's count is 0.
 constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   const double hit = SingleTarget{config.sigma_m, config.cell_length_m}.probability(0);
   const index::RecursiveSet set(config.epsilon);

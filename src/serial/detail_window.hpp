@@ -41,8 +41,8 @@ class DetailWindow {
     ++count_;
   }
 
-  // Returns the number after the last tile that the window covers. If the window covers a tile but
-  // find() does not find it, the tile is unknown.
+  // Returns one past the number of the last tile that the window covers. If the window covers a
+  // tile but find() does not find it, the tile is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
   // Returns the position of the first known tile whose number is at least `tile`, or count() if no

@@ -38,7 +38,7 @@ class FairQueue {
     return chosen;
   }
 
-  // Charges the flow for `bytes` sent bytes.
+  // Charges the flow for `bytes` bytes sent.
   void charge(std::size_t flow, std::size_t bytes) {
     service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
     const std::uint32_t least = *std::ranges::min_element(service_);

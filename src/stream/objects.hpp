@@ -91,7 +91,7 @@ struct ObjectList {
   }
 };
 
-// Returns the number of messages for the list. An empty list takes one message.
+// Returns the number of messages for the list. Even an empty list is sent as one message.
 [[nodiscard]] constexpr std::size_t parts_of(const ObjectList& list) {
   return list.count == 0 ? 1 : (list.count + kMaxObjectsOfAPart - 1) / kMaxObjectsOfAPart;
 }

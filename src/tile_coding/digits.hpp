@@ -17,7 +17,7 @@ inline constexpr std::uint8_t kLowestSymbol = 1;
 // first. The first run is encoded as if kLowestSymbol preceded it.
 //
 // Symbols must not exceed kLowestSymbol + alternatives, and adjacent runs must have different
-// symbols. The last word may be padded with kLowestSymbol. `alternatives` is from 2 to
+// symbols. The last word may be padded with kLowestSymbol. `alternatives` must be between 2 and
 // kMostAlternatives. The size of the buffer must be a multiple of four words. Words after the span
 // may be overwritten.
 void make_numbers(std::span<std::uint32_t> fours, std::uint32_t alternatives);

@@ -28,8 +28,8 @@
 // of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14
 // borders. The values of base and of the product are each too small by at most one unit. The value
 // of slope is too small by less than 2 units of 2^-32 borders per millimetre. Over the entire
-// distance, the error of slope adds up to less than 2^19 units of 2^-32 borders, or 2 units of
-// 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
+// distance, the slope error accumulates to less than 2^19 units of 2^-32 borders, that is, 2 units
+// of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
 // Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses fewer than 2^17
 // borders of an axis.
@@ -51,8 +51,7 @@ class MeasuredShare {
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // `denominator` is the divisor for the denominator of the fraction. The denominator must be below
-  // 2^32.
+  // `denominator` is the fraction's denominator as a precomputed divisor. It must be below 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),

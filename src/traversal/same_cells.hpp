@@ -15,7 +15,7 @@
 // subtracts r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms
 // are divided by r and rounded down, each step adds A_y modulo A. The terms therefore form a
 // rotation. Let t = floor((n + 2) |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
-// [-1 - t, -1] if c > 0. Mirroring x to -1 - x turns the second case into the first case with a
+// [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
 // rotation by A_x. A variant of Euclid's algorithm finds the first time that a rotation enters [0,
 // t], in about ten steps.
 //
@@ -92,10 +92,10 @@ struct Turn {
   return number;
 }
 
-// Returns true if b crosses the same cells as a until `borders` borders are crossed. A result of
-// true is certain, but a result of false may be wrong. Both lines must start at the same point.
-// Line a must meet no corner after its start. If the lines start on a corner, both must cross this
-// corner first.
+// Returns true if `a` and `b` cross the same cells up to and including their first `borders`
+// borders. A result of true is certain, but a result of false may be wrong. Both lines must start
+// at the same point. Line a must meet no corner after its start. If the lines start on a corner,
+// both must cross this corner first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -38,9 +38,9 @@ inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file 
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
 // The coefficients of a beam's end have this many fraction bits below one subcell. The maximum is
-// 10, because a line of 2^20 subcells times 2^10 is 2^30. The product with a sine of 2^30 is 2^60,
-// and the sum of three such terms stays below 2^62. Before rounding, the end is within 0.002
-// subcells of the exact end.
+// 10, because a line of 2^20 subcells times 2^10 is 2^30. Multiplied by a sine of at most 2^30, a
+// coefficient stays within 2^60, so the sum of three such terms is below 2^62. Before rounding, the
+// end is within 0.002 subcells of the exact end.
 inline constexpr int kAxisFractionBits = 10;
 
 // One coordinate of the end of a layer's beams, as a function of the beam's azimuth a:

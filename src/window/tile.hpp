@@ -79,7 +79,7 @@ struct Tile {
   // The class bytes are stored separately from the masses, because only the class bytes are read to
   // send the classes.
   std::array<decision::Decided, kGroupsPerTile> decided{};
-  // The map classes ruled out, even for unknown cells. The value is 0 where the map has no
+  // The classes that the map rules out, even for unknown cells. The value is 0 where the map has no
   // information.
   TileRuledOut ruled_out{};
   // For each group, the clock slots of the group's last ageing and of its last evidence

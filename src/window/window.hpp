@@ -55,7 +55,7 @@ class Window {
   // Restores the classes that a group had after its last classification, using the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // Returns the planes that `plane_of` returns for the tile at a slot and its neighbours. For tiles
+  // Returns the results of `plane_of` for the tile in a slot and for its neighbours. For tiles
   // outside the window, and for tiles for which is_there(slot) is false, no bit is set.
   template <typename IsThere, typename PlaneOf>
   [[nodiscard]] NinePlanes around(std::size_t slot, IsThere&& is_there, PlaneOf&& plane_of) const {

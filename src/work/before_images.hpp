@@ -51,8 +51,8 @@ class BeforeImages {
     keep_order();
   }
 
-  // Returns the image of the core that was lost while it ran this item, or null if no data was
-  // changed. Core 0 calls of_lost() before it repeats an item.
+  // If a core was lost while it ran this item, returns the image that this core saved. Returns null
+  // if the item had not changed any data. Core 0 calls of_lost() before it repeats an item.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {

@@ -9,8 +9,7 @@
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
 // reads or writes. A core may also be stopped while it runs an item. Core 0 then repeats the item
-// from its start. An item must therefore read its own output only after it has written this output
-// in the same run.
+// from its start. An item may therefore read its own output only after writing it in the same run.
 #pragma once
 
 #include <array>
@@ -108,7 +107,8 @@ class Round {
 
  private:
   // The ticket and the work share a cache line, because a core that claims an item needs the work
-  // next. Only core 0 writes the members after the ticket, and only while no item is left.
+  // next. The members declared after `ticket_` are written only by core 0, and only when no items
+  // remain.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
   std::size_t checked_ = 0;  // for core 0: the flags of all items below this one are set

@@ -91,7 +91,7 @@ class Team {
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
   }
 
-  // Returns the number of cores that work or may still answer, including core 0.
+  // Returns the number of cores that are working or may still answer, including core 0.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
     for (std::size_t core = 0; core < loss_.size(); ++core) {
@@ -128,7 +128,7 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Returns the number of times that a core was lost or failed to answer for the first time.
+  // Returns how many times a core was lost, plus how many times a core first failed to answer.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
