@@ -21,9 +21,9 @@ struct HesaiXtLayout {
 };
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. The last
-// block fires 5.632 us after the timestamp, and each block fires 50 us before the next block. The
-// first laser of a block fires 0.368 us after the block's firing time. Each further laser fires
-// laser_ns after the previous laser.
+// block fires 5.632 us after the timestamp. Each block fires 50 us before the following block. The
+// first laser of a block fires 0.368 us after the block's firing time. Each of the other lasers
+// fires laser_ns after the previous one.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,
@@ -76,7 +76,7 @@ class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
 };
 
 // The data sheet specifies a field of view of 40.3 degrees that starts 19.5 degrees below the
-// horizon, with a spacing of 1.3 degrees.
+// horizon, and a layer spacing of 1.3 degrees.
 consteval std::array<double, 32> elevations_of_xt32m() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < elevations.size(); ++channel) {

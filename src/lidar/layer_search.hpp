@@ -37,15 +37,15 @@ class LayerSearch {
     return elevation >= lowest_ && elevation <= highest_;
   }
 
-  // Returns the nearest layer. If two layers are equally near, returns the upper layer.
+  // Returns the nearest layer. If two layers are equally near, returns the upper one.
   [[nodiscard]] std::size_t nearest(std::int32_t elevation) const {
     const std::size_t layer = guess(elevation);
     return is_nearest(layer, elevation) ? layer : found(elevation);
   }
 
  private:
-  // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. The product of
-  // layers_per_part_ and fewer than 2^20 units therefore fits in 64 bits.
+  // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. Its product
+  // with fewer than 2^20 units therefore fits in 64 bits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

@@ -1,5 +1,5 @@
 // Decodes the data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block
-// contains two firings of the 16 lasers, but only the azimuth of the first firing.
+// contains two firings of the 16 lasers, but the azimuth of only the first firing.
 #pragma once
 
 #include <array>
