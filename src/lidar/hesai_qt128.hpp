@@ -11,8 +11,8 @@
 
 namespace iog::lidar {
 
-// Each block holds two firings of 96 lasers each: lasers 33 to 128 fire first, and then lasers 1 to
-// 32 and 65 to 128. The 32 lasers that do not fire have no range. In dual return mode, a packet
+// Each firing uses 96 lasers. Lasers 33 to 128 are used in one firing, and lasers 1 to 32 and 65 to
+// 128 in the next. The 32 lasers that do not fire have no range. In dual return mode, a packet
 // contains one firing. The decoder does not verify checksums, and it cannot verify the 32-byte
 // signature. The manual's appendix "Absolute time of point cloud data" defines the firing times.
 // Block 1 fires 9 us after the timestamp. Each block fires 111.11 us before the following block.
