@@ -3,10 +3,10 @@
 //
 // All beams of a line carve the same cells, but each beam stops at its own end. Each beam adds a
 // negative index to a cell. Saturating additions of negative indexes commute (docs/model.md section
-// 3). If x and then y are added and each sum is clamped at -127, the result equals the sum with x +
-// y, clamped at -127. The sum of the beams can therefore be carved in one pass. The example shows
-// two beams of a LUX. The point of the nearer beam is at `a`, and the point of the farther beam is
-// at `b`:
+// 3). Adding x and then y, with each sum clamped at -127, has the same result as adding x + y and
+// clamping once. The sum of the beams can therefore be carved in one pass. The example shows two
+// beams of a LUX. The point of the nearer beam is at `a`, and the point of the farther beam is at
+// `b`:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
