@@ -1,4 +1,4 @@
-// The gate of a track. A track claims hits up to this distance outside its box.
+// The gate of a track, that is, the distance outside its box up to which the track claims hits.
 #pragma once
 
 #include <algorithm>
