@@ -1,6 +1,6 @@
-// The undo log of a tile, for a core that repeats the work of another core. For each group, the log
-// stores the members on which the result depends. All other data written to a tile is derived from
-// the stored members.
+// The undo log of a tile. A core uses it to repeat the work of another core. For each group, the
+// log stores the members on which the result depends. All other data written to a tile is derived
+// from these members.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class TileBefore {
     count_ = 0;
   }
 
-  // Call keep() once for each group before the group changes. Undefined masses are not stored. If a
+  // Call keep() once for each group, before changing it. Undefined masses are not stored. If a
   // group was never aged, all of its masses are undefined. If a group has only free mass, its
   // occupied masses are undefined.
   void keep(const window::Tile& tile, std::size_t group) {
