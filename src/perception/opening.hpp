@@ -9,7 +9,7 @@
 //
 //   * A hit can indicate motion only on ground that a low beam has freed before, and only near a
 //     tall return (arrivals.hpp).
-//   * - If sensors look over objects, only low beams can free occupied cells. Other beams have no
+//   * If sensors look over objects, only low beams can free occupied cells. Other beams have no
 //     effect on these cells.
 //   * A cell becomes open ground or dense ground only if a low beam has freed it.
 //

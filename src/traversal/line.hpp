@@ -16,7 +16,7 @@
 // Ranges: let w = |E - S| for each axis, in subcells. If (w_x + w_y) * r < 2^31, the error term of
 // the walk stays within 32 bits. This condition is asserted for the longest beam of a car. S and E
 // are within +-2^29.
-//   * - For through() and before(), the fraction of the line is num / den with 0 <= num, 0 < den
+//   * For through() and before(), the fraction of the line is num / den with 0 <= num, 0 < den
 //     and f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
 //   * All dividends are non-negative, and all results are rounded down.
 #pragma once
