@@ -93,8 +93,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// one of these sensors is mounted above its limit for low beams. Increases the distance at which
-// hits must have a tall return if a sensor with a limit for tall returns follows the ground.
+// one of these sensors is mounted above its limit for low beams. If a sensor with a limit for tall
+// returns follows the ground, increases the distance within which a hit needs a tall return.
 // Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {
