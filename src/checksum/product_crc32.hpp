@@ -1,9 +1,9 @@
-// Implements checksum/crc32.hpp on machines that can multiply bytes without carry.
+// Implements checksum/crc32.hpp on machines that can perform carry-less multiplication of bytes.
 //
-// A CRC is linear. A byte followed by d other bytes contributes the product of the byte and x^(32 +
-// 8d), modulo the polynomial. The bytes of a block are therefore independent. The products of all
-// bytes are summed, and only the sum is reduced. Both halves of a block use the same factors, so
-// each factor is loaded only once.
+// A CRC is linear. If a byte is followed by d other bytes, it contributes the product of the byte
+// and x^(32 + 8d), modulo the polynomial. The contributions of the bytes in a block are therefore
+// independent of each other. The products of all bytes are summed, and only the sum is reduced.
+// Both halves of a block use the same factors, so each factor is loaded only once.
 //
 // All polynomials are bit-reflected. Bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
 // of the product of a state and a byte is x^38.
@@ -23,7 +23,7 @@
 
 namespace iog::checksum {
 
-// `Products` is PlainProducts or the NEON implementation.
+// `Products` is either PlainProducts or the NEON implementation.
 template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
@@ -75,8 +75,8 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces these bits as if they were the
-  // first byte of a state followed by a zero byte.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces them as if they were the first
+  // byte of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
@@ -98,7 +98,7 @@ class ProductCrc32 {
   }
 
   // Computes the factors of the first eight bytes of a part of kBytes bytes, and of parts that are
-  // one, two, ... bytes longer.
+  // longer by one, two, ... bytes.
   template <std::size_t kBytes, std::size_t... kMore>
   static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
     std::array<Factors, sizeof...(kMore)> first{};
