@@ -1,5 +1,5 @@
-// The A64 version of moves_a32_neon.hpp. This version uses intrinsics, which gcc compiles to loads
-// and stores that advance their own pointer.
+// The A64 version of moves_a32_neon.hpp. It uses intrinsics, which gcc compiles to loads and stores
+// that advance their own pointer.
 #pragma once
 
 #include <arm_neon.h>
@@ -44,7 +44,7 @@ inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_ot
   return vbslq_u8(is_other, others, cells);
 }
 
-// 64 bits at a time.
+// Adds 64 bits at a time.
 inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::uint32_t, 32>& b,
                 std::array<std::uint32_t, 32>& sum) {
   std::uint64_t carry = 0;
