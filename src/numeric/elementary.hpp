@@ -1,11 +1,10 @@
 // Computes exp, log, sin and cos for tables at compile time.
 //
-// On the target, only consteval functions call the functions in this file. A check at link time
-// ensures that the image contains no floating-point instruction. On the PC, the reference
-// implementations also call the functions in this file at run time. The functions use only +, -, *
-// and / of IEEE doubles. Each operation is correctly rounded, so every compiler computes the same
-// table. The relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/
-// compare the results with the C library.
+// On the target, only consteval functions call them. A check at link time ensures that the image
+// contains no floating-point instructions. On the PC, the reference implementations also call them
+// at run time. The functions use only +, -, * and / of IEEE doubles. Each operation is correctly
+// rounded, so every compiler computes the same table. The relative error is below 1e-14 in the
+// stated ranges. The tests in tests/host/numeric/ compare the results with the C library.
 #pragma once
 
 namespace iog::numeric {
@@ -66,8 +65,8 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// Returns the sum of (-1)^i x^(2i + first) / (2i + first)! for |x| <= pi / 4. The result is the
-// Taylor series of cosine if `first` is 0, and of sine if `first` is 1.
+// Returns the sum of (-1)^i x^(2i + first) / (2i + first)! for |x| <= pi / 4. This is the Taylor
+// series of cosine if `first` is 0, and of sine if `first` is 1.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;
@@ -98,7 +97,7 @@ constexpr double sin(double x) {
 
 constexpr double cos(double x) { return sin(x + kPi / 2); }
 
-// Returns the nearest integer. Ties are rounded away from zero. Requires |x| < 2^62.
+// Returns the nearest integer, with ties rounded away from zero. Requires |x| < 2^62.
 constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric
