@@ -62,9 +62,9 @@ constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
 struct Decays {
   DecayTable dynamic{};
   DecayTable fixed{};
-  // The factor kappa_dyn^(1/4) kappa_sta^(3/4). It is the limit of the proportional factor (Kurdej
-  // 2015, section 6.3) for small time steps. A product of finite steps would depend on the update
-  // rate.
+  // The factor kappa_dyn^(1/4) kappa_sta^(3/4). This factor is the limit of the proportional factor
+  // (Kurdej 2015, section 6.3) for small time steps. A product of finite steps would depend on the
+  // update rate.
   DecayTable shared{};
   friend constexpr bool operator==(const Decays&, const Decays&) = default;
 };

@@ -101,7 +101,7 @@ class Frame {
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // Returns the frame number. It starts at 0 and wraps around.
+  // Returns the frame number. The frame number starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
   // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's

@@ -3,9 +3,9 @@
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
-// The loop never blocks. It processes datagrams as they arrive and puts messages into the transmit
-// ring. When no work is left, the processor sleeps until the next Ethernet frame or tick. If the
-// loop is too slow, datagrams are shed and counted (app/backlog.hpp).
+// The loop never blocks. The loop processes datagrams as they arrive and puts messages into the
+// transmit ring. When no work is left, the processor sleeps until the next Ethernet frame or tick.
+// If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
 
 #include <concepts>
@@ -45,8 +45,8 @@
 
 namespace iog::app {
 
-// A machine provides one object for each hardware interface. It also reports the maximum stack
-// depth so far.
+// A machine provides one object for each hardware interface. A machine also reports the maximum
+// stack depth so far.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -68,8 +68,8 @@ concept Machine = requires(T& machine) {
 // LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The maximum number of datagrams that a slow loop sheds at once. It covers a full receive ring,
-// plus the same number of datagrams that may arrive in the meantime.
+// The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
+// ring, plus the same number of datagrams that may arrive in the meantime.
 inline constexpr int kMaxDatagramsLeft = 512;
 
 // Adapts the machine to Platform, the interface that the pipeline requires.
@@ -80,7 +80,7 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // `cores` is the number of cores to use. It has no effect if the machine has fewer cores.
+  // `cores` is the number of cores to use. `cores` has no effect if the machine has fewer cores.
   // `commands` is set only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
@@ -205,8 +205,9 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. It sends every frame to the network. If the vehicle has classes, it also
-// sends the classes. The serial link transmits as much of the frame's grid as the bandwidth allows.
+// The target's pipeline. The pipeline sends every frame to the network. If the vehicle has classes,
+// it also sends the classes. The serial link transmits as much of the frame's grid as the bandwidth
+// allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),

@@ -1,7 +1,7 @@
-// Collects time statistics of the loop since start-up. They cover the duration of each stage of a
-// frame, the delay between a frame's deadline and its closing, and the working time of each core
-// per frame. Frames without packets are ignored. Each new maximum is written to the console, for
-// example as "worst publish 12345 us".
+// Collects time statistics of the loop since start-up. The statistics cover the duration of each
+// stage of a frame, the delay between a frame's deadline and its closing, and the working time of
+// each core per frame. Frames without packets are ignored. Each new maximum is written to the
+// console, for example as "worst publish 12345 us".
 //
 // The statistics cost two readings of the stopwatch per stage and a few divisions per frame
 // (docs/safety.md).

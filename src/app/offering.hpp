@@ -1,5 +1,6 @@
 // The service that a target offers. With this service, the target runs service discovery and sends
-// a copy of each message to the subscriber. Without it, the target sends messages only to its peer.
+// a copy of each message to the subscriber. Without this service, the target sends messages only to
+// its peer.
 //
 // Messages to the peer have priority over the copies. A frame has at most kMostMessages messages.
 // The target sends a copy only if enough buffers remain for the frame's messages to the peer. The

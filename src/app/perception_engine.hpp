@@ -1,9 +1,9 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. It then fuses the packets that were measured
-// in the same slice of a few milliseconds, and adds them to the window with the pose of the slice.
-// The frame's own grid is assembled from the grids of its slices. This grid is byte-for-byte
-// identical to the grid that results from fusing the packets on arrival.
+// The engine buffers the packets until the frame ends. The engine then fuses the packets that were
+// measured in the same slice of a few milliseconds, and adds them to the window with the pose of
+// the slice. The frame's own grid is assembled from the grids of its slices. This grid is
+// byte-for-byte identical to the grid that results from fusing the packets on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
@@ -111,7 +111,7 @@ class PerceptionEngine {
   void list_objects(stream::ObjectList& list) const;
 
   // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
-  // the poses. A frame ends at the end of its last slice. If it has no packets, it ends at the time
+  // the poses. A frame ends at the end of its last slice. A frame without packets ends at the time
   // of the newest pose. The value of stamp_us() increases from frame to frame, even if the clock of
   // the poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
   // window no longer has a known position.

@@ -73,9 +73,9 @@ class FramePipeline {
   // The map must outlive the pipeline. If there are no classes, this function has no effect.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
-  // Call this function before the first datagram. If it is not called, time starts at 0. The time
-  // without datagrams is measured from now_us, so it does not include the time needed to set up the
-  // pipeline.
+  // Call this function before the first datagram. If start() is not called, time starts at 0. The
+  // time without datagrams is measured from now_us, so it does not include the time needed to set
+  // up the pipeline.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);

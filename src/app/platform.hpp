@@ -57,10 +57,10 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// A FrameSink receives a closed frame. It receives the header of the frame's messages first, then
-// each tile with a known cell, in ascending order, and finally the end of the frame. The sink
-// ignores the type and number in the header. The cells belong to the caller and change after the
-// call.
+// A FrameSink receives a closed frame. A FrameSink receives the header of the frame's messages
+// first, then each tile with a known cell, in ascending order, and finally the end of the frame.
+// The sink ignores the type and number in the header. The cells belong to the caller and change
+// after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

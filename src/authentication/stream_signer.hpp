@@ -1,7 +1,7 @@
 // Signs a stream of messages (docs/spec.md 9.2). Each group of messages is followed by a signature
-// message. It lists the names of the messages in the group and, like a command, contains a MAC
-// (authentication/secured_message.hpp). The signed messages themselves do not change. Hashing the
-// messages takes one tenth of the time that one MAC per message would take.
+// message. The signature message lists the names of the messages in the group and, like a command,
+// contains a MAC (authentication/secured_message.hpp). The signed messages themselves do not
+// change. Hashing the messages takes one tenth of the time that one MAC per message would take.
 //
 // The content of a signature is big endian:
 //

@@ -1,6 +1,6 @@
-// The limits of a car. The loops of the target rely on them. They are checked on the integers that
-// are compiled from the car file. The target checks the car block in its image, and the PC checks a
-// car file.
+// The limits of a car. The loops of the target rely on them. The limits are checked on the integers
+// that are compiled from the car file. The target checks the car block in its image, and the PC
+// checks a car file.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 namespace iog::car_block {
 
 inline constexpr std::uint32_t kLongestRangeMm = 130'000;
-// The maximum range of an ultrasonic sensor. It is limited because the cells of a cone are visited
-// one by one (grid/cone.hpp).
+// The maximum range of an ultrasonic sensor. The range is limited because the cells of a cone are
+// visited one by one (grid/cone.hpp).
 inline constexpr std::uint32_t kLongestConeMm = 10'000;
 inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most 130000";
 
@@ -30,7 +30,7 @@ inline constexpr std::string_view kMovedLowWords =
     "0.1 m or more over what is no obstacle, over the ground 0.4 or more, at most 10";
 inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacles end";
 
-// The maximum magnitude of coordinates. It keeps products of subcells within 64 bits.
+// The maximum magnitude of coordinates. This limit keeps products of subcells within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;
 // The largest cell size at which `moved` can distinguish moving objects from flickering edges.
 inline constexpr std::uint16_t kCoarsestMovedMm = 200;

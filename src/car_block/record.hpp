@@ -1,5 +1,5 @@
-// A record of the car block. It consists of a header with magic, length and CRC, followed by the
-// content (docs/spec.md, section 8.1).
+// A record of the car block. A record consists of a header with magic, length and CRC, followed by
+// the content (docs/spec.md, section 8.1).
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,8 @@ class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
-  // Returns the contribution of a part to the CRC. It does not depend on the preceding bytes, so
-  // several cores can process different parts in parallel.
+  // Returns the contribution of a part to the CRC. A part's contribution does not depend on the
+  // preceding bytes, so several cores can process different parts in parallel.
   static constexpr std::size_t kPartBytes = 1024;
   using Part = std::span<const std::byte, kPartBytes>;
   [[nodiscard]] static std::uint32_t remainder_of(Part part) {

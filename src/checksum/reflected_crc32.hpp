@@ -1,7 +1,7 @@
 // Computes a CRC-32 with any reflected polynomial. The initial value and the final xor are all
 // ones, as in IEEE 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
 //
-// The algorithm is slicing (Kounavis and Berry, 2005). It looks up each of kSlices bytes in a
+// The algorithm is slicing (Kounavis and Berry, 2005). Slicing looks up each of kSlices bytes in a
 // separate table. These lookups do not depend on each other. The tables take up kSlices KiB and are
 // computed at compile time. On the Cortex-A9, checksum/product_crc32.hpp is faster. With 4, 8 or 16
 // slices, slicing takes 4.2 to 4.3 instructions per byte (measured). For a tile of 1 KiB, 4, 8 or
@@ -47,8 +47,8 @@ class ReflectedCrc32 {
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // Returns the state times x^8. This is the state after a zero byte. If the caller has already
-  // added a byte to `state`, it is the state after that byte.
+  // Returns the state times x^8. The result is the state after a zero byte. If the caller has
+  // already added a byte to `state`, it is the state after that byte.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }

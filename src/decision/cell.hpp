@@ -17,7 +17,8 @@ namespace iog::decision {
 inline constexpr std::int32_t kHalf = 1 << 14;
 inline constexpr int kLevelShift = 11;
 
-// The thresholds of the bits for later frames. They are tuned to distinguish flicker from motion.
+// The thresholds of the bits for later frames. These thresholds are tuned to distinguish flicker
+// from motion.
 inline constexpr std::int32_t kFreedAbove = kHalf;
 inline constexpr std::int32_t kSeenAbove = 22'938;
 inline constexpr std::int32_t kStandsAbove = 4096;

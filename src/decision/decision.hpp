@@ -1,7 +1,7 @@
 // Classifies the cells of a group from their masses, and computes bits for later frames.
 //
 // A cell gets a class only if at least half of the total mass supports the class. Ignorance
-// therefore never results in a class. The map refines the classes that the sensors support. It
+// therefore never results in a class. The map refines the classes that the sensors support. The map
 // never overrules them, and it never determines a class without them.
 #pragma once
 
@@ -55,9 +55,9 @@ using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 // For each cell, the map classes that are ruled out. The value is 0 if the map has no information.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
-// Computes and writes the class bytes of a group. They depend on the group's masses and on the
-// classes that are ruled out. Both arrays must be aligned to 8 bytes. If a group is decided without
-// evidence, all elements of `of_this_frame` must be 0.
+// Computes and writes the class bytes of a group. The class bytes depend on the group's masses and
+// on the classes that are ruled out. Both arrays must be aligned to 8 bytes. If a group is decided
+// without evidence, all elements of `of_this_frame` must be 0.
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 

@@ -63,8 +63,8 @@ struct Entry {
   std::uint8_t major = 0;
   std::uint32_t ttl_s = 0;  // 24-bit value
   std::uint32_t minor = 0;  // minor version, only for services
-  // Returns the event group of an event group entry. It is stored in the bytes that contain the
-  // minor version in a service entry.
+  // Returns the event group of an event group entry. The event group is stored in the bytes that
+  // contain the minor version in a service entry.
   [[nodiscard]] constexpr std::uint16_t event_group() const {
     return static_cast<std::uint16_t>(minor);
   }

@@ -2,9 +2,10 @@
 // The server performs no I/O and reads no clock. Callers pass datagrams and times to the server,
 // and they send the messages that it returns.
 //
-// A subscriber must prove its address. Its endpoint must be the host that sent the subscription,
-// and ARP must return the Ethernet address from which the subscription was sent. Until ARP has
-// answered, the host is a candidate and receives neither an acknowledgement nor messages.
+// A subscriber must prove its address. The subscriber's endpoint must be the host that sent the
+// subscription, and ARP must return the Ethernet address from which the subscription was sent.
+// Until ARP has answered, the host is a candidate and receives neither an acknowledgement nor
+// messages.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@
 
 namespace iog::discovery {
 
-// The offered service. Its endpoint consists of the target's address and the source port of the
-// messages.
+// The offered service. The service's endpoint consists of the target's address and the source port
+// of the messages.
 struct Service {
   std::uint16_t service = 0;
   std::uint8_t major = 0;
@@ -72,7 +73,7 @@ class Server {
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
-  // Returns the stop-offer message. It must be the last message that is sent.
+  // Returns the stop-offer message. The stop-offer must be the last message that is sent.
   [[nodiscard]] Outgoing withdraw();
 
   // Returns the host that ARP should resolve.

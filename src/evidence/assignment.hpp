@@ -1,6 +1,6 @@
-// A basic belief assignment in which masses depend on the magnitude of an occupancy index. Its
-// focal sets are ignorance and either free or occupied. If there is no assignment, all hits have
-// the same mass, and so do all crossing beams (Gains).
+// A basic belief assignment in which masses depend on the magnitude of an occupancy index. The
+// focal sets of the assignment are ignorance and either free or occupied. If there is no
+// assignment, all hits have the same mass, and so do all crossing beams (Gains).
 //
 // Masses are multiples of 1/128, rounded down. If the magnitude of an index exceeds kGradedIndexes
 // - 1, the index has the same mass as kGradedIndexes - 1.
@@ -32,8 +32,8 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// This function is neither constexpr nor defined. If it is called at compile time, the compilation
-// therefore fails with an error message that contains its name.
+// This function is neither constexpr nor defined. If the function is called at compile time, the
+// compilation therefore fails with an error message that contains the function's name.
 void an_index_beyond_the_table_has_another_mass();
 
 // Returns floor(128 mass) for 0 <= mass <= 1. The result is at most 127, to exclude full certainty.

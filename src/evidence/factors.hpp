@@ -1,5 +1,6 @@
-// Defines the effects of time on a cell, in units of 2^-15. They are the decay of the cell's masses
-// and the weight of a frame's evidence. `src/ageing` computes both from the timestamps of frames.
+// Defines the effects of time on a cell, in units of 2^-15. These effects are the decay of the
+// cell's masses and the weight of a frame's evidence. `src/ageing` computes both from the
+// timestamps of frames.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Consistent Overhead Byte Stuffing (Cheshire and Baker, IEEE/ACM Transactions on Networking 7,
-// 1999). It separates messages on a serial link that transports only bytes.
+// 1999). The framing separates messages on a serial link that transports only bytes.
 //
 // A framed message is a sequence of blocks. A block consists of a code byte c from 1 to 255,
 // followed by c - 1 bytes that are not 0. Normally, a block represents its c - 1 bytes followed by

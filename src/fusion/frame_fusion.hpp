@@ -42,7 +42,7 @@ class FrameFusion {
 
   // Sets the ground models that are used to classify the packets of sensors with an estimated
   // ground. The lowest returns of these sensors are also collected. The models must belong to the
-  // vehicle and outlive this object. They may change only while no beams are pending.
+  // vehicle and outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
   // Returns the collection of a sensor's lowest returns. `place` is the sensor's position among the
   // sensors with an estimated ground.
@@ -96,7 +96,7 @@ class FrameFusion {
   // this function once per frame, after the last point.
   void finish();
 
-  // Returns the grid. It is complete from finish() until it is cleared.
+  // Returns the grid. The grid is complete from finish() until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from the lowest y, and then clears the tile. Returns

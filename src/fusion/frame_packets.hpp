@@ -1,4 +1,4 @@
-// A buffer for the packets of a frame. They are buffered until several cores fuse them. If the
+// A buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
 // frame has classes, packets are buffered until the frame ends, because the slices are not known
 // earlier.
 #pragma once

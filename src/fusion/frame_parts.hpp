@@ -22,8 +22,8 @@ struct FramePart {
 
 class FrameParts {
  public:
-  // The maximum number of parts fused in one round. It is close to the number of packets in a frame
-  // of four LUX, so that no core waits long for the last part.
+  // The maximum number of parts fused in one round. The maximum is close to the number of packets
+  // in a frame of four LUX, so that no core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Splits the packets into parts. Each packet's group must be 0 ... groups - 1 or kNowhere. The

@@ -1,5 +1,5 @@
-// A grid that is assembled from several index grids. It equals the grid that results from fusing
-// all evidence of these index grids with hits_win.
+// A grid that is assembled from several index grids. The joined grid equals the grid that results
+// from fusing all evidence of these index grids with hits_win.
 //
 // The index of a cell is the saturating sum of the cell's positive indexes in all grids. If no
 // index is positive, it is the saturating sum of the negative indexes (docs/model.md section 3). A

@@ -39,21 +39,21 @@ using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 // The maximum number of parts that wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// The result of a part. It is written by the core that fuses the part.
+// The result of a part. The core that fuses the part writes its result.
 struct FusedPart {
   Fates fates{};
   FrameTiles tiles;
 };
 
-// The additional memory for fusion on several cores. It consists of a FrameFusion for each helper,
-// and slots for the results of the parts.
+// The additional memory for fusion on several cores. This memory consists of a FrameFusion for each
+// helper, and slots for the results of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
-// The additional memory for kCores cores. It is 74 MB for four cores, and empty for one core. A
-// HelpersMemory must be in static memory.
+// The additional memory for kCores cores. This memory is 74 MB for four cores, and empty for one
+// core. A HelpersMemory must be in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
@@ -102,7 +102,7 @@ class SharedFusion {
   // Returns core 0's own fusion, which is empty whenever the crew fuses the parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
-  // Returns the ground models. They change at the end of a frame.
+  // Returns the ground models. The ground models change at the end of a frame.
   [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
 
   // Returns the outcomes of the frame's points.

@@ -209,8 +209,8 @@ class KeptHeight {
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
-// cached. These are enough for a LUX. They are also enough for a level rotating lidar, because all
-// its layers share one line.
+// cached. These are enough for a LUX. Four layers and two lines are also enough for a level
+// rotating lidar, because all its layers share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -270,9 +270,9 @@ class KeptAzimuth {
   alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
-  // This padding makes an azimuth 49 cache lines long on the target. Without it, about 45 azimuths
-  // of 45 cache lines would fill the 2,048 sets of the level 2 cache, and further azimuths would
-  // compete for the same sets.
+  // This padding makes an azimuth 49 cache lines long on the target. Without this padding, about 45
+  // azimuths of 45 cache lines would fill the 2,048 sets of the level 2 cache, and further azimuths
+  // would compete for the same sets.
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 

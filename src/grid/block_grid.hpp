@@ -2,8 +2,8 @@
 //
 // On average, a line crosses four cells of a block, and a single saturating subtraction carves all
 // of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, it
-// would cover 32 by 1 cells. Each row of blocks has one cache line of padding. Without it, all
-// blocks of a column would compete for only two of the 256 sets of the L1 cache.
+// would cover 32 by 1 cells. Each row of blocks has one cache line of padding. Without this
+// padding, all blocks of a column would compete for only two of the 256 sets of the L1 cache.
 //
 // Outside src/grid, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
 // occupancy index or -128. Carving saturates at -128, and reading a cell converts -128 to -127.

@@ -60,8 +60,8 @@ class BlockPath {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
-  // Returns the number of the block that contains a position. It equals the number of block borders
-  // that the line crosses before the position.
+  // Returns the number of the block that contains a position. This number equals the number of
+  // block borders that the line crosses before the position.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;

@@ -1,5 +1,5 @@
-// A step function along a line. It specifies the amount by which the line's pending beams lower
-// each cell.
+// A step function along a line. The function specifies the amount by which the line's pending beams
+// lower each cell.
 //
 // All beams of a line carve the same cells, but each beam stops at its own end. Each beam adds a
 // negative index to a cell. Saturating additions of negative indexes commute (docs/model.md section

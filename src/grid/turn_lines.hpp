@@ -79,7 +79,7 @@ class TurnLines {
  private:
   // A turn visits all lines, so each line has to be fetched from memory again in each turn. The
   // first point of a line needs the ranges on the car, but the line itself is needed only for
-  // carving. They are therefore stored separately, next to the ranges of neighbouring lines.
+  // carving. The ranges are therefore stored separately, next to the ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

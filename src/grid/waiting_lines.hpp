@@ -87,8 +87,8 @@ class RankSet {
 // which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that is accessed for each point. It fits into one cache line. The
-  // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
+  // The part of a pending line that is accessed for each point. The part fits into one cache line.
+  // The points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
   // layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;

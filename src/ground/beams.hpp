@@ -38,7 +38,7 @@ class Beams {
   }
 
   // Returns the slope of a beam along its line, rounded down. `end_z` is the height of the beam's
-  // end in subcells. This end is at the sensor's range along the line.
+  // end in subcells. The beam's end is at the sensor's range along the line.
   [[nodiscard]] Slope slope_to(std::int32_t end_z) const;
   // Returns the height above the car's plane at a distance along a beam's line, rounded down.
   // Requires |rise| < 2^30.
@@ -56,7 +56,7 @@ class Beams {
   [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
     return static_cast<std::uint32_t>((std::uint64_t{out_mm} * along_of_out_[layer]) >> kAlongBits);
   }
-  // Returns the slope of the beams of a layer. It is valid only for level sensors.
+  // Returns the slope of the beams of a layer. The slope is valid only for level sensors.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
   [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
 
@@ -66,9 +66,9 @@ class Beams {
   [[nodiscard]] std::span<const std::uint8_t> from_below() const {
     return std::span(from_below_).first(layer_count_);
   }
-  // Returns which points of a packet are used to estimate the car's tilt. They are in every second
-  // layer of the lower two thirds. The number of firings is chosen so that there are kSamples
-  // points.
+  // Returns which points of a packet are used to estimate the car's tilt. These points are in every
+  // second layer of the lower two thirds. The number of firings is chosen so that there are
+  // kSamples points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }

@@ -1,10 +1,10 @@
-// The ground around the sensors of a vehicle that follow the ground. It is constant while the
-// packets of a frame are processed, and it is updated between two frames.
+// The ground around the sensors of a vehicle that follow the ground. The ground is constant while
+// the packets of a frame are processed, and it is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
 // ticks swept since the last update add up to at least one complete scan. The time of the update
-// therefore depends only on the set of packets in each frame. It does not depend on the order of
-// the packets or on the cores that fuse them.
+// therefore depends only on the set of packets in each frame. The time of the update does not
+// depend on the order of the packets or on the cores that fuse them.
 #pragma once
 
 #include <algorithm>
@@ -46,8 +46,8 @@ class Ground {
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // Returns the distances at which beams leave the height limits. They are valid only for sensors
-  // whose layers share lines.
+  // Returns the distances at which beams leave the height limits. The distances are valid only for
+  // sensors whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
   // Returns the part of a beam that is low enough to open cells, as distances along the beam's

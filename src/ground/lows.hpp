@@ -18,7 +18,8 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // The value kNothing means that a bin has no return. It is higher than every valid return.
+  // The value kNothing means that a bin has no return. The value kNothing is higher than every
+  // valid return.
   static constexpr std::int16_t kNothing = 32767;
   // A ring contains one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;

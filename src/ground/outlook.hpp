@@ -39,8 +39,8 @@ class Outlook {
         is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
   // Returns the distance at which a beam of this slope exceeds the limit, rounded down to a
-  // multiple of 2 mm. It is at most the line's length. The search starts in the bin in which the
-  // previous beam exceeded the limit.
+  // multiple of 2 mm. The distance is at most the line's length. The search starts in the bin in
+  // which the previous beam exceeded the limit.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
     if (is_out_) {
       return 0;
@@ -57,8 +57,8 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // Returns the clearance at the start of a bin. If it is negative, the beam has exceeded the
-  // limit.
+  // Returns the clearance at the start of a bin. If the clearance is negative, the beam has
+  // exceeded the limit.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);

@@ -60,8 +60,8 @@ class SurfaceWalk {
   // last turn. `find_starts()` converts the ground to heights at the start of each bin and at the
   // end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
-  // The current state of each sector's walk. It consists of the height, the slope in mm per bin,
-  // and the bin. The bin is -1 before the first ground.
+  // The current state of each sector's walk. The state consists of the height, the slope in mm per
+  // bin, and the bin. The bin is -1 before the first ground.
   Ring height_{};
   Ring slope_{};
   Ring last_{};

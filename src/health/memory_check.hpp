@@ -1,5 +1,5 @@
-// Checks that constant memory has not changed. It reads the memory cyclically in small slices, and
-// compares the CRC-32 of every region once per round.
+// Checks that constant memory has not changed. The check reads the memory cyclically in small
+// slices, and compares the CRC-32 of every region once per round.
 //
 // A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
 // a round. The load therefore depends on the number of bytes, but not on the loop period. If the
@@ -32,7 +32,7 @@ class MemoryCheck {
   // load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // The maximum number of slices per step. They contain 45 KB, which take a quarter of a
+  // The maximum number of slices per step. These slices contain 45 KB, which take a quarter of a
   // millisecond at 4 cycles per byte and 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 

@@ -1,5 +1,5 @@
-// Detects checkpoints that report too late. It implements the alive supervision of a watchdog
-// manager (AUTOSAR SWS WdgM), with one time window per checkpoint.
+// Detects checkpoints that report too late. The class implements the alive supervision of a
+// watchdog manager (AUTOSAR SWS WdgM), with one time window per checkpoint.
 #pragma once
 
 #include <array>

@@ -19,8 +19,8 @@ enum class Quantisation : std::uint8_t {
 
 class RecursiveSet {
  public:
-  // `epsilon` is half the width of the interval around 1/2 between p_-1 and p_1. It must be above 0
-  // and below 1/2.
+  // `epsilon` is half the width of the interval around 1/2 between p_-1 and p_1. `epsilon` must be
+  // above 0 and below 1/2.
   constexpr explicit RecursiveSet(double epsilon) : ratio_((0.5 - epsilon) / (0.5 + epsilon)) {}
 
   // Returns p_n, for |n| up to a few million.

@@ -12,8 +12,8 @@
 // beams have a return. If less than one quarter of its ground beams previously had a return, one
 // eighth of all its beams is also enough.
 //
-// Sky sectors are the other sectors of a spinning lidar. They are blocked while all ground sectors
-// of the lidar are blocked.
+// Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
+// sectors of the lidar are blocked.
 //
 // Level sectors belong to units that do not spin or have no ground beams. At least one beam of each
 // level sector meets the car's plane within the unit's range. A level sector becomes blocked after
@@ -23,7 +23,7 @@
 // Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
 // range, such as a level 2D scanner. Only beams that have an echo are judged. An open sector
 // becomes blocked after 32 scans in which less than one sixteenth of these echoes count as returns.
-// It is unblocked after two scans in which more of them do.
+// The sector is unblocked after two scans in which more of them do.
 //
 // Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
 // them as dirt or rain. Only whole turns and scans are judged, as sums over their packets, so the
@@ -42,8 +42,8 @@ namespace iog::intake {
 
 inline constexpr std::size_t kSectors = 64;
 
-// The azimuth interval in which a sensor sees each sector. Its width is 0 if the sensor does not
-// reach the sector.
+// The azimuth interval in which a sensor sees each sector. The width of the interval is 0 if the
+// sensor does not reach the sector.
 using SectorView = std::array<lidar::Sector, kSectors>;
 
 // A set of azimuths, in units of 1/256 turn.

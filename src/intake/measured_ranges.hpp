@@ -1,8 +1,8 @@
-// Detects stuck sensors. A stuck sensor no longer measures. It sends earlier ranges again with new
-// timestamps and sequence numbers.
+// Detects stuck sensors. A stuck sensor no longer measures. A stuck sensor sends earlier ranges
+// again with new timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
-// and a standard deviation of 5 mm. It measures the same range twice in 41 of 100 cases. The
+// and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. The
 // probability that two packets agree in all of at least 64 ranges is therefore at most 10^-24. With
 // 16 rows, a hash may cover as few as 32 ranges, so the probability is 10^-12. All other units
 // either have a resolution of 5 mm or better, or are noisier than the Ouster. With these units, two

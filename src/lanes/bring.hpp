@@ -1,5 +1,5 @@
-// Prefetches cache lines that will be needed soon. They use asm statements without outputs, which
-// the compiler never removes.
+// Prefetches cache lines that will be needed soon. These functions use asm statements without
+// outputs, which the compiler never removes.
 #pragma once
 
 #include <cstddef>

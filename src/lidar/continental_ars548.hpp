@@ -1,6 +1,6 @@
 // Decodes the detection lists of a Continental ARS548 RDI radar into scan points.
 //
-// One datagram contains a whole list. It has a header of 101 bytes, 800 slots of 44 bytes for
+// One datagram contains a whole list. The list has a header of 101 bytes, 800 slots of 44 bytes for
 // detections, and a tail of 35 bytes. The tail contains the number of slots in use. The slots in
 // use are the first ones. All numbers are big-endian. Angles are in radians and distances in
 // metres, both as binary32 (docs/spec.md, section 1.2.4). The manufacturer's document is not

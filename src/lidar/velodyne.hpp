@@ -94,8 +94,8 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // The azimuth of each channel of a block. It is the rotation of the unit until the channel fires,
-  // plus the channel's own offset.
+  // The azimuth of each channel of a block. This azimuth is the rotation of the unit until the
+  // channel fires, plus the channel's own offset.
   struct Firing {
     std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth

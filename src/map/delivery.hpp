@@ -1,7 +1,7 @@
 // Receives map blocks in chunks. Chunks are stored in whichever of the two buffers does not hold
 // the block in use.
 //
-// They may arrive in any order, more than once, and with gaps. When all chunks of a block have
+// Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
 // valid block is in use as soon as its check has ended. An invalid block is dropped, and the
 // previous block stays in use.

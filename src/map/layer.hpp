@@ -1,5 +1,5 @@
-// The map layer of the window. It schedules the drawing of tiles. That is, it determines which
-// tiles are drawn, which tiles are pending, and which tiles must be drawn again.
+// The map layer of the window. The layer schedules the drawing of tiles. That is, it determines
+// which tiles are drawn, which tiles are pending, and which tiles must be drawn again.
 //
 // A tile becomes pending when it enters the window or when the map changes. A drawn tile also
 // becomes pending in two cases: the transform has moved one of its corners by more than a cell
@@ -40,9 +40,9 @@ inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 
-// Returns the radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two
-// standard deviations of the transform at 50 m, and the diagonal of a cell. The result is at most
-// 2^18.
+// Returns the radius of the blur in cells, rounded up. The radius is the sum of the map's accuracy,
+// two standard deviations of the transform at 50 m, and the diagonal of a cell. The result is at
+// most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
                                                   const pose::Sigma& sigma,
                                                   std::uint32_t cell_mm = geometry::kCellMm) {
@@ -64,8 +64,8 @@ class Layer {
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call this function instead of work() if the window has no frame. It updates only the report, so
-  // a pause without data does not affect the drawing of tiles.
+  // Call this function instead of work() if the window has no frame. The function updates only the
+  // report, so a pause without data does not affect the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 

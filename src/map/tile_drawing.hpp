@@ -39,7 +39,7 @@ class TileDrawing {
   // kWorkPerCrossing instead, but at most the remaining budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
-  // Returns the mask. It is valid only when the drawing is complete.
+  // Returns the mask. The mask is valid only when the drawing is complete.
   [[nodiscard]] TileMask mask();
 
  private:

@@ -14,17 +14,18 @@ inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
 inline constexpr std::uint16_t kDiscoveryPort = 30490;
 
 struct Config {
-  // The target's Ethernet address. It must be unicast and unique on the segment.
+  // The target's Ethernet address. The address must be unicast and unique on the segment.
   MacAddress mac;
 
-  // The target's IPv4 address. It must be a host address in the subnet.
+  // The target's IPv4 address. The address must be a host address in the subnet.
   Ipv4Address address;
 
   // The length of the subnet prefix, from 8 to 30. The network has no router, so hosts outside the
   // subnet are unreachable.
   std::uint8_t prefix_bits;
 
-  // The only host that receives messages and ping replies. It must be another host in the subnet.
+  // The only host that receives messages and ping replies. The peer must be another host in the
+  // subnet.
   Ipv4Address peer;
 
   // The peer's UDP port for messages, from 1 to 65535.

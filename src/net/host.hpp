@@ -1,14 +1,14 @@
-// A small network host on one Ethernet port. It receives datagrams and sends messages to one peer.
-// It answers pings only from the peer, but ARP requests from every host in its subnet, so that
-// sensors can reach it.
+// A small network host on one Ethernet port. The host receives datagrams and sends messages to one
+// peer. The host answers pings only from the peer, but ARP requests from every host in its subnet,
+// so that sensors can reach it.
 //
 // `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
 // can also use ARP to resolve one more address, called the neighbour.
 //
-// The host reads no clock. It owns no memory except the port's buffers. The caller provides the
-// memory for reassembly. Received data is copied only during reassembly. Sent data is copied once,
-// and its checksum is computed during the copy. The port's memory is uncached, so it would be slow
-// to read the data back.
+// The host reads no clock. The host owns no memory except the port's buffers. The caller provides
+// the memory for reassembly. Received data is copied only during reassembly. Sent data is copied
+// once, and its checksum is computed during the copy. The port's memory is uncached, so it would be
+// slow to read the data back.
 //
 // In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
 // then calls the port's pump().

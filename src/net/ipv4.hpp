@@ -23,8 +23,8 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // The offset of the payload in its datagram, in bytes. It is a multiple of 8 and is below 2^16.
-  // `has_more_fragments` is false only for the last fragment.
+  // The offset of the payload in its datagram, in bytes. The offset is a multiple of 8 and is below
+  // 2^16. `has_more_fragments` is false only for the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
   std::span<const std::byte> payload{};  // length from the header; without options and padding

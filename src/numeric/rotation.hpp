@@ -20,7 +20,7 @@ struct Rotation {
   std::int32_t sin_q30 = 0;
 };
 
-// Returns the sine of angle / 2^32 turns. It is from -2^30 to 2^30.
+// Returns the sine of angle / 2^32 turns. The result is from -2^30 to 2^30.
 [[nodiscard]] std::int32_t sine_of(std::uint32_t angle);
 
 [[nodiscard]] Rotation rotation_of(std::uint32_t angle);

@@ -102,7 +102,7 @@ inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// In each update, the box follows a measured edge by 1/16 of the difference between them. It
+// In each update, the box follows a measured edge by 1/16 of the difference between them. The box
 // follows any other edge by 1/2 of the difference outwards and by 1/32 inwards.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
@@ -183,8 +183,8 @@ inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
 inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
-// A streak is a line of hits where a beam grazes the ground. It has fewer than kStreakHits hits, is
-// longer than a walker and is narrower than kStreakMm.
+// A streak is a line of hits where a beam grazes the ground. A streak has fewer than kStreakHits
+// hits, is longer than a walker and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
 // A shorter row of a few cells is also a streak.

@@ -1,4 +1,5 @@
-// A track represents one object. It has a box, a velocity and a state, and hits are assigned to it.
+// A track represents one object. A track has a box, a velocity and a state, and hits are assigned
+// to it.
 #pragma once
 
 #include <array>
@@ -71,8 +72,8 @@ class Track {
   [[nodiscard]] const Covariance& covariance(Side side) const { return covariances_[side]; }
   [[nodiscard]] Covariance& covariance(Side side) { return covariances_[side]; }
 
-  // Returns the velocity estimated by the filter. It is unreliable if the track is not moving,
-  // because four out of five stationary tracks have a spurious speed.
+  // Returns the velocity estimated by the filter. The velocity is unreliable if the track is not
+  // moving, because four out of five stationary tracks have a spurious speed.
   [[nodiscard]] Velocity velocity() const { return {vx_ >> kFine, vy_ >> kFine}; }
   // Returns the velocity of a moving track, or 0 for any other track.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }

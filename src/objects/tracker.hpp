@@ -1,8 +1,8 @@
 // Tracks moving objects with the hits of each frame and the classes of the perception grid.
 //
-// A track is a moving box, and hits are assigned to it. It counts as moving only if the grid
-// confirms its motion (docs/objects.md). The tracker never changes the grid. It performs the
-// following steps for each frame:
+// A track is a moving box, and hits are assigned to it. A track counts as moving only if the grid
+// confirms its motion (docs/objects.md). The tracker never changes the grid. The tracker performs
+// the following steps for each frame:
 //
 //     hits -> [claim] by tracks -> [cluster] the rest -> [attach, associate] to tracks
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
@@ -70,8 +70,8 @@ class Tracker {
   // not reused.
   void forget();
 
-  // Returns the end of the last processed frame. It is 0 if no frame has been processed since
-  // start-up or since the last forget(), or if pass() has hidden the objects.
+  // Returns the end of the last processed frame. The value is 0 if no frame has been processed
+  // since start-up or since the last forget(), or if pass() has hidden the objects.
   [[nodiscard]] std::uint64_t time_us() const { return is_told_ ? now_us_ : 0; }
   // Returns the tracks, indexed by slot. Some slots may be free.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }

@@ -2,9 +2,9 @@
 // moving cell loses the class `moving` if it was not hit and is outside the boxes of all moving
 // tracks.
 //
-// Relabelling changes only class bytes. It never changes masses or the ground memory. All changes
-// are undone when the next frame begins, so the masses in the grid are the same with and without
-// tracks.
+// Relabelling changes only class bytes. Relabelling never changes masses or the ground memory. All
+// changes are undone when the next frame begins, so the masses in the grid are the same with and
+// without tracks.
 #pragma once
 
 #include <array>

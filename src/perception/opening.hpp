@@ -32,9 +32,9 @@ class Opening {
  public:
   explicit Opening(const Rules& rules = {}) : looks_over_things_(rules.looks_over_things) {}
 
-  // The functions below are the steps for one slot. They may be repeated, and may run for several
-  // slots concurrently. For a slot with evidence, call find() before any tile changes. `bits`
-  // contains the bits of the slot's evidence.
+  // The functions below are the steps for one slot. The steps may be repeated, and may run for
+  // several slots concurrently. For a slot with evidence, call find() before any tile changes.
+  // `bits` contains the bits of the slot's evidence.
   void find(const window::Window& window, const placing::EvidenceBits& bits, std::size_t slot);
   // Call leave_out_high() before the evidence is fused into the tile.
   void leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const;

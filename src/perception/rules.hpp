@@ -17,7 +17,8 @@ enum class Moved : std::uint8_t {
 };
 
 // The number of cycles that a Cortex-A9 at 1 GHz needs to age, fuse and classify a group with
-// evidence, rounded up. It comes from the nominal cost model (docs/results/perception_time.md).
+// evidence, rounded up. The number comes from the nominal cost model
+// (docs/results/perception_time.md).
 inline constexpr std::uint32_t kGroupCycles = 500;
 
 // The maximum number of groups that are fused in a frame. One core can fuse kGroupBudget groups in
@@ -70,8 +71,9 @@ struct Rules {
   // True if only low beams open cells (perception/opening.hpp). The value is true if low_mm and
   // tall_mm are specified for any sensor.
   bool is_opened_from_below = false;
-  // True if only low beams free occupied cells. It has an effect only if is_opened_from_below is
-  // true. The value is true if a sensor is high enough to look over objects.
+  // True if only low beams free occupied cells. `looks_over_things` has an effect only if
+  // is_opened_from_below is true. The value is true if a sensor is high enough to look over
+  // objects.
   bool looks_over_things = true;
   // Either kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;

@@ -17,9 +17,9 @@
 namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
-// at least 4 ms apart, so evidence of this age is more than 100 ms old. Its exact age therefore has
-// no effect. Groups are refreshed so often that old evidence is recorded as such before the clock
-// reuses its slot.
+// at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
+// evidence therefore has no effect. Groups are refreshed so often that old evidence is recorded as
+// such before the clock reuses its slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a plane that belong to a group's cells.

@@ -13,8 +13,8 @@
 
 namespace iog::placing {
 
-// The images, in the slice grid, of a run of eight window cells. They are computed once for all
-// runs of a slice.
+// The images, in the slice grid, of a run of eight window cells. The images are computed once for
+// all runs of a slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
 // 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
@@ -23,8 +23,8 @@ namespace iog::placing {
 // so a run covers at most six rows.
 //
 // A cell's offset from the lowest column or row of its run is the integer part of its step value.
-// It is larger by one if the fraction of the steps and the fraction of the lowest column or row add
-// up to 1 or more. The result is exact.
+// The offset is larger by one if the fraction of the steps and the fraction of the lowest column or
+// row add up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;

@@ -18,8 +18,8 @@
 
 namespace iog::placing {
 
-// The transform of a slice. It consists of the pose of the vehicle while the slice was measured,
-// and the position of the vehicle in the grid.
+// The transform of a slice. The transform consists of the pose of the vehicle while the slice was
+// measured, and the position of the vehicle in the grid.
 struct Placement {
   pose::Pose pose{};
   numeric::Rotation rotation{};  // from the heading of the pose

@@ -1,5 +1,5 @@
-// The byte of a cell in a slice or in a frame's evidence. It contains an occupancy index and an
-// extra bit.
+// The byte of a cell in a slice or in a frame's evidence. The byte contains an occupancy index and
+// an extra bit.
 //
 //     0             unknown
 //     n, 1 ... 31   hit, with index n

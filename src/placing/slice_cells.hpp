@@ -1,5 +1,5 @@
 // The slice grid is the index grid of a slice, stored by tiles with one byte per cell
-// (placing/slice_byte.hpp). It also records which parts are known.
+// (placing/slice_byte.hpp). The slice grid also records which parts are known.
 //
 // The cells are a copy. Copying saves time because each cell is looked up four times on average.
 // Known tiles are stored consecutively, so successive slices use the same part of the L2 cache. The
@@ -67,8 +67,8 @@ class SliceCells {
   };
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
-  // `is_known_near()` returns true if any cell of a rectangle may be known. It may lie anywhere,
-  // but it must have at most kMostNear columns and rows.
+  // `is_known_near()` returns true if any cell of a rectangle may be known. The rectangle may lie
+  // anywhere, but it must have at most kMostNear columns and rows.
   static constexpr std::int32_t kMostNear = 13;
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 

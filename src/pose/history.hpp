@@ -2,15 +2,15 @@
 //
 // Times are in us on the clock of the pose source unless the target's clock is stated. Messages
 // must arrive in the order of the source's clock. A message that is not newer than the newest
-// message so far is dropped. A sequence of poses ends with a break. It is one of the following: a
-// gap of kLostUs without messages, a jump, a new run of the source, a contradiction by the sensors,
-// or a growing delay. Data registered before a break no longer has a known position, so the window
-// becomes unknown.
+// message so far is dropped. A sequence of poses ends with a break. A break is one of the
+// following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by
+// the sensors, or a growing delay. Data registered before a break no longer has a known position,
+// so the window becomes unknown.
 //
 // A forged message must not disable the pose input permanently. Therefore, if the run or the time
 // of a message does not continue the current sequence, the message is accepted only after
-// kConfirmations consecutive messages of this kind. If it goes back in time or belongs to an
-// earlier run, the current sequence must also have had no message for kLostUs.
+// kConfirmations consecutive messages of this kind. If the message goes back in time or belongs to
+// an earlier run, the current sequence must also have had no message for kLostUs.
 #pragma once
 
 #include <array>

@@ -16,8 +16,8 @@ inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
 inline constexpr std::uint32_t kMaxAgeUs = 200'000;
-// The maximum clock value corresponds to 146,000 years. It ensures that sums and differences of
-// clock values and of the target's time do not wrap around.
+// The maximum clock value corresponds to 146,000 years. The limit ensures that sums and differences
+// of clock values and of the target's time do not wrap around.
 inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 
 // The maximum time between a slice and a message. A pose is predicted for at most kLateUs after a
@@ -51,8 +51,8 @@ inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 // kMaxDelayGrowthUs beyond this drift, the delay is considered to be growing.
 inline constexpr std::uint64_t kMaxDriftPpm = 200;
 inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
-// The source is accepted again if the delay has not grown for kSettledUs. This is twice the time
-// span over which the minimum offset is computed.
+// The source is accepted again if the delay has not grown for kSettledUs. This time is twice the
+// time span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
 // A residual larger than kMaxResidualMm is a jump. For the heading, the limit is the angle that

@@ -1,5 +1,5 @@
-// AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"). It adds a
-// 12-byte big-endian header to the data that it protects.
+// AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"). The profile
+// adds a 12-byte big-endian header to the data that it protects.
 //
 //    0  u16 length of the data, including this header
 //    2  u16 counter, + 1 for each message, wraps from 0xFFFF to 0

@@ -1,4 +1,4 @@
-// A message on the wire. It consists of a SOME/IP header, an E2E header and content.
+// A message on the wire. The message consists of a SOME/IP header, an E2E header and content.
 //
 //    0  SOME/IP header, 16 bytes (protection/some_ip.hpp)
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
@@ -8,9 +8,9 @@
 // return code at an offset of 64 bits. PRS_E2EProtocol contains an example with this offset.
 // Protection starts after the length field of the SOME/IP header. The CRC covers bytes 8 to 23 and
 // the content from byte 28. Bytes 8 to 23 are the request ID, versions, message type, return code,
-// E2E length, counter and data ID. It does not cover bytes 0 to 7, which are the message ID and the
-// SOME/IP length. The data ID and the E2E length protect these bytes indirectly, because the
-// SOME/IP length and the E2E length count the same bytes.
+// E2E length, counter and data ID. The CRC does not cover bytes 0 to 7, which are the message ID
+// and the SOME/IP length. The data ID and the E2E length protect these bytes indirectly, because
+// the SOME/IP length and the E2E length count the same bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"). It
-// has 16 bytes in big-endian order.
+// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"). The
+// header has 16 bytes in big-endian order.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
 //    4  u32 length: bytes after this field, including 8 of this header

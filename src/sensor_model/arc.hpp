@@ -1,5 +1,5 @@
-// The inverse sensor model across a wide beam, such as a radar beam. It determines the occupancy
-// indexes that a detection gives to the cells on both sides of it.
+// The inverse sensor model across a wide beam, such as a radar beam. The model determines the
+// occupancy indexes that a detection gives to the cells on both sides of it.
 //
 // Along the beam, the model of single_target.hpp applies. If the target is in the direction of the
 // beam, its 1D cell k is occupied with probability P(o_k | z). The direction of the target has a
@@ -16,10 +16,10 @@
 // Cells in front of and behind the target get no index. A radar detects objects behind other
 // objects and around corners, and it does not report every object (docs/model.md, section 10).
 //
-// An ultrasonic sensor measures no direction, so the Gaussian represents its cone. It reports only
-// the first echo, and it detects an object in its cone with probability h. A cell in front of the
-// target has returned no echo. With a prior of 1/2, the probability that this cell is occupied is
-// therefore
+// An ultrasonic sensor measures no direction, so the Gaussian represents its cone. The sensor
+// reports only the first echo, and it detects an object in its cone with probability h. A cell in
+// front of the target has returned no echo. With a prior of 1/2, the probability that this cell is
+// occupied is therefore
 //
 //   P(o | z) = (1 - h) / (2 - h)
 //
@@ -62,8 +62,9 @@ struct Arc {
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
-  // Returns the index at the offset `off_ticks` from the detection's azimuth. Its magnitude must be
-  // at most reach_ticks(). An offset on the border between two cells belongs to the outer one.
+  // Returns the index at the offset `off_ticks` from the detection's azimuth. The magnitude of the
+  // offset must be at most reach_ticks(). An offset on the border between two cells belongs to the
+  // outer one.
   [[nodiscard]] constexpr index::OccupancyIndex at(std::int32_t off_ticks) const {
     const std::int32_t off = off_ticks < 0 ? -off_ticks : off_ticks;
     return marks[static_cast<std::size_t>((2 * off + cell_ticks) / (2 * std::int32_t{cell_ticks}))];

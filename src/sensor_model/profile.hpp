@@ -1,9 +1,9 @@
-// The profile of a sensor. It is a small table of the occupancy indexes of the local 1D grid around
-// a scan point.
+// The profile of a sensor. A profile is a small table of the occupancy indexes of the local 1D grid
+// around a scan point.
 //
-// See docs/model.md section 4 and Table 4.3 of the thesis. It describes the entire local grid of a
-// beam. It contains the index of all cells well before the scan point, and the indexes of the few
-// cells around the scan point. All cells farther away have index 0.
+// See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the entire local
+// grid of a beam. The profile contains the index of all cells well before the scan point, and the
+// indexes of the few cells around the scan point. All cells farther away have index 0.
 #pragma once
 
 #include <array>
@@ -100,12 +100,12 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// The function is not constexpr and has no definition. If it is called, the compilation therefore
-// stops with an error message that contains its name.
+// The function is not constexpr and has no definition. If the function is called, the compilation
+// therefore stops with an error message that contains the function's name.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// Returns the same result as profile_of(), for a profile that is known to fit. If it does not fit,
-// the code does not compile.
+// Returns the same result as profile_of(), for a profile that is known to fit. If the profile does
+// not fit, the code does not compile.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const auto profile = profile_of<Cell>(config);

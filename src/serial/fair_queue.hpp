@@ -1,7 +1,7 @@
-// Selects the flow that sends next on a link that is too slow for all flows. It selects the flow
-// that has received the least service relative to its weight (start-time fair queueing by Goyal,
-// Vin and Cheng, IEEE/ACM Transactions on Networking 5, 1997). A flow neither gains nor loses
-// service by being idle.
+// Selects the flow that sends next on a link that is too slow for all flows. The queue selects the
+// flow that has received the least service relative to its weight (start-time fair queueing by
+// Goyal, Vin and Cheng, IEEE/ACM Transactions on Networking 5, 1997). A flow neither gains nor
+// loses service by being idle.
 #pragma once
 
 #include <algorithm>

@@ -47,15 +47,16 @@ class GridSender {
   void describe(const geometry::Grid& grid) { grid_ = grid; }
 
   // For each complete frame, call the following functions: first the one for its header, then the
-  // one for its known tiles in ascending order, and then the one for its end. They read each cell
-  // once and copy at most DetailWindow::kTiles tiles. Do not call pump() between these calls.
+  // one for its known tiles in ascending order, and then the one for its end. The functions read
+  // each cell once and copy at most DetailWindow::kTiles tiles. Do not call pump() between these
+  // calls.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles. It protects
-  // and frames at most one message. It passes at most as many bytes to the port as the link
-  // transmits in 40 ms. `now_us` must not decrease.
+  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles. Each call
+  // protects and frames at most one message. Each call passes at most as many bytes to the port as
+  // the link transmits in 40 ms. `now_us` must not decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
     bucket_.refill(now_us, port.bytes_per_second());

@@ -1,6 +1,6 @@
-// The message that ends the classes of a frame (docs/spec.md 3.10). It contains the CRC of the
-// class grid, the outcomes of slices and pose messages, and the poses of the slices placed in the
-// window.
+// The message that ends the classes of a frame (docs/spec.md 3.10). The message contains the CRC of
+// the class grid, the outcomes of slices and pose messages, and the poses of the slices placed in
+// the window.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // The header of class tile messages, which describes the world-aligned window (docs/spec.md 3.9).
-// It contains the window's position, the last pose of the vehicle, and the reasons why slices were
-// not placed.
+// The header contains the window's position, the last pose of the vehicle, and the reasons why
+// slices were not placed.
 #pragma once
 
 #include <cstddef>

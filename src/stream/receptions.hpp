@@ -30,7 +30,8 @@ struct Reception {
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// The maximum number of receptions. It exceeds the number of packets and poses stored for a frame.
+// The maximum number of receptions. This maximum exceeds the number of packets and poses stored for
+// a frame.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
 // The fields that are the same in all parts of a list.

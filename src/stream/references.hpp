@@ -31,7 +31,7 @@ class References {
 
   // Records the payload length of a tile that was sent as a difference from its reference. If this
   // length exceeds seven eighths of the self-contained length, the tile is self-contained the next
-  // time it is sent. This makes the following frames shorter.
+  // time it is sent. Sending it in this way makes the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
   // Returns the stored reference of a tile. Returns nothing if no self-contained version of the

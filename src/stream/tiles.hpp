@@ -1,6 +1,6 @@
-// The tile message (docs/spec.md 3.3). It contains the range of tile numbers that it covers, and
-// the content of the known tiles in this range. If a covered tile has no content, the tile is
-// unknown. A receiver can therefore distinguish known, unknown and missing tiles.
+// The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
+// covers, and the content of the known tiles in this range. If a covered tile has no content, the
+// tile is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
 #include <array>

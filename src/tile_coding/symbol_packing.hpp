@@ -4,8 +4,8 @@
 // as the digits of one number in base n, with the most significant digit first. The number of these
 // symbols is the largest multiple of four that fits. Each number is stored with as many bits as its
 // largest possible value needs. The last number of a tile contains the remaining symbols, padded
-// with zeros to a multiple of four. This number needs no more bits than its groups of four would
-// need separately.
+// with zeros to a multiple of four. The last number needs no more bits than its groups of four
+// would need separately.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The line of a beam on the grid, computed in integers. A Line computes the points at which the
-// line crosses cell borders. It also computes the number of borders crossed up to any fraction of
-// its length.
+// line crosses cell borders. A Line also computes the number of borders crossed up to any fraction
+// of its length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -117,8 +117,8 @@ class Axis {
   }
 
   // Computes through() for the fraction distance / length without dividing by the length. Requires
-  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r. It
-  // is below 2^31 for lines of up to 2,000 cells.
+  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r. The
+  // quotient is below 2^31 for lines of up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -182,9 +182,10 @@ class Line {
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // Returns the error term of the walk at a position. Its sign shows on which side of the line the
-  // next corner is. If it is negative, the line crosses the column border first. If it is positive,
-  // the line crosses the row border first. If it is 0, the line crosses the corner itself.
+  // Returns the error term of the walk at a position. The sign of the error term shows on which
+  // side of the line the next corner is. If the error term is negative, the line crosses the column
+  // border first. If the error term is positive, the line crosses the row border first. If the
+  // error term is 0, the line crosses the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});

@@ -19,9 +19,9 @@
 // total, the estimate is too small by at most 1 + 2 z. For z < 2^18, its error is below kSlack =
 // 2^20.
 //
-// Its integer part is therefore exact if its fraction is at least kSlack below the next integer.
-// Otherwise, Line::through() computes the result. This happens about once per 2^12 distances, and
-// whenever a distance ends on a border.
+// The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
+// next integer. Otherwise, Line::through() computes the result. Line::through() is needed about
+// once per 2^12 distances, and whenever a distance ends on a border.
 //
 // For MeasuredShare, a fraction of the length is converted to a distance in units of 2^-14 mm,
 // rounded down. Only the upper word of the product of distance and slope is used, so the result for

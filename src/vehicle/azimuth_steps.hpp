@@ -1,7 +1,7 @@
 // Rounds the azimuths of a sensor to steps (docs/model.md section 5).
 //
-// Azimuth t is one of T ticks per turn. It is rounded to the nearest of N steps, and ties are
-// rounded up:
+// Azimuth t is one of T ticks per turn. The azimuth is rounded to the nearest of N steps, and ties
+// are rounded up:
 //     floor(t N / T + 1 / 2)
 // If the result is a full turn, the step is 0. If N = T, the steps are the ticks.
 //

@@ -73,8 +73,8 @@ struct BeamRanges {
   Ranges in_band;  // at most L
 };
 
-// The evidence of a scan point. It consists of three bits of one word, which the compiler keeps in
-// a register.
+// The evidence of a scan point. The evidence consists of three bits of one word, which the compiler
+// keeps in a register.
 class Evidence {
  public:
   static constexpr int kBits = 3;

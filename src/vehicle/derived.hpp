@@ -1,7 +1,7 @@
 // Derives some members of a sensor from its other members. The loops use the derived members, which
 // are reciprocals, sines, and the extents of the car and the height band along the sensor's lines.
-// The code uses only integers. It runs on the PC for a car file, and on the target for the car in
-// its image.
+// The code uses only integers. The code runs on the PC for a car file, and on the target for the
+// car in its image.
 #pragma once
 
 #include <algorithm>

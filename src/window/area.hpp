@@ -2,10 +2,10 @@
 //
 // Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of the cell size. Tile
 // (a, b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of
-// tile (a, b) is 32 (b mod 32) + a mod 32. It does not depend on the position of the window, so no
-// data is moved when the window moves. Coordinates of the local frame are int32 millimetres. If
-// cells are 0.1 m, tile numbers are therefore within +-671,089. If cells are larger, tile numbers
-// are closer to 0.
+// tile (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window,
+// so no data is moved when the window moves. Coordinates of the local frame are int32 millimetres.
+// If cells are 0.1 m, tile numbers are therefore within +-671,089. If cells are larger, tile
+// numbers are closer to 0.
 #pragma once
 
 #include <cstddef>

@@ -38,8 +38,8 @@ static_assert(geometry::kTileSide == 32);
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
-// Cell properties for later neighbourhood tests. They are computed whenever the cell's group is
-// classified.
+// Cell properties for later neighbourhood tests. These properties are computed whenever the cell's
+// group is classified.
 struct Found {
   Plane freed{};   // free mass above one half
   Plane seen{};    // free according to evidence of the same frame
@@ -47,7 +47,7 @@ struct Found {
   Plane taken{};   // occupied mass above one quarter
 };
 
-// The memory of the ground. It is independent of objects that are currently on the ground.
+// The memory of the ground. This memory is independent of objects that are currently on the ground.
 struct Ground {
   Plane open{};       // the ground was free, with a margin
   Plane dense{};      // all surrounding cells were seen as free in one frame

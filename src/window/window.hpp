@@ -1,8 +1,9 @@
-// The world-aligned window. It consists of 32 by 32 tiles of the local frame around the vehicle.
+// The world-aligned window. The window consists of 32 by 32 tiles of the local frame around the
+// vehicle.
 //
-// When a tile enters the window, it is only flagged as unknown. Its memory is cleared just before
-// the first write to the tile, and the memory of each group is cleared just before the first write
-// to the group. Moving the window therefore costs only one flag per tile.
+// When a tile enters the window, it is only flagged as unknown. The memory of a tile is cleared
+// just before the first write to the tile, and the memory of each group is cleared just before the
+// first write to the group. Moving the window therefore costs only one flag per tile.
 #pragma once
 
 #include <array>
@@ -47,13 +48,13 @@ class Window {
   // Sets the tile in a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the classes that the map rules out in the tile of a slot. They apply until the next call.
-  // The tile may be unknown. The call reclassifies the tile's cells with the masses of their last
-  // classification. It changes nothing else.
+  // Sets the classes that the map rules out in the tile of a slot. The ruled-out classes apply
+  // until the next call. The tile may be unknown. The call reclassifies the tile's cells with the
+  // masses of their last classification. It changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // Restores the classes that a group had after its last classification. They are computed from the
-  // group's masses.
+  // Restores the classes that a group had after its last classification. The classes are computed
+  // from the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
   // Returns the results of `plane_of` for the tile in a slot and for its neighbours. For tiles

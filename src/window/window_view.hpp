@@ -1,5 +1,5 @@
-// A read-only view of the window for sinks, tools and measurements. It is valid until the next
-// slice or frame.
+// A read-only view of the window for sinks, tools and measurements. The view is valid until the
+// next slice or frame.
 #pragma once
 
 #include <cstddef>

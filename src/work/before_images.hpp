@@ -2,10 +2,10 @@
 // repeated.
 //
 // Each helper has one image. The helper copies the data that its item is about to change into the
-// image. It then records the number of the item, and only then changes the data. Before core 0
-// repeats an item of a lost core, it restores the image that belongs to the item. If no image
-// belongs to the item, no data has been changed yet. Core 0 needs no image because its items are
-// never repeated.
+// image. The helper then records the number of the item, and only then changes the data. Before
+// core 0 repeats an item of a lost core, it restores the image that belongs to the item. If no
+// image belongs to the item, no data has been changed yet. Core 0 needs no image because its items
+// are never repeated.
 //
 // Core 0 reads a helper's image only after the helper has ended. The end of the helper acts as a
 // signal: if a later store of the helper is visible, so are its earlier stores. A compiler barrier

@@ -1,4 +1,4 @@
-// The executor of a round's tasks. It is a team, a platform with a team, or core 0 alone.
+// The executor of a round's tasks. The executor is a team, a platform with a team, or core 0 alone.
 //
 // A crew is only a reference, so code that splits its work does not depend on the executor.
 #pragma once
