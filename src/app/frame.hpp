@@ -3,7 +3,7 @@
 // datagrams as arguments. The target and `iog fuse` therefore produce the same frames without a
 // clock or a network.
 //
-// A frame opens with its first packet. The frame ends when the first of these events occurs: every
+// A frame starts with its first packet. The frame ends when the first of these events occurs: every
 // sensor has delivered its scan, a sensor's next scan begins, or the vehicle's frame period has
 // passed. If no packets arrive, an empty frame is closed every two periods so that the loss of data
 // is reported.

@@ -3,7 +3,7 @@
 // each core per frame. Frames without packets are ignored. Each new maximum is written to the
 // console, for example as "worst publish 12345 us".
 //
-// The statistics cost two readings of the stopwatch per stage and a few divisions per frame
+// The statistics require two readings of the stopwatch per stage and a few divisions per frame
 // (docs/safety.md).
 #pragma once
 

@@ -4,8 +4,8 @@
 //
 // The byte in row r and column c of a block is bit 8 r + 2 c of each plane. The bit above it
 // belongs to a second block, which is always zero here. A row of the AES state is therefore one
-// byte of a plane. The same method, with wider registers, is used by Kaesper and Schwabe, Faster
-// and Timing-Attack Resistant AES-GCM, 2009.
+// byte of a plane. Kaesper and Schwabe (Faster and Timing-Attack Resistant AES-GCM, 2009) use the
+// same method with wider registers.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // The car block is a block of bytes at a fixed offset in an image. The car block contains the
-// compiled car file and the network configuration. The build or `iog image` writes the block. The
-// target checks the entire block before it uses any part of it (docs/spec.md, section 8).
+// compiled car file and the network configuration. The block is written either by the build or by
+// `iog image`. The target checks the entire block before it uses any part of it (docs/spec.md,
+// section 8).
 #pragma once
 
 #include <array>

@@ -75,8 +75,8 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces them as if they were the first
-  // byte of a state followed by a zero byte.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces these bits as if they were the
+  // first byte of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);

@@ -2,10 +2,10 @@
 // from fusing all evidence of these index grids with hits_win.
 //
 // The index of a cell is the saturating sum of the cell's positive indexes in all grids. If no
-// index is positive, it is the saturating sum of the negative indexes (docs/model.md section 3). A
-// saturating sum of numbers with the same sign does not depend on their order. A frame can
-// therefore be split in any way. If each part is fused from zero with hits_win and the parts are
-// joined, the result is the same as that of fusing the entire frame.
+// index is positive, the index of the cell is the saturating sum of the negative indexes
+// (docs/model.md section 3). A saturating sum of numbers with the same sign does not depend on
+// their order. A frame can therefore be split in any way. If each part is fused from zero with
+// hits_win and the parts are joined, the result is the same as that of fusing the entire frame.
 #pragma once
 
 #include <array>

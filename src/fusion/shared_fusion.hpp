@@ -157,8 +157,8 @@ class SharedFusion {
   void end_frame(const intake::Intake& intake);
 
   // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined
-  // grid. If no parts were joined, it is core 0's own grid, which must be finished. Calls
-  // visit(number, cells) for each tile with a known cell, in ascending order.
+  // grid. If no parts were joined, the frame's grid is core 0's own grid, which must be finished.
+  // Calls visit(number, cells) for each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {

@@ -152,7 +152,7 @@ class alignas(kCacheLineBytes) KeptLine {
   vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
-// A size of an odd number of cache lines spreads the lines over all sets of a cache.
+// If the size is an odd number of cache lines, the lines are spread over all sets of a cache.
 static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
 // The beam of one layer at one azimuth, with cached properties. On the target, a KeptBeam fills one

@@ -20,7 +20,7 @@ namespace iog::grid {
 
 // A cursor on a block path. The cursor consists of the current block, the block's code, and the
 // codes of the following blocks. The code selects the stride to the next block, in stored blocks.
-// masks[code / 2] selects the cells of the block that the line crosses.
+// The entry masks[code / 2] selects the cells of the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;

@@ -52,7 +52,7 @@ class Ground {
   using Stretch = LowBeams::Stretch;
   // Returns the part of a beam that is low enough to open cells, as distances along the beam's
   // line. If beams at any height open cells, this part is the entire line. If the sensor's layers
-  // share lines, it ends at the exit range of the beam.
+  // share lines, this part ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -114,8 +114,8 @@ class Ground {
 
 // A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
 // return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
-// degrees, the projection of a more distant return moves by more than one cell, and a static object
-// would appear to approach.
+// degrees, the projection of a return beyond these heights moves by more than one cell, and a
+// static object would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.

@@ -40,8 +40,8 @@ class LowBeams {
             const Surface& surface);
 
   // Returns the part of a beam that is low. If the sensor is mounted higher than low_mm above the
-  // car's plane, this part starts where the beam descends to low_mm. Otherwise, it extends from the
-  // start of the beam to the point where the beam rises above low_mm.
+  // car's plane, this part starts where the beam descends to low_mm. Otherwise, the low part
+  // extends from the start of the beam to the point where the beam rises above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

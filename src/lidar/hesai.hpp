@@ -5,8 +5,8 @@
 // blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
 // Each block contains an azimuth and one range per laser. Packets of a Pandar40P have no header.
 // Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
-// return mode, the blocks form pairs with the same azimuth. Which block of a pair contains the
-// nearer return depends on the unit, so the decoder compares the ranges. HesaiUnit describes all
+// return mode, the blocks form pairs with the same azimuth. The order of the nearer and the farther
+// return in a pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all
 // other differences between units. The compiler generates a decoder from each HesaiUnit.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head

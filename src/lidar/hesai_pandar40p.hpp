@@ -31,7 +31,7 @@ inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
 class HesaiPandar40p : public HesaiDecoder<kPandar40pUnit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar40P";
-  // One turn takes 180 packets of 400 points, or 360 packets in dual return mode.
+  // One turn consists of 180 packets of 400 points, or 360 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar40p", .range_min_mm = 300, .max_points_per_scan = 370 * 400};
   static constexpr std::array<double, 0> kElevationsDeg{};

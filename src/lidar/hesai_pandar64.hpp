@@ -33,8 +33,8 @@ inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
 class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
-  // In single return mode, one turn takes 300 packets of 384 points. In dual return mode, one turn
-  // has more points than can be marked in a frame.
+  // In single return mode, one turn consists of 300 packets of 384 points. In dual return mode, one
+  // turn has more points than can be marked in a frame.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
   static constexpr std::array<double, 0> kElevationsDeg{};

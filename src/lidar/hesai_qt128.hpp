@@ -44,9 +44,9 @@ inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
 class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
-  // In single return mode, one turn takes 450 packets of 256 points. Each packet contains 64 points
-  // whose lasers did not fire. In dual return mode, one turn has more points than can be marked in
-  // a frame.
+  // In single return mode, one turn consists of 450 packets of 256 points. Each packet contains 64
+  // points whose lasers did not fire. In dual return mode, one turn has more points than can be
+  // marked in a frame.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -38,7 +38,7 @@ inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
 class HesaiQt64 : public HesaiDecoder<kQt64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarQT-64";
-  // One turn takes 150 packets of 256 points, or 300 packets in dual return mode.
+  // One turn consists of 150 packets of 256 points, or 300 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt64", .range_min_mm = 100, .max_points_per_scan = 310 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

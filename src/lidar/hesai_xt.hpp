@@ -55,7 +55,7 @@ inline constexpr HesaiUnit kXt32mUnit = make_hesai_xt(
 class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-16";
-  // One turn takes 250 packets of 128 points, or 500 packets in dual return mode.
+  // One turn consists of 250 packets of 128 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt16", .range_min_mm = 500, .max_points_per_scan = 512 * 128};
   // The elevation of each channel, in wire order.
@@ -66,7 +66,7 @@ class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
 class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32";
-  // One turn takes 250 packets of 256 points, or 500 packets in dual return mode.
+  // One turn consists of 250 packets of 256 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
   // The elevation of each channel, in wire order.
@@ -88,7 +88,7 @@ consteval std::array<double, 32> elevations_of_xt32m() {
 class HesaiXt32m : public HesaiDecoder<kXt32mUnit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32M";
-  // One turn takes 334 packets of 192 points, or 667 packets in dual return mode.
+  // One turn consists of 334 packets of 192 points, or 667 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32m", .range_min_mm = 500, .max_points_per_scan = 682 * 192};
   // The elevation of each channel, in wire order.

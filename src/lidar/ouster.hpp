@@ -9,7 +9,7 @@
 //
 // There are W columns in a turn. Column i is measured when the head has turned clockwise by i / W
 // of a turn from the direction opposite to x. The head is 16 mm wide. The decoder assumes that
-// beams start at the centre of the head, which moves a point by less than 1 mm.
+// beams start at the centre of the head. This assumption moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>

@@ -40,7 +40,7 @@ inline constexpr VelodyneUnit kVls128Unit = make_vls128();
 class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLS-128";
-  // The precision is 3 cm. One turn at 10 Hz takes 603 packets.
+  // The precision is 3 cm. One turn at 10 Hz consists of 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
   // The elevation of each laser id, bank by bank and then channel by channel.
   static constexpr std::array<double, 128> kElevationsDeg{

@@ -118,7 +118,7 @@ class Block {
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
   // Returns the date in seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // Returns the map's accuracy. In a sample of 100 vertices, 95 are closer to their true positions
+  // Returns the map's accuracy. On average, 95 of 100 vertices are closer to their true positions
   // than this distance.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map

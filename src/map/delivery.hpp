@@ -3,8 +3,8 @@
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
-// valid block is in use as soon as its check has ended. An invalid block is dropped, and the
-// previous block stays in use.
+// valid block is used as soon as its check has ended. An invalid block is dropped, and the previous
+// block stays in use.
 //
 // Only one block is delivered at a time, so a late or forged chunk cannot interrupt a delivery. The
 // delivery of another block may start if no new chunk of the current block has arrived for

@@ -68,8 +68,8 @@ class Reassembly {
   // 35,336 bytes of a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024
   // bytes per packet.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // A datagram of 35,344 bytes takes 24 fragments of 1480 bytes. No sender uses fragments of less
-  // than 984 bytes.
+  // A datagram of 35,344 bytes is split into 24 fragments of 1480 bytes. No sender uses fragments
+  // of less than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
   // The timeout starts when the first fragment is received. At 100 Mbit/s, the fragments of a
   // datagram arrive within 3 ms. With 1,280 datagrams per second, the 16-bit identification of a

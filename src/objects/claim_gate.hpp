@@ -1,4 +1,4 @@
-// The gate of a track, that is, the distance outside its box up to which the track claims hits.
+// The gate of a track is the distance from its box within which the track claims hits.
 #pragma once
 
 #include <algorithm>

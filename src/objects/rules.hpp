@@ -44,8 +44,8 @@ inline constexpr std::int32_t kMostSpeed = 100'000;
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track, that is, the distance outside its box up to which the track claims hits. The
-// gate is extended by twice the standard deviation of the track's position, up to the limits below.
+// The gate of a track is the distance from its box within which the track claims hits. The gate is
+// extended by twice the standard deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;

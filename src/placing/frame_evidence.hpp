@@ -101,8 +101,9 @@ class FrameEvidence {
              (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
     }
   };
-  // The side length of a region, in tiles, if several cores are used. Regions are so large that few
-  // hits are examined for two regions, and so small that no core waits long for the last region.
+  // The side length of a region, in tiles, if several cores are used. Regions are large enough that
+  // few hits are examined for two regions, and small enough that no core waits long for the last
+  // region.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::int32_t kRegionsAcross = window::kTilesAcross / kRegionAcross;
   static constexpr std::size_t kRegionCount = std::size_t{kRegionsAcross} * kRegionsAcross;

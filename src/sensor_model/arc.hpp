@@ -11,7 +11,7 @@
 //
 // With weight 1 - w_a, the target is elsewhere, and nothing is known about cell a:
 //
-//   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2
+//   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2.
 //
 // Cells in front of and behind the target get no index. A radar detects objects behind other
 // objects and around corners, and it does not report every object (docs/model.md, section 10).
@@ -37,7 +37,7 @@
 
 namespace iog::sensor_model {
 
-// Even with the smallest epsilon of a car, 0.01, cell 3 gets no index, because it would need a
+// Even with the smallest epsilon of a car (0.01), cell 3 gets no index. The cell would need a
 // weight of 0.01, but its weight is only 0.004.
 inline constexpr std::size_t kMaxArcCells = 3;
 

@@ -18,7 +18,7 @@ inline constexpr std::uint16_t kEventGroup = 0x0001;
 inline constexpr std::uint32_t kMinorVersion = 0;
 
 // A receiver reports an error if more than kMaxDeltaCounter consecutive messages are missing. If
-// all tiles are sent raw, a frame of a wide road takes about 480 messages. No frame takes more than
+// all tiles are sent raw, a frame of a wide road needs about 480 messages. No frame needs more than
 // 1025 messages.
 inline constexpr std::uint16_t kMaxDeltaCounter = 512;
 

@@ -39,10 +39,10 @@ class References {
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
   // Returns the reference that a sender may use for a tile in a frame. Returns nothing if the
-  // reference is too old, or if the tile has changed too much since then. In addition, each tile is
-  // sent as a self-contained tile once every kMaxReferenceAge + 1 frames. The tile number
-  // determines in which frame this happens, so self-contained tiles are spread evenly over the
-  // frames.
+  // reference is too old, or if the tile has changed too much since the reference was sent. In
+  // addition, each tile is sent as a self-contained tile once every kMaxReferenceAge + 1 frames.
+  // The tile number determines in which frame this happens, so self-contained tiles are spread
+  // evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

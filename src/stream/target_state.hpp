@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. Returns nothing unless all of them are among the first `sent`
-// link counters.
+// Reads the counters in `Counts`. Returns nothing unless all counters in `Counts` are among the
+// first `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

@@ -34,8 +34,8 @@ struct Geometry {
   std::uint16_t width = 0;   // in cells; a multiple of the tile's side
   std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner of the grid with the lowest x and y in the vehicle frame. For classes, it is 0
-  // because their position is in the window header.
+  // The corner of the grid with the lowest x and y in the vehicle frame. For classes, the corner is
+  // 0 because their position is in the window header.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 

@@ -14,8 +14,8 @@
 // value y_c / w_u is the height of the line above the bottom of its row at the left side of column
 // c.
 //
-// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, it is an addition of 32-bit words
-// in which a carry indicates a rise:
+// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of
+// 32-bit words in which a carry indicates a rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
 // `phase` and `step` are too large by at most 1, and never too small. After n columns, the phase
 // therefore exceeds the exact phase by at most n + 1. No carry is missed. The value y is an integer

@@ -48,8 +48,8 @@ struct Turn {
 
 // Finds the first term of a rotation whose value is at most `threshold` and returns its number.
 // Returns `limit` if the first `limit` terms are all greater than `threshold`. The rotation starts
-// at x. Each step moves down by `down_angle` or, which is the same modulo down_angle + up_angle, up
-// by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
+// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, this is the same as
+// moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
 // The first term that is at most `threshold` is smaller than all terms before it. From each such
 // minimum, the first downward turn by at most x leads to the next one. As in Euclid's algorithm,

@@ -2,7 +2,7 @@
 //
 // Azimuth t is one of T ticks per turn. The azimuth is rounded to the nearest of N steps, and ties
 // are rounded up:
-//     floor(t N / T + 1 / 2)
+//     floor(t N / T + 1 / 2).
 // If the result is a full turn, the step is 0. If N = T, the steps are the ticks.
 //
 // The code needs only one 32 x 32-bit multiplication. Let s be the largest number for which m =

@@ -134,7 +134,7 @@ struct Classification {
 // `azimuth_ticks` must be less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// Returns the ranges, from from_mm to to_mm, at which a point of the line is within the given
+// Returns the ranges between from_mm and to_mm at which a point of the line is within the given
 // limits on one axis. `extent` is the extent of the line along the axis. The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);

@@ -1,9 +1,9 @@
 // The world-aligned window. The window consists of 32 by 32 tiles of the local frame around the
 // vehicle.
 //
-// When a tile enters the window, it is only flagged as unknown. The memory of a tile is cleared
-// just before the first write to the tile, and the memory of each group is cleared just before the
-// first write to the group. Moving the window therefore costs only one flag per tile.
+// When a tile enters the window, it is only marked as unknown. The memory of a tile is cleared just
+// before the first write to the tile, and the memory of each group is cleared just before the first
+// write to the group. Moving the window therefore costs only one flag per tile.
 #pragma once
 
 #include <array>

@@ -46,8 +46,8 @@ template <hal::Cores C>
 class Team {
  public:
   // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. When all
-  // other helpers have finished, it must also finish its item within this time. Every item must
-  // take less than `patience_us`.
+  // other helpers have finished, a helper must also finish its item within `patience_us`. Every
+  // item must take less than `patience_us`.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
