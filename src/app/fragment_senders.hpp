@@ -1,6 +1,6 @@
 // Lists the senders whose fragments a target reassembles. The target reassembles fragments only
-// from the senders to which it listens. For each stream, it reassembles one datagram at a time.
-// Other senders cannot occupy the reassembly buffers (docs/spec.md, 1.5).
+// from the senders to which it listens. For each stream, the target reassembles one datagram at a
+// time. Other senders cannot occupy the reassembly buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"

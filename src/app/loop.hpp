@@ -206,8 +206,8 @@ class MachinePlatform {
 };
 
 // The target's pipeline. The pipeline sends every frame to the network. If the vehicle has classes,
-// it also sends the classes. The serial link transmits as much of the frame's grid as the bandwidth
-// allows.
+// the pipeline also sends the classes. The serial link transmits as much of the frame's grid as the
+// bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),

@@ -42,7 +42,7 @@ namespace iog::app {
 // tiles, but more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// How long the cells of an added tile stay unchanged.
+// Specifies how long the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
 // A TileSender must be in static memory because it uses 2.2 or 2.4 MB for sent and encoded tiles
@@ -216,9 +216,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes cells that have not changed. The cells are encoded against the same reference. If they
-  // were sent without a reference, they are encoded as unchanged. If the function is interrupted
-  // and repeated, the result is the same.
+  // Encodes cells that have not changed. The cells are encoded against the same reference. If the
+  // cells were sent without a reference, they are encoded as unchanged. If the function is
+  // interrupted and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {

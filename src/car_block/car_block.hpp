@@ -71,7 +71,7 @@ struct Verdict {
                                vehicle::Vehicle& vehicle);
 
 // The message that is shown when a car block is rejected. The console, the stream and `iog image`
-// display it.
+// display this message.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

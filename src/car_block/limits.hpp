@@ -1,6 +1,6 @@
-// The limits of a car. The loops of the target rely on them. The limits are checked on the integers
-// that are compiled from the car file. The target checks the car block in its image, and the PC
-// checks a car file.
+// The limits of a car. The loops of the target rely on these limits. The limits are checked on the
+// integers that are compiled from the car file. The target checks the car block in its image, and
+// the PC checks a car file.
 #pragma once
 
 #include <cstdint>

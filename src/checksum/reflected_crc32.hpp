@@ -20,7 +20,7 @@
 namespace iog::checksum {
 
 // `kPolynomial` uses the notation of the standards, with the highest power first and x^32 omitted.
-// `kSlices` is 4, 8 or 16. For bytewise processing, it is 1.
+// `kSlices` is 4, 8 or 16. For bytewise processing, kSlices is 1.
 template <std::uint32_t kPolynomial, std::size_t kSlices>
 class ReflectedCrc32 {
   static_assert(kSlices == 1 || kSlices == 4 || kSlices == 8 || kSlices == 16);
@@ -43,7 +43,8 @@ class ReflectedCrc32 {
   // Returns the CRC of all bytes so far. Further calls to update() are allowed.
   [[nodiscard]] constexpr std::uint32_t value() const { return ~state_; }
 
-  // Returns the internal state, with x^31 in bit 0. Other algorithms use it to continue the CRC.
+  // Returns the internal state, with x^31 in bit 0. Other algorithms use the internal state to
+  // continue the CRC.
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 

@@ -2,7 +2,7 @@
 //
 // A cell gets a class only if at least half of the total mass supports the class. Ignorance
 // therefore never results in a class. The map refines the classes that the sensors support. The map
-// never overrules them, and it never determines a class without them.
+// never overrules the sensors, and it never determines a class without them.
 #pragma once
 
 #include <array>

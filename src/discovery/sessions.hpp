@@ -1,6 +1,6 @@
 // Session IDs and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
-// "Reboot Detection"). Session IDs start at 1. The reboot flag is set until they have wrapped
-// around.
+// "Reboot Detection"). Session IDs start at 1. The reboot flag is set until the session IDs have
+// wrapped around.
 #pragma once
 
 #include <cstdint>

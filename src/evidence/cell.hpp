@@ -44,7 +44,7 @@ struct Cell {
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// The masses that one frame assigns to a cell. At least one of them is 0.
+// The masses that one frame assigns to a cell. At least one of the two masses is 0.
 struct Evidence {
   std::int32_t occupied = 0;  // o
   std::int32_t free = 0;      // f
@@ -89,7 +89,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
 }
 
 // Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
-// occupied. If the object moved into the cell, c is added to {M}. Otherwise, it is added to O. `x`
+// occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O. `x`
 // is the conflict of a cell that was occupied and is now free. It is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();

@@ -21,7 +21,7 @@ static_assert(sizeof(Masses) == 16);
 using Free = Masses;  // F = {D, N}
 
 // The masses of Taken occupy two cache lines. The kernels for updating, ageing and deciding read
-// and write them sequentially.
+// and write these masses sequentially.
 struct alignas(32) Taken {
   Masses occupied{};     // O = {I, M, S, U}: occupied, unclassified
   Masses moving{};       // M = {M}

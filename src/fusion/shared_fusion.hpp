@@ -143,7 +143,7 @@ class SharedFusion {
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
   // `round()` returns the parts of the last fused round, and tiles() returns their results. Both
-  // are valid until the next round.
+  // results are valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;

@@ -44,8 +44,8 @@ class ArcMarker {
 
   // An arc may leave a cell and enter it again. The part of the arc outside the cell is shorter
   // than the cell's diagonal. For a level sensor, whose steps are at least half a cell long, this
-  // part has at most three steps. For a sensor tilted by 60 degrees, it has at most six steps. Each
-  // step enters at most one other cell.
+  // part has at most three steps. For a sensor tilted by 60 degrees, this part has at most six
+  // steps. Each step enters at most one other cell.
   static constexpr std::size_t kLately = 8;
   struct Step {
     geometry::Cell cell;

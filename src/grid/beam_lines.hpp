@@ -209,8 +209,8 @@ class KeptHeight {
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
-// cached. These are enough for a LUX. Four layers and two lines are also enough for a level
-// rotating lidar, because all its layers share one line.
+// cached. Four layers and two lines are enough for a LUX, and also for a level rotating lidar,
+// whose layers all share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;

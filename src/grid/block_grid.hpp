@@ -1,8 +1,8 @@
 // The grid of a frame, stored in blocks of 4 by 4 cells. Each block has sixteen bytes.
 //
 // On average, a line crosses four cells of a block, and a single saturating subtraction carves all
-// of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, it
-// would cover 32 by 1 cells. Each row of blocks has one cache line of padding. Without this
+// of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, a cache
+// line would cover 32 by 1 cells. Each row of blocks has one cache line of padding. Without this
 // padding, all blocks of a column would compete for only two of the 256 sets of the L1 cache.
 //
 // Outside src/grid, cells are numbered row by row (geometry/grid.hpp). A stored byte is an

@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The slope of a beam, and the ranges at which it ends on the car itself. Both are needed for a
-// sample.
+// The slope of a beam, and the ranges at which it ends on the car itself. A sample needs both of
+// these properties.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;

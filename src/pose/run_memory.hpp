@@ -15,8 +15,7 @@ class RunMemory {
     return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
   }
 
-  // Returns true if a run is one of the last fifteen earlier runs. Runs before these are not
-  // remembered.
+  // Returns true if a run is one of the last fifteen earlier runs. Older runs are not remembered.
   [[nodiscard]] bool is_past(std::uint32_t run) const {
     const auto known = std::span(runs_).first(count_);
     return !is_present(run) && std::ranges::find(known, run) != known.end();

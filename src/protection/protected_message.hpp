@@ -71,8 +71,8 @@ class Receiver {
   constexpr explicit Receiver(const Channel& channel)
       : event_{channel.event}, checker_{channel.profile()} {}
 
-  // Processes a datagram, which may contain any bytes. If its header is not for this channel, the
-  // state does not change.
+  // Processes a datagram, which may contain any bytes. If the header of the datagram is not for
+  // this channel, the state does not change.
   [[nodiscard]] Received receive(std::span<const std::byte> datagram);
 
  private:

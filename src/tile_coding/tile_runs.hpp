@@ -23,8 +23,8 @@ class TileRuns {
   void find(TileCells cells, const std::optional<TileCells>& reference);
 
   // Returns one byte per run, in the order of the runs. The byte is the value of the run. If the
-  // run equals the reference, it is as_reference(). If a run at the beginning of the tile equals
-  // the reference, it is omitted. The last word is padded with as_reference().
+  // run equals the reference, the byte is as_reference(). If a run at the beginning of the tile
+  // equals the reference, it is omitted. The last word is padded with as_reference().
   [[nodiscard]] std::span<const std::uint32_t> fours() const {
     return std::span(values_).first((count_ + 3) / 4);
   }

@@ -2,10 +2,10 @@
 // the algorithm is an exact digital differential analyser.
 //
 // The column number u counts along the longer axis of the line, and the row number v counts along
-// the other axis. Both increase in the direction of the line. The lengths of the line along these
-// axes are w_u >= w_v, in subcells. The side of a cell is r subcells. Let e_c be the error term of
-// the walk (traversal/walk.hpp) at the point where the line enters column c, with u as the column
-// axis. The line rises in that column if and only if e_c >= 0. The next error term is
+// the other axis. Both numbers increase in the direction of the line. The lengths of the line along
+// these axes are w_u >= w_v, in subcells. The side of a cell is r subcells. Let e_c be the error
+// term of the walk (traversal/walk.hpp) at the point where the line enters column c, with u as the
+// column axis. The line rises in that column if and only if e_c >= 0. The next error term is
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
 // The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
@@ -29,8 +29,8 @@
 // Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. The
 // start of a line may be on a border. If the start is on the lower or left border of its cell, all
 // of the above still holds. If the start is on the upper left corner, the line is just below the
-// upper border of its row when it enters its first column. Using floor((e - 1) / r) keeps it in
-// that row. If the start is on the upper right corner, e_0 = 0, and the line rises in the first
+// upper border of its row when it enters its first column. Using floor((e - 1) / r) keeps the line
+// in that row. If the start is on the upper right corner, e_0 = 0, and the line rises in the first
 // column. The computed line then enters the cell above, although the exact line does not.
 #pragma once
 

@@ -16,8 +16,8 @@
 // Error: base is too small by at most 1. The error of slope has two parts. The rounding of the
 // slope itself contributes less than 1, and the rounding of q contributes less than w / (r 2^e). A
 // cell is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In
-// total, the estimate is too small by at most 1 + 2 z. For z < 2^18, its error is below kSlack =
-// 2^20.
+// total, the estimate is too small by at most 1 + 2 z. For z < 2^18, the error of the estimate is
+// below kSlack = 2^20.
 //
 // The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
 // next integer. Otherwise, Line::through() computes the result. Line::through() is needed about

@@ -157,8 +157,8 @@ struct Height {
 // Classifies a point. `on_car` contains the ranges at which the point's beam is on the car.
 // `along_mm` is the point's horizontal range, Layer::along_line_mm(). `kNoReturn` and `kTooNear`
 // depend on the measured range. All other outcomes depend on along_mm. `height_at(reach_mm)`
-// returns the Height at along_mm. If the point lies beyond L, it returns the Height at L. The
-// function is always inlined because it is called for every point.
+// returns the Height at along_mm. If the point lies beyond L, height_at() returns the Height at L.
+// The function is always inlined because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,

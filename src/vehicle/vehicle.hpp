@@ -1,5 +1,6 @@
 // Describes a vehicle on the target, using only integers. The PC computes this description from a
-// car file (tools/car). The target reads it from the block in its image (src/car_block).
+// car file (tools/car). The target reads the description from the block in its image
+// (src/car_block).
 #pragma once
 
 #include <algorithm>
@@ -51,9 +52,9 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// Returns the horizontal range. It is range_mm times the share, rounded down. The share is in units
-// of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is the upper word of
-// one 32 x 32-bit product.
+// Returns the horizontal range. The horizontal range is range_mm times the share, rounded down. The
+// share is in units of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is
+// the upper word of one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;

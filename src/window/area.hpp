@@ -24,8 +24,7 @@ inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcro
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
 inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
 
-// A tile of the local frame. Alternatively, a tile of the window, counted from the window's lowest
-// corner.
+// A tile of the local frame, or a tile of the window counted from the window's lowest corner.
 struct TileNumber {
   std::int32_t a = 0;
   std::int32_t b = 0;

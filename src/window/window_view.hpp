@@ -21,7 +21,8 @@ class WindowView {
   WindowView(const Window& window, const Refreshed& refreshed, const ageing::Clock& clock)
       : window_(&window), refreshed_(&refreshed), clock_(&clock) {}
 
-  // Returns true if the window has a position. If not, all cells are unknown.
+  // Returns true if the window has a position. If the window has no position, all cells are
+  // unknown.
   [[nodiscard]] bool is_centred() const { return window_->is_centred(); }
 
   // Returns the tiles of the local frame that the window covers, and their slots.
