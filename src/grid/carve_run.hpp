@@ -24,7 +24,8 @@ inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   way = here;
 }
 
-// An optimised version of carve_one_by_one(). CMake selects the source file that implements it.
+// An optimised version of carve_one_by_one(). CMake selects the source file that implements this
+// function.
 void carve_run(Way& way, std::uint32_t count, Lanes amount);
 
 }  // namespace iog::grid

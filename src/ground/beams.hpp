@@ -32,7 +32,7 @@ class Beams {
     return azimuth_step >> sector_shift_;
   }
   // Returns the distance from the sensor in its plane of rotation, rounded down. For a level
-  // sensor, it is the distance along the line.
+  // sensor, the result is the distance along the line.
   [[nodiscard]] std::uint32_t out_mm(std::size_t layer, std::uint32_t range_mm) const {
     return vehicle::along_line_mm(range_mm, shares_[layer]);
   }

@@ -1,5 +1,5 @@
 // Estimates, from one packet, how far the car has tilted and lifted since the last turn. The
-// surface comes from that turn.
+// surface comes from the last turn.
 //
 // Braking and bumps tilt the car by up to one degree per turn of the lidar, which is 0.35 m at a
 // distance of 20 m. A straight line is therefore fitted to the returns of the packet that are near

@@ -25,8 +25,8 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 
 inline constexpr OccupancyIndex kUnknown = 0;
 
-// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes. For int8, it
-// saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to
+// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes. For int8, the
+// sum saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to
 // int32, the sum fits into 64 bits.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {

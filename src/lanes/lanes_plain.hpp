@@ -1,6 +1,6 @@
 // The plain C++ implementation of operations on sixteen indexes at once and on two rows of bits.
 // This version is the reference for the other implementations. Machines without vector instructions
-// use it.
+// use this version.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The values from a scanner's data sheet. Car files need not repeat them.
+// The values from a scanner's data sheet. Car files need not repeat these values.
 #pragma once
 
 #include <cstdint>

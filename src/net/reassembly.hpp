@@ -8,11 +8,12 @@
 // that repeats another fragment byte for byte is ignored as a duplicate.
 //
 // Only fragments from listed senders are stored. Each listed sender may have as many incomplete
-// datagrams as it has streams. Slots are reserved for these datagrams. If a sender starts too many
-// datagrams, its own oldest datagram is evicted. If unlisted senders are allowed, they share the
-// remaining slots. If all shared slots are in use, the unlisted sender with the most datagrams
-// loses one of them. This sender loses the datagram with the fewest fragments or, in a tie, the
-// oldest one. Orphaned fragments in a flood are therefore evicted before the datagram of a sensor.
+// datagrams as it has streams. Slots are reserved for the incomplete datagrams of listed senders.
+// If a sender starts too many datagrams, its own oldest datagram is evicted. If unlisted senders
+// are allowed, they share the remaining slots. If all shared slots are in use, the unlisted sender
+// with the most datagrams loses one of them. This sender loses the datagram with the fewest
+// fragments or, in a tie, the oldest one. Orphaned fragments in a flood are therefore evicted
+// before the datagram of a sensor.
 #pragma once
 
 #include <array>

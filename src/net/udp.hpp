@@ -42,8 +42,9 @@ struct UdpHeader {
 };
 
 // Writes the header and a copy of the payload to the front of `target`. The payload must be at most
-// kMaxUdpPayloadBytes long. `target` must be large enough for both. The function never reads it.
-// The checksum is always computed and is never 0. Returns the number of bytes written.
+// kMaxUdpPayloadBytes long. `target` must be large enough for the header and the payload. The
+// function never reads it. The checksum is always computed and is never 0. Returns the number of
+// bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

@@ -1,10 +1,11 @@
 // Computes exp, log, sin and cos for tables at compile time.
 //
-// On the target, only consteval functions call them. A check at link time ensures that the image
-// contains no floating-point instructions. On the PC, the reference implementations also call them
-// at run time. The functions use only +, -, * and / of IEEE doubles. Each operation is correctly
-// rounded, so every compiler computes the same table. The relative error is below 1e-14 in the
-// stated ranges. The tests in tests/host/numeric/ compare the results with the C library.
+// On the target, only consteval functions call the functions in this file. A check at link time
+// ensures that the image contains no floating-point instructions. On the PC, the reference
+// implementations also call these functions at run time. The functions use only +, -, * and / of
+// IEEE doubles. Each operation is correctly rounded, so every compiler computes the same table. The
+// relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/ compare the
+// results with the C library.
 #pragma once
 
 namespace iog::numeric {

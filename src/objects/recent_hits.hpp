@@ -22,7 +22,7 @@ class RecentHits {
   static constexpr std::size_t kMostOfAnEpoch = 2 * kMostHits;
 
   // Returns the number of epochs since `cell` or one of its eight neighbours was first hit. The
-  // result is at most kEpochs - 1. The current epoch is the one of the last add(). If neither
+  // result is at most kEpochs - 1. The current epoch is the epoch of the last add(). If neither
   // `cell` nor a neighbour was hit before the current epoch, the result is 0.
   [[nodiscard]] int oldest(geometry::Cell cell) const;
   // Returns true if `cell` or one of its eight neighbours was hit in the current or the previous
