@@ -23,7 +23,7 @@ class Surface {
   // If a sector has no returns, its row is kept for this many consecutive turns, and is then reset.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
-  // The source of a sector's row.
+  // Specifies where the heights in a sector's row come from.
   enum class Source : std::uint8_t {
     kFlat,  // no returns: the car's plane
     kOwn,   // returns of the last turn

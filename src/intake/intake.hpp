@@ -61,7 +61,7 @@ class Intake {
   // Adds the packet to the open frame. Call this function only after classify() has returned
   // kThisFrame.
   void accept(const SensorPacket& packet);
-  // Drops the packet, whatever its frame, because the target is too slow.
+  // Drops the packet, regardless of its frame, because the target is too slow.
   void leave(const SensorPacket& packet);
 
   // Returns true if every sensor has delivered its scan.

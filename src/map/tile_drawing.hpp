@@ -1,9 +1,9 @@
 // Draws one tile of the window from a block. That is, it determines which classes each cell of the
 // tile may have.
 //
-// The own classes of a cell are the classes of all features that contain the cell's centre. If no
-// feature contains the centre, the cell's own class is `intermediate`. Outside the extent of the
-// block, any class is possible. A cell may have the own classes of all cells within the radius. A
+// A cell's own classes are the classes of all features that contain its centre. If no feature
+// contains the centre, the cell's own class is `intermediate`. Outside the extent of the block, any
+// class is possible. A cell may have any of the own classes of the cells within the radius. A
 // drawing can be suspended. The result is available only when the drawing is complete.
 #pragma once
 

@@ -2,10 +2,10 @@
 // computation (docs/model.md section 5).
 //
 // As in appendix B.3 of the thesis, a step crosses a column border (c_x), a row border (c_y), or
-// both at a corner (c_xy). The code differs from the printed algorithms in two ways. First, the
-// error term starts with the value that algorithm 4 intended. Second, the walk ends after a number
-// of borders that is known before the first step. The printed walk ends when it reaches the end
-// cell, but a line that ends on a corner never enters that cell.
+// both at a corner (c_xy). The code differs from the algorithms in the thesis in two ways. First,
+// the error term starts with the value that algorithm 4 intended. Second, the walk ends after a
+// number of borders that is known before the first step. The walk in the thesis ends when it
+// reaches the end cell, but a line that ends on a corner never enters that cell.
 //
 // Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, and a row step subtracts r * w_x. The line passes through the
