@@ -1,13 +1,13 @@
-// The clock of the perception grid stores the timestamps of the newest 64 frames, and the decay of
-// evidence since each frame.
+// The clock of the perception grid. The clock stores the timestamps of the newest 64 frames, and
+// the decay of evidence since each of them.
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
-// timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest
-// timestamp, the newest timestamp is used instead. Time therefore never goes back.
+// timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest one,
+// the newest one is used instead, so time never goes back.
 //
-// Each frame has a slot, 1 ... 64. Slots are reused cyclically, so a stored slot number must be
-// discarded within 63 frames. Slot 0 represents no frame. A group with slot 0 was never aged or
-// never had evidence.
+// Each frame has a slot from 1 to 64. Slots are reused cyclically, so a stored slot number must be
+// discarded within 63 frames. Slot 0 represents no frame. If a group has slot 0, it was never aged
+// or never had evidence.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
-  // `tables` contains the tables of a car with its own constants, and must outlive the clock.
-  // `tables` is null for the default constants.
+  // `tables` contains the tables of a car with its own constants. It must outlive the clock.
+  // `tables` is null if the default constants are used.
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime, const Tables* tables = nullptr)
       : discounting_(discounting),
@@ -36,14 +36,13 @@ class Clock {
                : weighing == Weighing::kByTime ? &kGainsByTime
                                                : &kGainsOfScan) {}
 
-  // Ends a frame. Call this function for every frame, even if the frame's evidence could not be
-  // registered.
+  // Ends a frame. Call this function for every frame, even if its evidence could not be registered.
   void advance(std::uint64_t stamp_us);
 
   // Returns the slot of the newest frame, or kNever before the first frame.
   [[nodiscard]] std::uint8_t now() const { return now_; }
 
-  // Returns the time from the frame of this slot to the newest frame, at most kEver.
+  // Returns the time from the frame of this slot to the newest frame. The result is at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
   // Returns the number of frames from the frame of this slot to the newest frame. The slot must
@@ -52,13 +51,13 @@ class Clock {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
 
-  // Returns the ageing factors for a group that was last aged in this slot. For kNever, all factors
-  // are 0.
+  // Returns the ageing factors for a group that was last aged in the frame of this slot. For
+  // kNever, all factors are 0.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
-  // Returns the weights of evidence in the newest frame, for a group that last had evidence in this
-  // slot. The time since the slot's frame is clamped to 1 ... 100 ms. For kNever, this time is 100
-  // ms.
+  // Returns the weights of evidence in the newest frame, for a group that last had evidence in the
+  // frame of this slot. The time since that frame is clamped to 1 ... 100 ms. For kNever, this time
+  // is 100 ms.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

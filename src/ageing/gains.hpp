@@ -17,9 +17,9 @@ namespace iog::ageing {
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
 // The constants of Kurdej 2015, section 7.3. These constants describe an object of length L = 3 m
-// that moves at V_min = 1 m/s or faster, d = 0.5 m behind another object. The accumulator is full
-// after L / V_min (delta), and empty again after d / V_min (gamma = L / d = 6). At the scan rate of
-// the thesis, a full accumulator specialises all mass within one scan.
+// that moves at V_min = 1 m/s or faster, at a distance of d = 0.5 m behind another object. The
+// accumulator is full after L / V_min (delta), and it is empty again after d / V_min (gamma = L / d
+// = 6). At the scan rate of the thesis, a full accumulator specialises all mass within one scan.
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;
@@ -27,7 +27,7 @@ struct Accumulation {
   friend constexpr bool operator==(const Accumulation&, const Accumulation&) = default;
 };
 
-// The rule that determines the weights of a frame's free and occupied evidence.
+// The rule for weighing a frame's free and occupied evidence.
 enum class Weighing : std::uint8_t {
   kByTime,    // crossing beams have a weight of 0.7 per 100 ms, at any frame rate
   kEachScan,  // every frame is a scan as in Kurdej 2015, table 7.1: 0.8 per hit, 0.7 per crossing
@@ -38,7 +38,7 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// The doubt that remains after 100 ms of crossing beams, which have a mass of 0.7.
+// The doubt that remains in a cell after beams with a mass of 0.7 have crossed it for 100 ms.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
 // Returns the mass of crossing beams after 1 ... 100 ms. This function runs only on a PC or at
@@ -49,7 +49,7 @@ constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_m
 }
 
 // Returns a fraction that increases linearly by numerator / denominator per millisecond. The result
-// is in units of 2^-15, rounded to nearest, and at most 32767.
+// is in units of 2^-15, rounded to the nearest unit, and at most 32767.
 constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);

@@ -1,6 +1,6 @@
-// A gate for commands, that is, for poses and maps. If the car has a key, only commands signed with
-// this key pass the gate, and the gate removes their signatures. All other datagrams pass
-// unchanged.
+// Checks the signatures of commands, that is, of poses and maps. If the car has a key, only
+// commands signed with this key pass the gate, and the gate removes their signatures. All other
+// datagrams pass unchanged.
 //
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once
@@ -22,8 +22,8 @@
 
 namespace iog::app {
 
-// The car whose commands must be signed, and the car's key. The target also signs the car's stream.
-// If the car file does not enable classes, the target accepts no commands.
+// The car whose commands must be signed, and the car's key. The target also signs its stream with
+// this key. If the car file does not enable classes, the target accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
@@ -33,7 +33,7 @@ struct SignedCommands {
 class CommandGate {
  public:
   // If `commands` is empty, every datagram passes the gate. `run` is the target's run number, which
-  // signers know.
+  // the signers use.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
   // The gate is not copyable, because the verifiers point to the key.
@@ -45,10 +45,10 @@ class CommandGate {
   // Returns the key of an enabled gate. The reference is valid while the gate exists.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
-  // Returns the datagram for the pipeline, or nothing if the datagram is a command that is not
+  // Returns the datagram for the pipeline. Returns nothing if the datagram is a command that is not
   // authentic. The returned datagram is valid until the next call. A command from an unknown source
-  // passes with an empty payload, and the pipeline counts the unknown source. As a result, the gate
-  // computes no MAC for unknown sources.
+  // is passed on with an empty payload, and the pipeline counts it. The gate therefore computes no
+  // MAC for unknown sources.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;
@@ -84,7 +84,7 @@ class CommandGate {
   }
 
  private:
-  // Only kOff disables the gate. A single bit flip cannot convert kOn to kOff.
+  // Only the value kOff disables the gate. A single bit flip cannot convert kOn to kOff.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 

@@ -1,5 +1,4 @@
-// Reports the cores on the console: the number of working cores, and the reason why each of the
-// other cores does not work.
+// Reports on the console how many cores are working, and why the other cores are not.
 #pragma once
 
 #include <array>
@@ -30,7 +29,7 @@ constexpr std::string_view text_of(work::Loss loss) {
   return "unknown";
 }
 
-// Writes the number of working cores ("cores: 3 at work"), and a line for each lost core ("core 2
+// Writes the number of working cores ("cores: 3 at work"), and one line for each lost core ("core 2
 // was stuck: stopped pc=10100474").
 template <hal::Console Console, hal::Cores Cores>
 void report_cores(Console& console, const work::Team<Cores>& team) {

@@ -1,15 +1,17 @@
-// The open frame. This class determines which packets belong to the frame and when the frame ends,
-// and records the outcomes of the packets. Callers pass time and datagrams as arguments, so the
-// target and `iog fuse` produce the same frames without a clock or a network.
+// The frame that is currently open. This class determines which packets belong to the frame and
+// when the frame ends, and it records the outcomes of the packets. Callers pass the time and the
+// datagrams as arguments. The target and `iog fuse` therefore produce the same frames without a
+// clock or a network.
 //
-// A frame opens with its first packet. The frame ends when every sensor has delivered its scan,
-// when a sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes
-// first. If no packets arrive, an empty frame ends every two periods, so that missing data is
-// reported.
+// A frame starts with its first packet. The frame ends when the first of these events occurs: every
+// sensor has delivered its scan, a sensor's next scan begins, or the vehicle's frame period has
+// passed. If no packets arrive, an empty frame is closed every two periods so that the loss of data
+// is reported.
 //
-// A single core fuses each packet on arrival. A dense lidar may send more points than one core can
-// process. Several cores therefore buffer the lidar's packets until each core has a part. The cores
-// fuse the parts in a round while the next packets arrive, and join the parts when the frame ends
+// If one core fuses the packets, it fuses each packet on arrival. A dense lidar may send more
+// points than one core can process. In this case, several cores share the work, and the lidar's
+// packets are buffered until there is a part for each core. The cores fuse the parts in a round
+// while the next packets arrive. The parts are merged when the frame ends
 // (fusion/shared_fusion.hpp). The grid does not depend on the number of cores. If the frame has
 // classes, all packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
@@ -28,8 +30,8 @@
 namespace iog::app {
 
 // Returns true if several cores fuse this car's packets on arrival. Shared fusion requires a dense
-// lidar and a fusion rule that can join parts of a frame. For four LUX, one core is enough, because
-// fusing their frame takes less time than splitting the frame between two cores.
+// lidar, and a fusion rule under which the parts of a frame can be merged. For four LUX, one core
+// is enough, because fusing their frame takes less time than splitting it between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // The time at which the points of a frame's packets are fused.
@@ -41,7 +43,7 @@ class Frame {
   using Outcome = intake::Intake::Outcome;
 
   // `vehicle` and `space` must outlive this object. The scans of all sensors together may mark at
-  // most grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of every sensor. `replayer_ipv4`
+  // most grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of any sensor. `replayer_ipv4`
   // is 0 if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
@@ -56,15 +58,15 @@ class Frame {
     return intake_.receive(datagram);
   }
 
-  // Returns true if the datagram is addressed to a sensor's port and comes from a sender that may
-  // send on behalf of the sensor.
+  // Returns true if the datagram is addressed to a sensor's port and its sender may send on behalf
+  // of that sensor.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }
 
   // Determines whether the packet belongs to the open frame. If the packet belongs to the next
-  // frame, close the open frame and call classify() again. A packet that does not fit into the open
-  // frame's buffer belongs to the next frame.
+  // frame, close the open frame and call classify() again. If the open frame's buffer has no room
+  // for a packet, the packet belongs to the next frame.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     const Outcome outcome = intake_.classify(packet);
     const bool is_full = fusing_ == Fusing::kAtItsEnd && !fusion_.packets().fits(packet);
@@ -73,7 +75,8 @@ class Frame {
 
   // Call these functions only after classify() has returned kThisFrame. `accept()` counts the
   // packet. `keep()` counts the packet and buffers it with its measurement time. `fuse()` counts
-  // the packet and fuses its points on the cores of the crew, immediately or later.
+  // the packet and fuses its points on the cores of the crew, either immediately or when a round
+  // begins.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us, std::uint64_t measured_us) {
     accept(packet, now_us);
@@ -85,7 +88,7 @@ class Frame {
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
   [[nodiscard]] const fusion::SharedFusion& fusion() const { return fusion_; }
 
-  // Sheds a packet that has waited too long, and counts the packet's points as not taken.
+  // Sheds a packet that has waited too long, and counts its points as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
   // Returns true if the frame has at least one packet.
@@ -98,7 +101,7 @@ class Frame {
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // Returns the frame number, which starts at 0 and wraps around.
+  // Returns the frame number. The frame number starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
   // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's
@@ -127,7 +130,7 @@ class Frame {
     fusion_.release(visit);
   }
 
-  // Begins the next frame. The current frame must be closed, and the grid must be clear.
+  // Begins the next frame. The current frame must be closed, and the grid must be cleared.
   void start_next(std::uint64_t now_us);
 
   template <typename Visit>
@@ -157,8 +160,7 @@ class Frame {
 };
 
 // Handles one datagram if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
-// open frame. Calls close() if the frame ends because of this packet, either before or after the
-// packet is fused.
+// open frame. If the packet ends the frame, calls close() before or after fusing it.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -1,11 +1,11 @@
 // The liveness monitor services the watchdog only while all checkpoints report within their time
 // windows. The checkpoints are the steps of the loop, the cores, the Ethernet controller, the
 // closing of frames and the memory check. If a checkpoint is late, the run ends, and the next run
-// reports the checkpoint.
+// reports which checkpoint was late.
 //
 // A core that faulted or was stopped is known to be lost. A lost core need not report, because the
 // other cores do its work (docs/cores.md). A core that should be alive but does not answer a
-// wake-up is late, even if the core has no work.
+// wake-up counts as late, even if it has no work.
 #pragma once
 
 #include <array>
@@ -38,12 +38,14 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // The window is longer than an emulated core may have to wait on a busy PC. The window is also
-  // longer than two periods of the slowest frames (2 s), after which missing data is reported.
+  // The window is longer than the time for which an emulated core may have to wait on a busy PC.
+  // The window is also longer than two periods of the slowest frames (2 s), after which missing
+  // data is reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
   // `docs/safety.md` states that a complete memory check takes at most kMemoryWindowUs.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
-  // The period for waking the cores and checking the controller. There are 20 periods per window.
+  // The period for waking the cores and checking the controller. A window contains 20 of these
+  // periods.
   static constexpr std::uint64_t kCallUs = 250'000;
 
   explicit Life(std::uint64_t now_us) : supervision_(kCheckpoints, now_us), called_us_(now_us) {}
@@ -52,7 +54,7 @@ class Life {
     supervision_.lives(static_cast<std::size_t>(who), now_us);
   }
 
-  // Call this function once per pass, after all steps. `machine` and platform are the same as in
+  // Call this function once per pass, after all steps. `machine` and `platform` are the same as in
   // app/loop.hpp.
   template <typename M, typename P>
   void end_pass(M& machine, P& platform, const health::MemoryCheck& check) {

@@ -1,4 +1,4 @@
-// The main loop contains everything that the firmware does after start-up.
+// The main loop, which does everything that the firmware does after start-up.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
@@ -45,7 +45,8 @@
 
 namespace iog::app {
 
-// A machine provides one object for each hardware interface, and the maximum stack depth so far.
+// A machine provides one object for each hardware interface. A machine also reports the maximum
+// stack depth so far.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -62,9 +63,9 @@ concept Machine = requires(T& machine) {
   { machine.idle() } -> std::same_as<void>;
 };
 
-// The maximum number of datagrams that the loop processes in one pass. Because of this limit, a
-// flood of datagrams cannot keep the loop from running its tick and servicing the watchdog. A frame
-// of four LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
+// The maximum number of datagrams that the loop processes in one pass. Because of this limit, the
+// loop runs its tick and services the watchdog even during a flood of datagrams. A frame of four
+// LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
 // The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
@@ -79,8 +80,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // `cores` is the number of cores to use, if the machine has that many cores. `commands` is set
-  // only if the car has a key.
+  // `cores` is the number of cores to use. `cores` has no effect if the machine has fewer cores.
+  // `commands` is set only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -98,8 +99,9 @@ class MachinePlatform {
   [[nodiscard]] net::Host<Port>& host() { return host_; }
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
-  // Returns the datagram for the pipeline, or nothing if service discovery has handled the datagram
-  // or if a required signature is invalid. The returned datagram is valid until the next call.
+  // Returns the datagram for the pipeline. Returns nothing if service discovery has handled the
+  // datagram, or if a required signature is invalid. The returned datagram is valid until the next
+  // call.
   [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
                                                       std::uint64_t now_us) {
     if (offering_.take(datagram, now_us)) {
@@ -108,8 +110,8 @@ class MachinePlatform {
     return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
   }
 
-  // Sends a message. The function also services the serial transmitter, because a frame may have
-  // hundreds of messages.
+  // Sends a message. Also services the serial transmitter, because a frame may have hundreds of
+  // messages.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
     const bool is_sent = offering_.send_message(message);
@@ -179,7 +181,7 @@ class MachinePlatform {
 
  private:
   // A signature is sent after each frame. If a frame has many messages, signatures are also sent
-  // within the frame.
+  // between these messages.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {
@@ -203,8 +205,9 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline, which sends every frame to the network, with classes if the vehicle has
-// classes. The serial link transmits as much of the frame's grid as the bandwidth allows.
+// The target's pipeline. The pipeline sends every frame to the network. If the vehicle has classes,
+// the pipeline also sends the classes. The serial link transmits as much of the frame's grid as the
+// bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
@@ -219,7 +222,7 @@ template <typename ItsPipeline>
 }
 
 // Processes the datagrams of one pass, at most kMaxDatagramsPerPass. If the frame is due to end,
-// the function stops early, so that slow processing of points cannot delay the end of the frame.
+// the function stops early. Slow processing of points therefore cannot delay the end of the frame.
 // The function also stops early if datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
@@ -240,8 +243,8 @@ void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& bac
   }
 }
 
-// Sheds the datagrams in the receive ring. If the frame is due to end, the frame is closed first,
-// and the next pass sheds the remaining datagrams.
+// Sheds the datagrams in the receive ring. If the frame is due to end, it is closed first, and the
+// next pass sheds the remaining datagrams.
 template <Machine M, typename ItsPipeline>
 void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
                      ItsPipeline& pipeline) {
@@ -272,8 +275,8 @@ void check_memory(M& machine, health::MemoryCheck& check) {
   }
 }
 
-// Runs one pass of the loop: processes datagrams, performs the actions that are due, and sends as
-// many messages as possible. Returns true if Ethernet frames are still waiting.
+// Runs one pass of the loop. A pass processes datagrams, performs the actions that are due, and
+// sends as many messages as possible. Returns true if Ethernet frames are still waiting.
 template <Machine M, typename ItsPipeline>
 bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, Backlog& backlog,
           health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {
@@ -301,7 +304,7 @@ bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, 
   return true;
 }
 
-// Runs the loop and never returns. The pipeline contains the grid and must be in static memory.
+// Runs the loop and never returns. The pipeline contains the grid, so it must be in static memory.
 template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial,
                       health::MemoryCheck& check, ItsPipeline& pipeline) {

@@ -1,9 +1,9 @@
-// Collects time statistics of the loop since start-up: the duration of each stage of a frame, the
-// delay between a frame's deadline and its closing, and the working time of each core per frame.
-// Frames without packets are ignored. Each new maximum is written to the console, for example
-// "worst publish 12345 us".
+// Collects time statistics of the loop since start-up. The statistics cover the duration of each
+// stage of a frame, the delay between a frame's deadline and its closing, and the working time of
+// each core per frame. Frames without packets are ignored. Each new maximum is written to the
+// console, for example as "worst publish 12345 us".
 //
-// The statistics cost two readings of the stopwatch per stage and a few divisions per frame
+// The statistics require two readings of the stopwatch per stage and a few divisions per frame
 // (docs/safety.md).
 #pragma once
 
@@ -63,7 +63,7 @@ class LoopTimes {
 
   struct Counts {
     std::array<health::Durations, kRows> rows{};
-    // The names in the stream (stream/target_table.hpp).
+    // The names that are used in the stream (stream/target_table.hpp).
     static constexpr auto kNames =
         std::to_array<std::string_view>({"fuse", "mark", "publish", "perceive", "frame", "late",
                                          "core 0", "core 1", "core 2", "core 3"});

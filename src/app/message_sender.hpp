@@ -1,4 +1,4 @@
-// Numbers and protects the messages of a target, and sends them to the network.
+// Numbers and protects a target's messages, and sends them to the network.
 #pragma once
 
 #include <array>
@@ -23,18 +23,18 @@ class MessageSender {
   // Returns the sequence number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
-  // Sends a complete message that has room for its protection. Returns false if the network did not
-  // accept the message. Lost messages also use up sequence numbers, so that the receiver notices
-  // the loss.
+  // Sends a complete message that has room for its protection fields. Returns false if the network
+  // did not accept the message. Lost messages also use up sequence numbers, so that the receiver
+  // notices the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;
     return platform_->send_message(message);
   }
 
-  // Sends a message with a header and a body. `write(buffer)` writes the body and returns the
-  // length of the body in bytes. If the message is lost, the receiver detects the loss from the
-  // next sequence number.
+  // Sends a message with a header and a body. `write(buffer)` writes the body and returns its
+  // length in bytes. If the message is lost, the receiver detects the loss from the next sequence
+  // number.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

@@ -21,7 +21,7 @@ class ObjectFollower {
   // `car` is the vehicle's pose at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Reads the labels of the frame's hits. All cores of the crew share this work. The classes must
+  // Reads the labels of the frame's hits. The cores of the crew share this work. The classes must
   // have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks and labels the cells of moving objects. Call this function before the frame

@@ -1,10 +1,10 @@
-// The service that a target offers. The target runs service discovery and sends a copy of each
-// message to the subscriber. A target without this service sends the same messages only to its
-// peer.
+// The service that a target offers. With this service, the target runs service discovery and sends
+// a copy of each message to the subscriber. Without this service, the target sends messages only to
+// its peer.
 //
-// The peer has priority over the subscriber. A frame has at most kMostMessages messages. The target
-// sends a copy only while enough buffers remain for the frame's messages to the peer. The port's
-// ring is enlarged to make room for the copies.
+// Messages to the peer have priority over the copies. A frame has at most kMostMessages messages.
+// The target sends a copy only if enough buffers remain for the frame's messages to the peer. The
+// port's ring is enlarged to make room for the copies.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // The number of messages of a complete grid of raw tiles, plus other messages that may be sent at
-  // the same time.
+  // The number of messages that are needed for a complete grid of raw tiles, plus other messages
+  // that may be sent at the same time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
   // The number of buffers that stay reserved for the peer if a frame has more messages than
   // expected.
@@ -46,7 +46,7 @@ class Offering {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
 
-  // Answers the datagram and returns true if the datagram belongs to service discovery.
+  // If the datagram belongs to service discovery, answers it and returns true.
   [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
       return false;
@@ -72,11 +72,11 @@ class Offering {
     }
   }
 
-  // Declares the next message to be the first message of a frame.
+  // Declares that the next message is the first message of a frame.
   void begin_frame() { messages_ = 0; }
 
-  // Sends the message to the peer and then to the subscriber. Returns false if neither of them gets
-  // the message.
+  // Sends the message to the peer and then to the subscriber. Returns false if the message is sent
+  // to neither of them.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     const bool is_sent = host_.send_message(message);
     ++messages_;
@@ -90,7 +90,7 @@ class Offering {
   }
 
  private:
-  // Scatters neighbouring numbers (Knuth, The Art of Computer Programming, 6.4).
+  // Maps neighbouring numbers to distant numbers (Knuth, The Art of Computer Programming, 6.4).
   static constexpr std::uint32_t scattered(std::uint32_t number) { return number * 2'654'435'761U; }
 
   [[nodiscard]] bool copy(std::span<const std::byte> message) {

@@ -1,9 +1,9 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. Packets measured in the same slice of a few
-// milliseconds are then fused together and added to the window with the slice's pose. The frame's
-// own grid is joined from the grids of its slices. This grid is byte-for-byte identical to a grid
-// whose packets were fused on arrival.
+// The engine buffers the packets until the frame ends. The engine then fuses the packets that were
+// measured in the same slice of a few milliseconds, and adds them to the window with the pose of
+// the slice. The frame's own grid is assembled from the grids of its slices. This grid is
+// byte-for-byte identical to the grid that results from fusing the packets on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
@@ -38,7 +38,7 @@
 namespace iog::app {
 
 // The reason why a vehicle cannot have a perception grid. The car file compiler rejects such a
-// vehicle, but on a PC, the fusion rule may be changed later.
+// vehicle. On a PC, however, the fusion rule can be changed later.
 enum class Unfit : std::uint8_t {
   kNone,
   kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
@@ -58,18 +58,18 @@ class PerceptionEngine {
   // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call this function before the first datagram. The window's age is measured relative to now_us.
+  // Call this function before the first datagram. The window's age is measured from now_us.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // Returns true if the datagram was a pose or part of a map. The function also logs the datagrams
-  // that the frame receives.
+  // Returns true if the datagram was a pose or a part of a map. The function also logs the
+  // datagrams that the frame receives.
   [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
-  // Records that the last packet was shed because the packet had waited too long.
+  // Records that the last packet was shed because it had waited too long.
   void note_left() { receptions_.note_left(); }
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // Closes the frame, and completes the grid and the classes on all cores of the crew. After each
+  // Closes the frame. Completes the grid and the classes on all cores of the crew. After each
   // stage, finish() calls lap(stage) with the stage's stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
@@ -78,11 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(), for callers that
-  // run other tasks at the same time. `decide()` completes the grid and all classes except those of
-  // moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other cores
-  // may read the grid while follow_objects() runs. `end()` stores the ground. While end() runs,
-  // core 0 runs do_beside(), which may read the classes.
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers use these
+  // steps to run other tasks at the same time. `decide()` completes the grid and all classes except
+  // those of moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other
+  // cores may read the grid while follow_objects() runs. `end()` stores the ground. While end()
+  // runs, core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -111,10 +111,10 @@ class PerceptionEngine {
   void list_objects(stream::ObjectList& list) const;
 
   // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
-  // the poses. A frame ends at the end of its last slice or, without packets, at the time of the
-  // newest pose. The value of stamp_us() increases from frame to frame even if the clock of the
-  // poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
-  // window has lost its position.
+  // the poses. A frame ends at the end of its last slice. A frame without packets ends at the time
+  // of the newest pose. The value of stamp_us() increases from frame to frame, even if the clock of
+  // the poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
+  // window no longer has a known position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
@@ -145,7 +145,7 @@ class PerceptionEngine {
   }
 
  private:
-  // Fuses one slice after another. Each tile is read while the tile is still in the cache.
+  // Fuses one slice after another. Each tile is read while it is still in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();
@@ -166,7 +166,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // Fuses as many slices at once as fit into memory, and then adds these slices to the window.
+  // Fuses as many slices at a time as fit into memory, and then adds these slices to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();

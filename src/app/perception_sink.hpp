@@ -30,7 +30,7 @@ class PerceptionSink : private NetworkSink<P> {
   using Indexes::end;
 
   // Callers must fill in class_end(), the end message of the classes, before the classes are
-  // encoded. Callers must fill in objects() before the objects are sent.
+  // encoded, and objects() before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
@@ -41,8 +41,8 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // `encode_tiles()`, `encode_classes()` and `send_classes()` send the frame in three steps. The
-  // first two steps distribute their work among the cores. Core 0 also runs do_beside() during
+  // `encode_tiles()`, `encode_classes()` and `send_classes()` are the three steps of sending a
+  // frame. In the first two steps, the cores share the work. Core 0 also runs do_beside() during
   // encode_tiles(), and sends the messages of the tiles during encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
@@ -72,7 +72,7 @@ class PerceptionSink : private NetworkSink<P> {
         [this](std::span<std::byte> body) { return stream::write_class_end(class_end_, body); });
   }
 
-  // All three steps.
+  // Runs all three steps.
   void take_classes(const window::WindowView& classes) {
     Indexes::encode_rest();
     encode_classes(classes);

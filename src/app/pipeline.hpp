@@ -1,4 +1,4 @@
-// The pipeline is the path of the data from a datagram to the last message of a frame.
+// The pipeline processes data from the incoming datagrams to the last message of a frame.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
 //                                                       '-> [window] classes -> tiles --^
@@ -31,7 +31,7 @@
 
 namespace iog::app {
 
-// For a car without classes.
+// Replaces PerceptionEngine for a car without classes.
 struct NoPerception {
   NoPerception(const Frame& /*frame*/, const vehicle::Vehicle& /*vehicle*/,
                std::uint32_t /*replayer_ipv4*/) {}
@@ -49,12 +49,12 @@ struct NoPerception {
   void for_each_constant(Visit&& /*visit*/) const {}
 };
 
-// Perception is PerceptionEngine or NoPerception. Every ClassSink receives the classes.
+// Perception is either PerceptionEngine or NoPerception. Every ClassSink receives the classes.
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
   // `vehicle`, `platform` and `sinks` must outlive the pipeline. `replayer_ipv4` may send on behalf
-  // of every sensor. `replayer_ipv4` is 0 if there is no replayer.
+  // of any sensor. `replayer_ipv4` is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -70,12 +70,12 @@ class FramePipeline {
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
   // Sets the map that is available from the start. Call this function before the first datagram.
-  // The map must outlive the pipeline. Without classes, this function has no effect.
+  // The map must outlive the pipeline. If there are no classes, this function has no effect.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
-  // Call this function before the first datagram. Otherwise, time starts at 0. The time without
-  // datagrams is measured from now_us, so it does not include the time needed to set up the
-  // pipeline.
+  // Call this function before the first datagram. If start() is not called, time starts at 0. The
+  // time without datagrams is measured from now_us, so it does not include the time needed to set
+  // up the pipeline.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);
@@ -101,7 +101,7 @@ class FramePipeline {
     end_stage(&stream::StageTicks::fuse);
   }
 
-  // Handles one datagram that has waited too long. A sensor's packet is counted and shed. Poses and
+  // Handles one datagram that has waited too long. Sensor packets are counted and shed. Poses and
   // maps are processed as usual.
   void leave(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
@@ -125,7 +125,7 @@ class FramePipeline {
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
 
-  // For read access by observers.
+  // Give observers read access.
   [[nodiscard]] const Perception& perception() const { return perception_; }
   [[nodiscard]] const ground::Grounds& grounds() const { return frame_.fusion().grounds(); }
 
@@ -160,8 +160,8 @@ class FramePipeline {
     since_ = now;
   }
 
-  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was a pose, was part
-  // of a map, or was dropped.
+  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was a pose or a part
+  // of a map, or if it was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
     return perception_.receive(datagram, now_us) ? std::nullopt : frame_.receive(datagram);
@@ -212,14 +212,14 @@ class FramePipeline {
     return header;
   }
 
-  // Time since the frame's deadline.
+  // Returns the time since the frame's deadline.
   [[nodiscard]] std::uint32_t late_us(std::uint64_t now_us) const {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
     const std::uint64_t deadline_us = frame_.deadline_us();
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // `publish()` and `publish_divided()` are not inlined, so that both use the same stack space.
+  // `publish()` and `publish_divided()` are not inlined, so that both can use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -234,9 +234,9 @@ class FramePipeline {
   }
 
   // Each tile and its reference are used once per frame. Tiles and references must not evict the
-  // tables and the cached lines, which the next frame uses again. Keeping the cache would only cost
-  // time for raw tiles, which have no reference, and for classes, which use most of their data
-  // again (lab/notes/2026-11-29-l2-lockdown.md).
+  // tables and the cached lines, which the next frame uses again. Raw tiles have no reference, and
+  // classes reuse most of their data, so for both, keeping the cached lines would only cost time
+  // (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -260,7 +260,7 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The frame owns the grid, visits each known tile once, and then clears the tile.
+  // Visits each known tile of the frame's grid once, and then clears the tile.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {

@@ -38,7 +38,7 @@ struct FrameTimes {
 // `send_message()` returns false if the message cannot be sent. `ticks()` and ticks_hz() form a
 // stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the frame's
 // first message. `run_number()` is the same as in hal::RunNumber. `cores()` returns the number of
-// working cores. `share(items, work, beside)` runs all items, like work::Team.
+// working cores. `share(items, work, beside)` runs all items, in the same way as work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {
@@ -51,15 +51,16 @@ concept Platform = requires(T& platform, std::span<const std::byte> message, std
   { platform.share(items, work, beside) } -> std::same_as<void>;
 };
 
-// A platform that declares that it will never have more than one core.
+// A platform that declares that it never has more than one core.
 template <typename T>
 concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// A FrameSink receives a closed frame: first the header of the frame's messages, then each tile
-// with a known cell, in ascending order, and finally the end. The sink ignores the type and number
-// in the header. The sink does not own the cells, which change after the call.
+// A FrameSink receives a closed frame. A FrameSink receives the header of the frame's messages
+// first, then each tile with a known cell, in ascending order, and finally the end of the frame.
+// The sink ignores the type and number in the header. The cells belong to the caller and change
+// after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

@@ -1,5 +1,5 @@
-// Records the datagrams that a frame has received and their arrival times, for a PC that reproduces
-// the frame (docs/spec.md 3.13).
+// Records the datagrams that a frame has received and their arrival times, so that a PC can
+// reproduce the frame (docs/spec.md 3.13).
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ class ReceptionLog {
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // Adds a datagram. Call this function when the datagram is processed, and only if the sender is
-  // allowed to send the datagram.
+  // Adds a datagram. Call this function when the datagram is processed, and only if its sender is
+  // allowed to send it.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;
@@ -35,7 +35,7 @@ class ReceptionLog {
                        .before_close_us = static_cast<std::uint32_t>(now_us)};
   }
 
-  // Records that the last datagram was shed because the datagram had waited too long.
+  // Records that the last datagram was shed because it had waited too long.
   void note_left() {
     if (is_on_ && not_listed_ == 0 && count_ > 0) {
       list_[count_ - 1].was_left = true;

@@ -1,4 +1,4 @@
-// Runs a target without a car block. Such a target computes no grid, but reports why it has no car
+// Runs a target without a car block. Such a target computes no grid and reports why it has no car
 // block. The target answers ARP and ping as usual, ignores datagrams, and sends a message with the
 // reason to its peer every second (docs/spec.md 3.11).
 #pragma once

@@ -1,15 +1,15 @@
 // Converts the tiles of one grid to messages. Each tile is sent in its shortest encoding, which may
 // contain only the changes since the tile was last sent.
 //
-// Several cores encode waiting tiles and compute each tile's contribution to the grid's CRC. Each
-// tile is processed independently of the other tiles. Messages and CRC are then generated in
-// ascending order of tiles, so the bytes are the same for any number of cores. If the cells of the
-// tiles do not change, all tiles are collected first, so that core 0 can do other work during
-// encoding. Other tiles wait in batches. A single core encodes each tile immediately, while the
-// tile is still in the cache.
+// Several cores encode waiting tiles and compute the contribution of each tile to the grid's CRC.
+// Each tile is processed independently of the other tiles. The messages and the CRC are then
+// generated in ascending order of tiles, so the bytes are the same for any number of cores. If the
+// cells of the tiles do not change, all tiles are collected first. During encoding, core 0 can then
+// do other work. Tiles whose cells change are collected in batches. If there is only one core, it
+// encodes each tile immediately, while the tile is still in the cache.
 //
-// Encoded tiles of classes are cached. The cells of a tile are read again only after the cells or
-// the tile's reference have changed.
+// Encoded tiles of classes are cached. The cells of a tile are read again only if they or the
+// tile's reference have changed.
 #pragma once
 
 #include <algorithm>
@@ -38,16 +38,16 @@
 
 namespace iog::app {
 
-// The coding in which tiles are sent. Encoded tiles need a tenth of the bytes of raw tiles, but
-// more instructions.
+// The encoding of the sent tiles. Tiles in their shortest encoding take a tenth of the bytes of raw
+// tiles, but more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// The time for which the cells of an added tile stay unchanged.
+// Specifies how long the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// A TileSender must be in static memory, because it uses 2.2 or 2.4 MB for sent and encoded tiles
-// and, for indexes, a batch of copies. Hash is stream::GridHash for indexes and stream::ClassHash
-// for classes.
+// A TileSender must be in static memory because it uses 2.2 or 2.4 MB for sent and encoded tiles
+// and, for indexes, for a batch of copies. Hash is stream::GridHash for indexes and
+// stream::ClassHash for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -89,7 +89,7 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Returns true if added tiles wait to be encoded together, because several cores share the work.
+  // Returns true if added tiles wait to be encoded together because several cores share the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
@@ -105,13 +105,13 @@ class TileSender {
     }
   }
 
-  // Ends the grid. After this call, the grid's messages cover every tile.
+  // Ends the grid. After this call, every tile has been put into a message.
   Sent finish() {
     encode_rest();
     return finish_encoded();
   }
-  // Same as finish(), but all waiting tiles must already be encoded. This function uses only the
-  // calling core, so it may be called while other cores are busy.
+  // Same as finish(), but requires that all waiting tiles have been encoded. This function uses
+  // only the calling core, so it may be called while other cores are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(geometry::kTileCount);
@@ -216,9 +216,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes unchanged cells again. The cells are encoded against the same reference, or as
-  // unchanged if they were sent without a reference. If the function is interrupted and repeated,
-  // the result is the same.
+  // Encodes cells that have not changed. The cells are encoded against the same reference. If the
+  // cells were sent without a reference, they are encoded as unchanged. If the function is
+  // interrupted and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -282,8 +282,8 @@ class TileSender {
     }
   }
 
-  // A raw payload consists of the cells, so the CRC remainder of the cells is also used for the
-  // message's CRC.
+  // A raw payload consists of the cells, so the CRC remainder of the cells is also used for the CRC
+  // of the message.
   void append_or_send(const Added& added, stream::Encoding encoding,
                       std::span<const std::byte> payload, std::uint32_t remainder) {
     if (!append(added, encoding, payload)) {

@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// An expanded key, which consists of the round keys and both subkeys.
+// An expanded key. An expanded key consists of the round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);
@@ -22,7 +22,7 @@ class CmacKey {
   Block k2_;  // used for any other message
 };
 
-// Computes the MAC of one message. The message is added piece by piece.
+// Computes the MAC of one message, which is added piece by piece.
 class Cmac {
  public:
   // The key must outlive this object.

@@ -1,4 +1,4 @@
-// The AES-128 key that sender and target share.
+// The AES-128 key that the sender and the target share.
 #pragma once
 
 #include <array>

@@ -4,13 +4,13 @@
 //    n - 12  u32 counter: the freshness value, truncated to its low half
 //    n -  8  8 bytes of MAC: the first 64 bits of a CMAC with AES-128
 //
-// The MAC covers the u16 data ID, the message from byte 8 without the trailer, and the complete
+// The MAC covers the u16 data ID, the message from byte 8 (without the trailer), and the complete
 // freshness value. The freshness value consists of the u32 run number of the target and the
 // counter. As in E2E, the MAC does not cover bytes 0 to 7, because the data ID and the E2E length
-// protect these bytes indirectly.
+// protect them indirectly.
 //
-// Commands do not contain the target's run number, so the signer must know this number. A message
-// of another run is therefore never accepted, even after a reset, and neither side stores anything
+// Commands do not contain the target's run number, so the signer must know it. A message from
+// another run is therefore never accepted, even after a reset, and neither side stores anything
 // between runs. Within a run, the counter of each kind of message increases.
 //
 // The MAC has 64 bits because NIST SP 800-38B, appendix A.2, requires this length if the number of
@@ -48,7 +48,7 @@ struct Freshness {
 void sign(const CmacKey& key, std::uint16_t data_id, Freshness freshness,
           std::span<std::byte> secured);
 
-// Returns true if the datagram's length fields match a signed message. is_signed() does not check
+// Returns true if the datagram's length fields match a signed message. The function does not check
 // the MAC. Only a Verifier checks the MAC.
 [[nodiscard]] bool is_signed(std::span<const std::byte> datagram);
 
@@ -67,7 +67,7 @@ inline constexpr std::size_t kVerdictCount = 4;
 
 // Signs the counters of the received messages. The signer uses these counters to determine the next
 // counter. The result is the first 64 bits of the CMAC over the data ID, the run number and these
-// counters in big-endian order.
+// counters, in big-endian order.
 [[nodiscard]] std::array<std::uint32_t, 2> mac_of_counters(const CmacKey& key,
                                                            std::uint16_t data_id, std::uint32_t run,
                                                            std::span<const std::uint32_t> counters);
@@ -79,10 +79,11 @@ class Verifier {
   Verifier(const CmacKey& key, std::uint16_t data_id, std::uint32_t run)
       : key_(&key), data_id_(data_id), run_(run) {}
 
-  // Verifies any datagram. Unsigned and replayed messages are dropped before the MAC is computed.
+  // Verifies a datagram. It may contain any bytes. Unsigned and replayed messages are dropped
+  // before the MAC is computed.
   [[nodiscard]] Verdict verify(std::span<const std::byte> datagram);
 
-  // Returns the counter of the last authentic message, or 0 if no authentic message was received.
+  // Returns the counter of the last authentic message, or 0 if there was none.
   [[nodiscard]] std::uint32_t counter() const { return std::max(counter_, ~not_counter_); }
 
   template <typename Visit>
@@ -94,7 +95,7 @@ class Verifier {
   const CmacKey* key_;
   std::uint16_t data_id_;
   std::uint32_t run_;
-  // The counter is stored twice, so that a flipped bit can never cause an old message to be
+  // The counter is stored twice so that a flipped bit can never cause an old message to be
   // accepted. A flipped bit can only cause new messages to be rejected.
   std::uint32_t counter_ = 0;
   std::uint32_t not_counter_ = ~std::uint32_t{0};

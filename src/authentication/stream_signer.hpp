@@ -1,7 +1,7 @@
 // Signs a stream of messages (docs/spec.md 9.2). Each group of messages is followed by a signature
-// message. The signature message lists the names of the messages in the group and contains a MAC,
-// like a command (authentication/secured_message.hpp). The signed messages themselves do not
-// change. Hashing the messages takes one tenth of the time that a MAC per message would take.
+// message. The signature message lists the names of the messages in the group and, like a command,
+// contains a MAC (authentication/secured_message.hpp). The signed messages themselves do not
+// change. Hashing the messages takes one tenth of the time that one MAC per message would take.
 //
 // The content of a signature is big endian:
 //
@@ -76,8 +76,8 @@ struct Names {
   }
 };
 
-// Reads a secured message for which is_signed() is true. Returns nothing if the length fields or
-// counts of the message are inconsistent.
+// Reads a secured message. Requires that is_signed() is true for the message. Returns nothing if
+// its length fields or counts are inconsistent.
 [[nodiscard]] std::optional<Names> read_names(std::span<const std::byte> secured);
 
 }  // namespace iog::authentication

@@ -1,6 +1,7 @@
 // The car block is a block of bytes at a fixed offset in an image. The car block contains the
-// compiled car file and the network configuration. Either the build or `iog image` writes the
-// block. The target checks the entire block before it uses any part (docs/spec.md, section 8).
+// compiled car file and the network configuration. The block is written either by the build or by
+// `iog image`. The target checks the entire block before it uses any part of it (docs/spec.md,
+// section 8).
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@
 
 namespace iog::car_block {
 
-// The properties that are fixed when the firmware is compiled. A car that requires other properties
-// requires another image.
+// The properties that are fixed when the firmware is compiled. If a car requires other properties,
+// it requires another image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;
@@ -29,14 +30,14 @@ struct Firmware {
   friend constexpr bool operator==(const Firmware&, const Firmware&) = default;
 };
 
-// Returns the properties of firmware compiled from this source.
+// Returns the properties of the firmware that is compiled from this source.
 [[nodiscard]] Firmware firmware_of(vehicle::Grids grids);
 
 // Writes the complete block. The vehicle must be within the limits, and the network configuration
 // must be valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
-// Writes a block without a car. The firmware refuses this block until `iog image` adds a car.
+// Writes an empty car block. The firmware rejects this block until `iog image` adds a car.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
 // Returns the properties of the firmware, or nothing if the firmware record is invalid.
@@ -45,7 +46,7 @@ void write_block_without_car(vehicle::Grids grids, const net::Config& network, W
 // Adds a key to an existing block. The target then accepts only commands signed with this key.
 void write_key(const authentication::Key& key, WritableBlock block);
 
-// Returns the key if the block contains a valid key. If the key is damaged, read_car() refuses the
+// Returns the key if the block contains a valid key. If the key is damaged, read_car() rejects the
 // car.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
@@ -53,7 +54,7 @@ void write_key(const authentication::Key& key, WritableBlock block);
 // records are invalid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
-// The record that was refused.
+// The record that was rejected.
 enum class Part : std::uint8_t { kCar, kNetwork, kKey };
 
 // The result of checking a block.
@@ -69,8 +70,8 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message about a refused car. The console, the stream and `iog image` display the message
-// about a refused car.
+// The message that is shown when a car block is rejected. The console, the stream and `iog image`
+// display this message.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

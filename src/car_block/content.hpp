@@ -1,8 +1,9 @@
-// The serialised car is the compiled car file as it is stored in an image (docs/spec.md, section
-// 8.4). Cars that differ in any property are serialised to different bytes.
+// The serialised car is the compiled car file in the form in which it is stored in an image
+// (docs/spec.md, section 8.4). If two cars differ in any property, they are serialised to different
+// bytes.
 //
-// Writer and reader use the same list of members, in the same order. The list omits members that
-// are derived from others (vehicle/derived.hpp) and unused entries of fixed-size tables.
+// The writer and the reader use the same list of members in the same order. The list omits unused
+// entries of fixed-size tables, and members that are derived from others (vehicle/derived.hpp).
 #pragma once
 
 #include <concepts>
@@ -127,8 +128,8 @@ void visit_assignment(auto& content, auto& assignment) {
 }
 
 // Writes the members of a car as bytes. Integers are written in big-endian order with the size of
-// their type. A bool is written as one byte, a string as its characters and a 0, and a format as
-// its name. `put(std::uint8_t)` receives the bytes one by one.
+// their type. A bool is written as one byte, a string as its characters followed by a 0, and a
+// format as its name. `put(std::uint8_t)` receives the bytes one by one.
 template <typename Put>
 class Writer {
  public:
@@ -138,9 +139,9 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Writes one byte with three flags, and then the limits that are set. The flags indicate that the
-  // layers share lines, that the sensor follows the ground, and that the sensor has limits for low
-  // beams and tall returns.
+  // Writes one byte with three flags, and then those limits that are set. The flags indicate that
+  // the layers share lines, that the sensor follows the ground, and that the sensor has limits for
+  // low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;

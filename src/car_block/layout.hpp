@@ -7,8 +7,8 @@
 
 namespace iog::car_block {
 
-// The offset of the block from the first byte of the image, which contains the exception vectors.
-// The linker script linker/image.ld places the block at this offset.
+// The offset of the block from the first byte of the image. The image starts with the exception
+// vectors. The linker script linker/image.ld places the block at this offset.
 inline constexpr std::size_t kOffsetInImage = 0x1000;
 inline constexpr std::size_t kBlockBytes = 65'536;
 

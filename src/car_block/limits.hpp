@@ -56,7 +56,7 @@ constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t rang
 }
 
 // Checks names, numbers, addresses and ports. Both check functions report faults with the name of
-// the field in the car file. Call check_numbers() first, because it needs no tables. Each sensor's
+// the field in the car file. Call check_numbers() first because it needs no tables. Each sensor's
 // range must be above 0.
 void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
                    const vehicle::Tell& tell);
@@ -64,8 +64,8 @@ void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
 // Checks the tables of a car that has passed check_numbers().
 void check_tables(const vehicle::Vehicle& car, const vehicle::Tell& tell);
 
-// Returns the first fault. If the car has no fault, the field of the result is empty. `network` is
-// the network configuration in the same block.
+// Returns the first fault. If the car is valid, `field` in the result is empty. `network` is the
+// network configuration in the same block.
 [[nodiscard]] vehicle::Fault fault_of(const vehicle::Vehicle& car, const net::Config& network);
 
 }  // namespace iog::car_block

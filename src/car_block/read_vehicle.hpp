@@ -10,7 +10,7 @@
 
 namespace iog::car_block {
 
-// Memory for the sensors of a vehicle. Make the object static, because it takes up 80 KB. The
+// Memory for the sensors of a vehicle. The object must be static because it takes up 80 KB. The
 // constructor sets the initial values. These values are not zero, so a static initialiser would add
 // them to the image.
 struct SensorMemory {

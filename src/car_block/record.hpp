@@ -10,7 +10,7 @@
 
 namespace iog::car_block {
 
-// The reason for refusing a car. The values are listed in docs/spec.md, section 8.5.
+// The reason for rejecting a car. The values are listed in docs/spec.md, section 8.5.
 enum class Refusal : std::uint8_t {
   kNone,
   kNoRecord,      // wrong magic number
@@ -33,7 +33,7 @@ struct Record {
 [[nodiscard]] Record read_record(Block block, const RecordPlace& place);
 
 // Adds the header to content that is already in place. `bytes` is the length of the content. The
-// content must fit in the record.
+// content must fit into the record.
 void frame_record(WritableBlock block, const RecordPlace& place, std::size_t bytes);
 
 }  // namespace iog::car_block

@@ -1,9 +1,9 @@
-// Implements checksum/crc32.hpp on machines that can multiply bytes without carry.
+// Implements checksum/crc32.hpp on machines that can perform carry-less multiplication of bytes.
 //
-// A CRC is linear. A byte followed by d other bytes contributes the product of the byte and x^(32 +
-// 8d), modulo the polynomial. The bytes of a block are therefore independent. The products of all
-// bytes are summed, and only the sum is reduced. Both halves of a block use the same factors, so
-// each factor is loaded only once.
+// A CRC is linear. If a byte is followed by d other bytes, it contributes the product of the byte
+// and x^(32 + 8d), modulo the polynomial. The contributions of the bytes in a block are therefore
+// independent of each other. The products of all bytes are summed, and only the sum is reduced.
+// Both halves of a block use the same factors, so each factor is loaded only once.
 //
 // All polynomials are bit-reflected. Bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
 // of the product of a state and a byte is x^38.
@@ -23,7 +23,7 @@
 
 namespace iog::checksum {
 
-// `Products` is PlainProducts or the NEON implementation.
+// `Products` is either PlainProducts or the NEON implementation.
 template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
@@ -98,7 +98,7 @@ class ProductCrc32 {
   }
 
   // Computes the factors of the first eight bytes of a part of kBytes bytes, and of parts that are
-  // one, two, ... bytes longer.
+  // longer by one, two, ... bytes.
   template <std::size_t kBytes, std::size_t... kMore>
   static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
     std::array<Factors, sizeof...(kMore)> first{};

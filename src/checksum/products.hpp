@@ -1,5 +1,5 @@
-// Computes the carry-less products of eight bytes at a time, like a single instruction of the
-// Cortex-A9.
+// Computes the carry-less products of eight bytes at a time, as a single instruction of the
+// Cortex-A9 does.
 //
 // This code is the reference. The NEON implementation is in checksum/crc32_neon.cpp.
 #pragma once
@@ -15,7 +15,7 @@ inline constexpr std::size_t kProductLanes = 8;
 inline constexpr std::size_t kFactorBytes = 4;
 
 // A 32-bit factor for each of eight bytes. The factors are stored in the order in which the machine
-// loads them, byte by byte with the lowest byte first.
+// loads them, that is, byte by byte with the lowest byte first.
 struct alignas(32) Factors {
   std::array<std::array<std::uint8_t, kProductLanes>, kFactorBytes> bytes{};
 
@@ -26,7 +26,7 @@ struct alignas(32) Factors {
   }
 };
 
-// Computes carry-less sums of bytes times factors. Each sum has 8 + 32 - 1 = 39 bits.
+// Computes carry-less sums of products of bytes and factors. Each sum has 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
   // The carry-less sums of two halves that use the same factors. Each group of factors is applied

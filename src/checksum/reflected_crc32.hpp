@@ -1,12 +1,12 @@
 // Computes a CRC-32 with any reflected polynomial. The initial value and the final xor are all
 // ones, as in IEEE 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
 //
-// The algorithm is slicing (Kounavis and Berry, 2005), which looks up each of kSlices bytes in a
-// separate table. Lookups in different tables do not depend on each other. The tables take up
-// kSlices KiB and are computed at compile time. On the Cortex-A9, checksum/product_crc32.hpp is
-// faster. With 4, 8 or 16 slices, slicing takes 4.2 to 4.3 instructions per byte (measured). For a
-// tile of 1 KiB, 4, 8 or 16 slices take 3.5, 2.5 or 2.7 cycles per byte. The cycles are modelled as
-// described in docs/a9_model.md, with other tiles encoded in between.
+// The algorithm is slicing (Kounavis and Berry, 2005). Slicing looks up each of kSlices bytes in a
+// separate table. These lookups do not depend on each other. The tables take up kSlices KiB and are
+// computed at compile time. On the Cortex-A9, checksum/product_crc32.hpp is faster. With 4, 8 or 16
+// slices, slicing takes 4.2 to 4.3 instructions per byte (measured). For a tile of 1 KiB, slicing
+// takes 3.5 cycles per byte with 4 slices, 2.5 with 8 slices, and 2.7 with 16 slices. These cycles
+// are modelled as described in docs/a9_model.md. Between two CRCs, other tiles are encoded.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 namespace iog::checksum {
 
 // `kPolynomial` uses the notation of the standards, with the highest power first and x^32 omitted.
-// `kSlices` is 4, 8 or 16, or 1 for bytewise processing.
+// `kSlices` is 4, 8 or 16. For bytewise processing, kSlices is 1.
 template <std::uint32_t kPolynomial, std::size_t kSlices>
 class ReflectedCrc32 {
   static_assert(kSlices == 1 || kSlices == 4 || kSlices == 8 || kSlices == 16);
@@ -48,8 +48,8 @@ class ReflectedCrc32 {
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // Returns the state times x^8. The result is the state after a zero byte, or the state after a
-  // byte that the caller has already added to `state`.
+  // Returns the state times x^8. The result is the state after a zero byte. If the caller has
+  // already added a byte to `state`, the result is the state after that byte.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }

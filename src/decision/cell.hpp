@@ -1,9 +1,9 @@
-// Determines the class and the bits of one cell. This file is the specification in plain integers.
+// Determines the class and the bits of one cell. This file specifies the result in plain integers.
 // `decision_neon.cpp` computes the same results for eight cells at once.
 //
-// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K.
-// Therefore, at most one of F and P is 2^14 or more. P is split into a moving part m <= M + O <= P
-// and a static part P - m, so at most one of these parts is 2^14 or more. No sum exceeds 32767.
+// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K. At most
+// one of F and P is therefore 2^14 or more. P is split into a moving part m <= M + O <= P and a
+// static part P - m, so at most one of these two parts is 2^14 or more. No sum exceeds 32767.
 #pragma once
 
 #include <array>

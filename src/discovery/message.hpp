@@ -34,8 +34,9 @@ inline constexpr protection::Event kDiscoveryEvent{
 inline constexpr std::uint8_t kFlagReboot = 0x80;
 inline constexpr std::uint8_t kFlagUnicast = 0x40;
 
-// A time to live of 0 turns an offer into a stop-offer, a subscription into its end, and an
-// acknowledgement into a refusal. An entry with the maximum time to live never expires.
+// If the time to live is 0, an offer becomes a stop-offer, a subscription becomes a request to end
+// it, and an acknowledgement becomes a refusal. If an entry has the maximum time to live, it never
+// expires.
 inline constexpr std::uint32_t kForeverS = 0xFF'FFFF;
 
 // The wildcards for the instance and versions in a find entry.
@@ -48,7 +49,7 @@ inline constexpr std::size_t kEndpointBytes = 12;
 
 enum class EntryType : std::uint8_t { kFind = 0, kOffer = 1, kSubscribe = 6, kSubscribeAck = 7 };
 
-// A run of options, given by the index of its first option and the number of its options.
+// A run of options, given by the index of its first option and by the number of its options.
 struct OptionRun {
   std::uint8_t first = 0;
   std::uint8_t count = 0;
@@ -63,7 +64,7 @@ struct Entry {
   std::uint32_t ttl_s = 0;  // 24-bit value
   std::uint32_t minor = 0;  // minor version, only for services
   // Returns the event group of an event group entry. The event group is stored in the bytes that
-  // contain the minor version of a service entry.
+  // contain the minor version in a service entry.
   [[nodiscard]] constexpr std::uint16_t event_group() const {
     return static_cast<std::uint16_t>(minor);
   }
@@ -95,7 +96,7 @@ struct Message {
   [[nodiscard]] std::optional<Endpoint> udp_endpoint_of(const Entry& entry) const;
 };
 
-// Returns nothing if the datagram is not a service discovery message, or if its lengths are
+// Returns nothing if the datagram is not a service discovery message or if its lengths are
 // inconsistent.
 [[nodiscard]] std::optional<Message> read_message(std::span<const std::byte> datagram);
 

@@ -1,4 +1,4 @@
-// Schedules the offers of a service according to the phases of a server (AUTOSAR
+// Schedules the offers of a service in the phases of a server (AUTOSAR
 // PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). The first offer is sent after a random
 // delay. The next few offers follow at intervals that double each time. After that, one offer is
 // sent per second.
@@ -14,22 +14,22 @@ inline constexpr std::uint32_t kRepetitionsBaseUs = 100'000;
 inline constexpr unsigned kRepetitionsMax = 3;
 inline constexpr std::uint32_t kCyclicOfferUs = 1'000'000;
 
-// The lifetime of an offer. A client that has missed two consecutive offers considers the target
-// gone.
+// The lifetime of an offer. If a client has missed two consecutive offers, it assumes that the
+// target has left.
 inline constexpr std::uint32_t kOfferTtlS = 3;
 
 // The times passed to an OfferSchedule must not decrease.
 class OfferSchedule {
  public:
-  // `noise` is a random value for the initial delay. The value must differ between targets.
+  // `noise` is a random value for the initial delay. It must differ between targets.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
-  // Returns true in the initial wait phase. In the initial wait phase, the server sends neither
-  // offers nor answers.
+  // Returns true in the initial wait phase. In this phase, the server sends neither offers nor
+  // answers.
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
-  // Returns true if an offer is due, and counts the offer as sent. Time starts with the first call.
-  // Missed offers are not sent later.
+  // Returns true if an offer is due, and counts it as sent. Time starts with the first call. Missed
+  // offers are not sent later.
   [[nodiscard]] constexpr bool take_due(std::uint64_t now_us) {
     if (!has_begun_) {
       has_begun_ = true;

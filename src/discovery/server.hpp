@@ -1,9 +1,9 @@
-// The server of SOME/IP service discovery, for one service with one event group and one subscriber.
+// The server of SOME/IP service discovery for one service, with one event group and one subscriber.
 // The server performs no I/O and reads no clock. Callers pass datagrams and times to the server,
-// and send the messages that it returns.
+// and they send the messages that it returns.
 //
-// A subscriber must prove its address. The endpoint of the subscriber must be the host that sent
-// the subscription, and ARP must return the Ethernet address from which the subscription was sent.
+// A subscriber must prove its address. The subscriber's endpoint must be the host that sent the
+// subscription, and ARP must return the Ethernet address from which the subscription was sent.
 // Until ARP has answered, the host is a candidate and receives neither an acknowledgement nor
 // messages.
 #pragma once
@@ -27,8 +27,8 @@
 
 namespace iog::discovery {
 
-// The offered service. The endpoint of the service consists of the target's address and the source
-// port of the messages.
+// The offered service. The service's endpoint consists of the target's address and the source port
+// of the messages.
 struct Service {
   std::uint16_t service = 0;
   std::uint8_t major = 0;
@@ -36,15 +36,16 @@ struct Service {
   std::uint16_t event_group = 0;
 };
 
-// The maximum number of subscriptions handled per datagram. Further subscriptions are refused
+// The maximum number of subscriptions handled per datagram. Further subscriptions are rejected
 // without an answer.
 inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 
 // The time within which ARP must confirm a candidate.
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
-// A subscriber that has not answered ARP for kLeftUs is considered gone. The first ARP request is
-// sent after 30 s, and then one request is sent every second (net/peer_resolver.hpp).
+// If a subscriber has not answered ARP for kLeftUs, it is assumed to have left. The first ARP
+// request is sent after 30 s, and after that, one request is sent per second
+// (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 
 // A message to be sent.
@@ -63,19 +64,19 @@ class Server {
   Server(const net::Config& config, const Service& service, std::uint32_t noise)
       : config_(config), service_(service), schedule_(noise) {}
 
-  // Handles a datagram sent to kDiscoveryPort. Returns the answer, if any.
+  // Handles a datagram sent to kDiscoveryPort. Returns the answer, if there is one.
   [[nodiscard]] std::optional<Outgoing> receive(const net::Datagram& datagram,
                                                 std::uint64_t now_us);
 
-  // Advances the time. Returns a message if one is due. `told` is the ARP result for neighbour(),
-  // if any.
+  // Advances the time, and returns a message if one is due. `told` is the ARP result for
+  // neighbour(), if there is one.
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
   // Returns the stop-offer message. The stop-offer must be the last message that is sent.
   [[nodiscard]] Outgoing withdraw();
 
-  // The host that ARP should resolve.
+  // Returns the host that ARP should resolve.
   [[nodiscard]] std::optional<net::Ipv4Address> neighbour() const;
 
   // Returns the host that receives a copy of each stream message. Returns nothing if the subscriber

@@ -1,6 +1,6 @@
 // Session IDs and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
-// "Reboot Detection"). Session IDs start at 1. The reboot flag is set until the IDs have wrapped
-// around.
+// "Reboot Detection"). Session IDs start at 1. The reboot flag is set until the session IDs have
+// wrapped around.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class SessionCounter {
   Session next_{.id = 1, .reboot = true};
 };
 
-// Monitors the sessions that a partner uses on one path. A path is either unicast or multicast.
+// Monitors the sessions that a partner uses on one path, which is either unicast or multicast.
 class SessionWatch {
  public:
   // Returns true if the partner has rebooted since its last message on this path.

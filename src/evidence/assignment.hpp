@@ -1,9 +1,9 @@
-// A basic belief assignment that grades masses by the magnitude of an occupancy index. The focal
-// sets of the assignment are ignorance and either free or occupied. Without an assignment, all hits
-// have the same mass, and all crossing beams have the same mass (Gains).
+// A basic belief assignment in which masses depend on the magnitude of an occupancy index. The
+// focal sets of the assignment are ignorance and either free or occupied. If there is no
+// assignment, all hits have the same mass, and so do all crossing beams (Gains).
 //
-// Masses are multiples of 1/128, rounded down. Indexes whose magnitude exceeds kGradedIndexes - 1
-// have the same mass as kGradedIndexes - 1.
+// Masses are multiples of 1/128, rounded down. If the magnitude of an index exceeds kGradedIndexes
+// - 1, the index has the same mass as kGradedIndexes - 1.
 #pragma once
 
 #include <algorithm>
@@ -32,11 +32,11 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// This function is neither constexpr nor defined. A call at compile time therefore fails, and the
-// error message contains the name of the function.
+// This function is neither constexpr nor defined. If the function is called at compile time, the
+// compilation therefore fails with an error message that contains the function's name.
 void an_index_beyond_the_table_has_another_mass();
 
-// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127, to exclude full certainty.
+// Returns floor(128 mass) for 0 <= mass <= 1. The result is at most 127, to exclude full certainty.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
@@ -55,8 +55,8 @@ consteval Assignment make_reinforced() {
 inline constexpr Assignment kReinforced = make_reinforced();
 
 // The least committed mass with the pignistic probability p_n is |2 p_n - 1|, clamped to 0.95. This
-// assignment is for comparison only, because a hit of +2 has less weight than a beam of -14 and is
-// lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
+// assignment is for comparison only. A hit of +2 has less weight than a beam of -14, so it is lost.
+// The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -1,4 +1,4 @@
-// Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in plain
+// Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file specifies the result in plain
 // integers. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
 // All values are in units of 2^-15. `a.b` is floor(ab / 2^15), and `~a` is 32767 - a. `o` and `f`
@@ -18,8 +18,8 @@
 //   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks
 // All terms of F', O', M' and K' are non-negative, so no partial sum exceeds 32767. Every
-// intermediate result except the product fits into a signed 16-bit integer. Rounding losses are
-// added to ignorance.
+// intermediate result except a product fits into a signed 16-bit integer. Rounding losses are added
+// to ignorance.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ struct Evidence {
 
 constexpr std::int32_t product(std::int32_t a, std::int32_t b) { return (a * b) >> 15; }
 
-// Returns the product, rounded to nearest. Ties are rounded up.
+// Returns the product, rounded to the nearest integer. Ties are rounded up.
 constexpr std::int32_t rounded_product(std::int32_t a, std::int32_t b) {
   return (a * b + (1 << 14)) >> 15;
 }
@@ -89,8 +89,8 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
 }
 
 // Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
-// occupied. If the object moved into the cell, c is added to {M}, and otherwise to O. `x` is the
-// conflict of a cell that was occupied and is now free. `x` is added to ignorance.
+// occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O. `x`
+// is the conflict of a cell that was occupied and is now free. It is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -105,7 +105,7 @@ constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) 
 }
 
 // Returns the accumulator of a cell with the masses of `next` (Kurdej 2015, equations 5.5 and 5.6).
-// The masses of `next` do not include the conflict c + x.
+// These masses do not include the conflict c + x.
 constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
   const std::int32_t taken = next.taken();
   const std::int32_t gain =
@@ -114,7 +114,7 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// Specialises a cell, so that persistent cells become static (Kurdej 2015, equations 5.7 and 5.8).
+// Specialises a cell so that persistent cells become static (Kurdej 2015, equations 5.7 and 5.8).
 // Only occupied sets are specialised. The mass that {M} loses is added to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
@@ -126,7 +126,8 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// Returns a cell after a frame with evidence. The cell must already be aged.
+// Returns the new value of a cell after a frame that brought evidence for it. The cell must already
+// be aged.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =
       product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);

@@ -1,5 +1,6 @@
-// Defines the effects of time on a cell, in units of 2^-15: the decay of the cell's masses, and the
-// weight of a frame's evidence. `src/ageing` computes both from the timestamps of frames.
+// Defines the effects of time on a cell, in units of 2^-15. These effects are the decay of the
+// cell's masses and the weight of a frame's evidence. `src/ageing` computes both from the
+// timestamps of frames.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ struct alignas(16) Fading {
   friend constexpr bool operator==(const Fading&, const Fading&) = default;
 };
 
-// The factors after a time that is too long or unknown. All masses become 0.
+// The factors that apply if the time is too long or unknown. All masses become 0.
 inline constexpr Fading kForgotten{0, 0, 0, 0, 0};
 
 // The mass of a hit is 0.87, so that a hit outlasts one free frame of 40 ms.

@@ -14,7 +14,7 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// XOR computes the complement, because 32767 has all bits that occur in 0 ... 32767.
+// An XOR computes the complement because 32767 has all bits that occur in 0 ... 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
@@ -31,14 +31,14 @@ inline int16x8_t factors_of(const Fading& fading) {
   return factors;
 }
 
-// The product of a mass and kWhole is exactly -mass. Products of a mass and any other factor are
+// The product of a mass and kWhole is exactly -mass. If the factor is not kWhole, the product is
 // not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
   return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));
 }
 
-// Sets all bits in lanes whose evidence is a crossing beam.
+// Sets all bits in those lanes whose evidence is a crossing beam.
 inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 
 // Returns the free mass after a frame without hits, for a group without occupied mass. In this

@@ -14,9 +14,9 @@ namespace iog::evidence {
 // Ages the group's masses.
 void age(Free& free, Taken& taken, const Fading& fading);
 
-// Ages the group's masses, then fuses the evidence of one frame. A cell with index 0 is only aged.
-// Bit i of `moved` is set if the object in cell i has moved into the cell. In this case, a hit on
-// free ground adds mass to {M}.
+// Ages the group's masses, and then fuses the evidence of one frame. A cell with index 0 is only
+// aged. Bit i of `moved` is set if the object in cell i has moved into this cell. In this case, a
+// hit on free ground adds mass to {M}.
 void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
           std::uint8_t moved, const Gains& gains);
 

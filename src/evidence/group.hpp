@@ -1,9 +1,9 @@
 // Defines the memory layout of a group, which consists of eight cells in a row of a tile. The free
 // masses are stored separately from the other masses. Most cells that beams cross have only free
-// mass. For these cells, the other masses are neither read nor written.
+// mass, so their other masses are neither read nor written.
 //
-// Masses are 0 ... 32767. The ignorance of a cell is 32767 minus the sum of the cell's four masses.
-// In an unknown cell, all values are 0.
+// Masses are 0 ... 32767. The ignorance of a cell is 32767 minus the sum of its four masses. In an
+// unknown cell, all values are 0.
 #pragma once
 
 #include <array>

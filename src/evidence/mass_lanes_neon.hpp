@@ -1,8 +1,8 @@
-// Provides sequential access to all masses of a group except F, with eight cells per register, in
-// memory order.
+// Provides sequential access, in memory order, to all masses of a group except F, with eight cells
+// per register.
 //
-// A single instruction can load a register and advance the pointer. The compiler never selects this
-// instruction. Instead, it uses two half-register loads with offsets.
+// A single instruction can load a register and advance the pointer, but the compiler never selects
+// it. The compiler uses two half-register loads with offsets instead.
 #pragma once
 
 #include <arm_neon.h>

@@ -1,5 +1,5 @@
 // Consistent Overhead Byte Stuffing (Cheshire and Baker, IEEE/ACM Transactions on Networking 7,
-// 1999) separates messages on a serial link that transports only bytes.
+// 1999). The framing separates messages on a serial link that transports only bytes.
 //
 // A framed message is a sequence of blocks. A block consists of a code byte c from 1 to 255,
 // followed by c - 1 bytes that are not 0. Normally, a block represents its c - 1 bytes followed by
@@ -8,8 +8,8 @@
 //
 // Zero bytes occur only at the end of messages, so a receiver that loses synchronisation
 // resynchronises at the next 0. An empty message is encoded as the code byte 1. A receiver ignores
-// the second of two adjacent zeros. A sender may therefore start with a 0 to end any bytes sent
-// before.
+// the second of two adjacent zeros. A sender may therefore start with a 0 to separate its message
+// from any bytes sent before.
 #pragma once
 
 #include <cstddef>
@@ -23,19 +23,20 @@ inline constexpr std::byte kDelimiter{0};
 inline constexpr std::size_t kMaxBlockBytes = 254;
 
 // Returns the maximum length of a framed message of `bytes` bytes. The frame consists of the
-// message, at least one code byte, and the delimiter. Each started group of 254 bytes takes one
-// code byte.
+// message, at least one code byte, and the delimiter. Each group of 254 bytes, full or partial,
+// costs one code byte.
 [[nodiscard]] constexpr std::size_t max_framed_bytes(std::size_t bytes) {
   return bytes + bytes / kMaxBlockBytes + 2;
 }
 
 // Frames the message, including the delimiter. Returns the length of the frame, or 0 if `frame` is
-// too small. A buffer of max_framed_bytes() is always large enough. The buffers must not overlap.
+// too small. A buffer of max_framed_bytes() bytes is always large enough. The buffers must not
+// overlap.
 [[nodiscard]] std::size_t encode_cobs(std::span<const std::byte> message,
                                       std::span<std::byte> frame);
 
-// Decodes messages from the bytes of a link, one byte at a time. The caller owns the buffer. The
-// buffer contains the last complete message until the next byte is decoded.
+// Decodes messages from the bytes of a link, one byte at a time. The caller owns the buffer, which
+// contains the last complete message until the next byte is decoded.
 class CobsDecoder {
  public:
   explicit constexpr CobsDecoder(std::span<std::byte> buffer) : buffer_{buffer} {}

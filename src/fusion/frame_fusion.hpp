@@ -40,18 +40,19 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // Sets the ground models that classify the packets of sensors with an estimated ground. The
-  // lowest returns of these sensors are also collected. The models must belong to the vehicle and
-  // outlive this object. The models may change only while no beams are pending.
+  // Sets the ground models that are used to classify the packets of sensors with an estimated
+  // ground. The lowest returns of these sensors are also collected. The models must belong to the
+  // vehicle and outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
   // Returns the collection of a sensor's lowest returns. `place` is the sensor's position among the
   // sensors with an estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Stores the mark of this point, or the marks of its arc, and carves the point's beam immediately
-  // or later. The sensor must belong to the vehicle, and the point's layer and azimuth must be
-  // valid in the sensor's format. Returns within the vehicle's height band are obstacles. All
-  // points of a frame together may mark at most kMaxMarks cells.
+  // Stores the mark for this point (or the marks for its arc). Carves the point's beam, either
+  // immediately or when a later call carves all pending beams. The sensor must belong to the
+  // vehicle, and the point's layer and azimuth must be valid in the sensor's format. Returns within
+  // the vehicle's height band are obstacles. All points of a frame together may mark at most
+  // kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);
@@ -62,8 +63,8 @@ class FrameFusion {
 
   // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
   // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
-  // The function calls count(fate) for each point. The function is inline, so that points are
-  // decoded in registers.
+  // Calls count(fate) for each point. The function is inline so that points are decoded in
+  // registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -72,7 +73,7 @@ class FrameFusion {
     if (place) {
       add_all(sensor, grounds_->at(*place), lows_[*place], packet, count);
     } else if (sensor.layers_share_lines) {
-      // The lambda is inlined, because a function call costs about 30 instructions per point.
+      // The lambda is inlined because a function call costs about 30 instructions per point.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor) ](const lidar::ScanPoint& point)
                                 __attribute__((always_inline)) { count(turn.add(point)); });
     } else if (sensor.arc.is_given()) {
@@ -91,15 +92,15 @@ class FrameFusion {
     turns_.carve_waiting();
   }
 
-  // Carves all pending beams and applies the marks according to the vehicle's fusion rule. Call
+  // Carves all pending beams, and applies the marks according to the vehicle's fusion rule. Call
   // this function once per frame, after the last point.
   void finish();
 
-  // Returns the grid, which is complete from finish() until it is cleared.
+  // Returns the grid. The grid is complete from finish() until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
-  // Copies a tile of the frame, row by row from the lowest y, and clears the tile. Returns false if
-  // all cells of the tile are unknown.
+  // Copies a tile of the frame, row by row from the lowest y, and then clears the tile. Returns
+  // false if all cells of the tile are unknown.
   [[nodiscard]] bool take_tile(std::size_t tile,
                                std::span<grid::OccupancyIndex, geometry::kTileCells> to) {
     if (!grids_.indexes.is_touched(tile)) {
@@ -118,9 +119,9 @@ class FrameFusion {
     return grids_.low_and_tall(tile);
   }
 
-  // Visits the tiles of the frame in ascending order and clears the frame. Calls visit(number,
-  // indexes) for each tile with at least one known cell. The indexes are stored row by row from the
-  // lowest y, and are valid only during the call.
+  // Visits the tiles of the frame in ascending order, and then clears the frame. Calls
+  // visit(number, indexes) for each tile with at least one known cell. The indexes are stored row
+  // by row from the lowest y, and are valid only during the call.
   template <typename Visit>
   void release(Visit&& visit) {
     release_with_heights([&](std::size_t tile, auto indexes,
@@ -161,7 +162,7 @@ class FrameFusion {
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // The lambda is not inlined, because processing a point with an estimated ground needs more
+      // The lambda is not inlined because processing a point with an estimated ground needs more
       // registers than the processor has.
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });

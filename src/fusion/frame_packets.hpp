@@ -20,14 +20,14 @@ inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // The measurement time refers to the clock of the poses if the sensor is synchronised, and
-  // otherwise to the target's clock.
+  // The measurement time is on the clock of the poses if the sensor is synchronised, and on the
+  // target's clock otherwise.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // FrameSlices sets these members. `has_time` is true if the measurement time is known on the
-  // clock of the poses. `slice` is the slice that contains this time. Packets of the same group are
-  // fused together.
+  // FrameSlices sets the following members. `has_time` is true if the measurement time is known on
+  // the clock of the poses. `slice` is the slice that contains this time. Packets of the same group
+  // are fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;
@@ -38,8 +38,8 @@ class FramePackets {
   // Returns true if the buffer has room for the packet. An empty buffer has room for any packet.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet's bytes, and makes the packet's points refer to the copy. Call this function
-  // only if fits() returns true.
+  // Copies the packet's bytes, and makes its points refer to the copy. Call this function only if
+  // fits() returns true.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();

@@ -2,8 +2,8 @@
 // the vehicle's pose for each slice.
 //
 // The slice of a packet depends only on the packet's measurement time, and each slice has one pose.
-// The order and grouping of packets therefore do not affect the result. Poses are looked up when
-// the frame ends, because at that time, most slices lie between two poses.
+// The order and grouping of packets therefore do not affect the result. Poses are looked up at the
+// end of the frame because most slices then lie between two poses.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace iog::fusion {
 
-// The maximum number of registered slices per frame. With 8 ms per slice, 32 slices last more than
+// The maximum number of registered slices per frame. With 8 ms per slice, 32 slices take more than
 // twice as long as a turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
@@ -34,13 +34,12 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of all packets that are not registered. Packets of the slice placed()[i] have group
-  // i.
+  // The group of all packets that are not registered. Packets of slice placed()[i] have group i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.
-  // Returns nothing if no packet has a time on this clock, that is, if no sensor is synchronised
-  // and no pose gives the offset between the clocks.
+  // Returns nothing if no packet has a time on this clock. This is the case if no sensor is
+  // synchronised and no pose provides the offset between the clocks.
   std::optional<std::uint64_t> measure(std::span<const vehicle::Sensor> sensors,
                                        std::span<KeptPacket> packets, const pose::Source& poses);
 

@@ -16,8 +16,8 @@ class FrameTiles {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Moves the grid out of a finished fusion and clears the fusion. The grid overwrites all previous
-  // content.
+  // Moves the grid out of a finished fusion, and clears the fusion. The grid overwrites all
+  // previous content.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (fusion.keeps_heights()) {

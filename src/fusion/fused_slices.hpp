@@ -1,8 +1,8 @@
 // Prepares the slices of a round (fusion/shared_fusion.hpp) for the window. This class joins the
 // tiles of each slice's parts, for up to six slices at a time.
 //
-// A task that copies tiles never reads its own output, so a lost task can be repeated from the
-// start.
+// A task that copies tiles never reads its own output. If a core is lost, its task can therefore be
+// repeated from the start.
 #pragma once
 
 #include <array>
@@ -27,18 +27,19 @@ struct FusedSlice {
 // A FusedSlices object uses 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
-  // Returns memory for one slice, for use by a single core. The initial content is arbitrary.
+  // Returns memory for one slice. Only a single core may use this memory. The initial content is
+  // arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
-  // Starts reading a finished round of the fusion. The fusion must not begin the next round until
+  // Starts reading a finished round of the fusion. The fusion may begin the next round only after
   // next() has returned the last slice.
   void begin(const SharedFusion& fusion) {
     fusion_ = &fusion;
     shown_ = 0;
   }
 
-  // Returns the next slices, in order. After the last slice, the result is empty. The result is
-  // valid until the next call.
+  // Returns the next slices in order, or nothing after the last slice. The result is valid until
+  // the next call.
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:

@@ -1,5 +1,5 @@
-// Fuses a frame's packets, either one after another on core 0, or on several cores. Several cores
-// fuse the parts of the frame in any order and then join the parts.
+// Fuses a frame's packets, either one after another on core 0 or in parallel on several cores. If
+// several cores are used, they fuse the parts of the frame in any order and then join them.
 //
 //     packets -> [FrameParts] parts
 //     packets of a part -> its core's fusion -> tiles of the part      task: a part
@@ -7,8 +7,8 @@
 //
 // A saturating sum of numbers with the same sign can be split in any way (fusion/joined_grid.hpp),
 // so the assignment of parts to cores does not affect the result. If a core is lost while it fuses
-// a part, another core can fuse the part again from the start. The lost core has written only to
-// its own fusion, which is not used again, and to the part's slot.
+// a part, another core can fuse this part again from the start. The lost core has written only to
+// its own fusion, which is not used again, and to the slot of this part.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 // The maximum number of parts that wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// The result of a part. The core that fuses the part writes the result.
+// The result of a part. The core that fuses the part writes its result.
 struct FusedPart {
   Fates fates{};
   FrameTiles tiles;
@@ -52,8 +52,8 @@ struct HelpersSpace {
   std::span<FusedPart> parts;
 };
 
-// The additional memory for kCores cores: 74 MB for four cores, and none for one core. A
-// HelpersMemory must be in static memory.
+// The additional memory for kCores cores. This memory is 74 MB for four cores, and empty for one
+// core. A HelpersMemory must be in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
@@ -99,10 +99,10 @@ class SharedFusion {
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Returns core 0's own fusion, which is clear whenever the crew fuses parts.
+  // Returns core 0's own fusion, which is empty whenever the crew fuses the parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
-  // Returns the ground models, which change at the end of a frame.
+  // Returns the ground models. The ground models change at the end of a frame.
   [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
 
   // Returns the outcomes of the frame's points.
@@ -112,8 +112,8 @@ class SharedFusion {
   void fuse_alone(std::size_t sensor, const intake::Packet& packet) {
     add_points(own_, sensor, packet, fates_);
   }
-  // Finishes core 0's own fusion and adds its grid to the frame's grid. The function calls
-  // visit(tile, indexes, low_and_tall) in the same way as FrameFusion::release_with_heights().
+  // Finishes core 0's own fusion and adds its grid to the frame's grid. Calls visit(tile, indexes,
+  // low_and_tall) in the same way as FrameFusion::release_with_heights().
   template <typename Visit>
   void join_alone(Visit&& visit) {
     own_.finish();
@@ -125,7 +125,7 @@ class SharedFusion {
     is_joined_ = true;
   }
 
-  // Returns the packets that are buffered until they are fused.
+  // Returns the packets that are waiting to be fused.
   [[nodiscard]] FramePackets& packets() { return packets_; }
   void fuse_alone(std::size_t number) {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
@@ -133,13 +133,13 @@ class SharedFusion {
   // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
   // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // `deal()`, `fuse_next()` and `join()` do the same as fuse_kept(), step by step. `deal()` splits
-  // the buffered packets in the same way as FrameParts::deal().
+  // `deal()`, `fuse_next()` and `join()` are the steps of fuse_kept(). `deal()` splits the buffered
+  // packets in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
   // Fuses the parts of the next round. Returns false if no parts are left. If too few slots are
-  // free, the function first joins the parts of earlier rounds.
+  // free, first joins the parts of earlier rounds.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
   // `round()` returns the parts of the last fused round, and tiles() returns their results. Both
@@ -156,9 +156,9 @@ class SharedFusion {
   // packets of the frame have been fused.
   void end_frame(const intake::Intake& intake);
 
-  // Visits the tiles of the frame's grid and clears the grid. The frame's grid is the joined grid
-  // or, if no parts were joined, core 0's own grid, which must be finished. The function calls
-  // visit(number, cells) for each tile with a known cell, in ascending order.
+  // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined
+  // grid. If no parts were joined, the frame's grid is core 0's own grid, which must be finished.
+  // Calls visit(number, cells) for each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {
@@ -169,7 +169,7 @@ class SharedFusion {
     }
     is_joined_ = false;
   }
-  // Begins the next frame. The grid must be clear.
+  // Begins the next frame. The grid must be cleared.
   void start_next() {
     packets_.clear();
     fates_ = {};

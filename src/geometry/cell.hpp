@@ -11,7 +11,7 @@ struct SubcellPoint {
   std::int32_t y = 0;
 };
 
-// A cell, given by column and row. A cell may lie outside any grid.
+// A cell, given by its column and row. A cell may lie outside any grid.
 struct Cell {
   std::int32_t x = 0;
   std::int32_t y = 0;

@@ -1,4 +1,4 @@
-// Defines the grid, the numbers of its cells and tiles, and the vehicle's position on the grid
+// Defines the grid, the numbers of its cells and tiles, and the vehicle's position on it
 // (docs/model.md sections 5 and 8).
 //
 // Cells and tiles are numbered in row-major order from the lowest y.
@@ -39,8 +39,9 @@ static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
   return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
 }
 
-// In the default grid, the vehicle frame's origin is the corner at the centre. In metres, cell (x,
-// y) covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the same.
+// In the default grid, the vehicle frame's origin is the cell corner at the centre of the grid. In
+// metres, cell (x, y) covers [(x - 512) / 10, (x - 511) / 10) along x. The formula for y is the
+// same.
 inline constexpr std::int32_t kOriginCell = kCellsPerSide / 2;
 
 inline constexpr double kSubcellsPerMetre = 1000.0 / kCellMm * kResolution;
@@ -50,18 +51,18 @@ inline constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
 [[nodiscard]] constexpr bool is_cell_size(std::uint16_t mm) {
   return std::ranges::find(kCellSizesMm, mm) != kCellSizesMm.end();
 }
-// If a rule states a distance or an area in cells, it refers to cells of this size.
+// Rules that state a distance or an area in cells refer to cells of this size.
 inline constexpr std::uint16_t kUsualCellMm = 100;
 
 // The grid that a car file specifies. The memory always has kCellsPerSide cells per row, so the
-// numbers of cells and tiles above do not depend on the car file. A smaller grid is the part of the
-// memory that starts at cell (0, 0).
+// numbers of cells and tiles above do not depend on the car file. If the grid is smaller, it is the
+// part of the memory that starts at cell (0, 0).
 struct Grid {
   std::uint16_t cell_mm = kCellMm;
   std::uint16_t columns = kCellsPerSide;
   std::uint16_t rows = kCellsPerSide;
-  // The vehicle frame's origin is the lowest corner of this cell. The column or row may be one past
-  // the last column or row.
+  // The vehicle frame's origin is the lowest corner of this cell. Each of the two numbers may be
+  // one past the last column or row.
   std::uint16_t origin_column = kOriginCell;
   std::uint16_t origin_row = kOriginCell;
 
@@ -76,7 +77,7 @@ struct Grid {
   [[nodiscard]] constexpr std::size_t tile_count() const {
     return columns / kTileSide * (rows / kTileSide);
   }
-  // Returns the number of grid tiles before this tile of the memory, row by row. If the tile is
+  // Counts the grid's tiles that come before this tile of the memory, row by row. If the tile is
   // part of the grid, the result is the tile number on the wire.
   [[nodiscard]] constexpr std::size_t tiles_before(std::size_t tile) const {
     const std::size_t across = columns / kTileSide;

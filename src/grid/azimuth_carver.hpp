@@ -1,9 +1,8 @@
-// Carves the beams of sensors that measure in the same directions in every scan, and of tilted
-// rotating sensors. The carver processes one azimuth at a time and uses cached lines
-// (beam_lines.hpp).
+// Carves the beams of tilted rotating sensors and of sensors that measure in the same directions in
+// every scan. The carver uses cached lines (beam_lines.hpp). The carver collects the beams of one
+// azimuth and carves them when the next azimuth begins.
 //
-// The carver collects the beams of one azimuth, and carves them when the next azimuth begins. Beams
-// that share a line, or whose lines cross the same cells, are carved together.
+// Beams that share a line, or whose lines cross the same cells, are carved together.
 #pragma once
 
 #include <array>
@@ -28,21 +27,21 @@ class AzimuthCarver {
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
-  // Stores the mark of this point, and carves the point's beam immediately or later. The sensor
-  // must belong to the vehicle, and its layers must not share lines. The point's layer and azimuth
-  // must be valid in the sensor's format.
+  // Stores the mark for this point. Carves the point's beam, either immediately or when the next
+  // azimuth begins. The sensor must belong to the vehicle, and its layers must not share lines. The
+  // point's layer and azimuth must be valid in the sensor's format.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
   // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving still
-  // uses the height band, but a beam is low only if it is low above the estimated ground.
+  // uses the height band, but a beam is low only if it is low relative to the estimated ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
                                            const lidar::ScanPoint& point);
 
-  // Estimates the car's tilt from one packet. Packet needs for_each_sample(). The beams of the
-  // sampled points are not cached.
+  // Estimates the car's tilt from one packet. The packet type must have for_each_sample(). The
+  // beams of the sampled points are not cached.
   template <typename Packet>
   [[nodiscard]] static ground::Tilt tilt_of(const vehicle::Sensor& sensor,
                                             const ground::Ground& ground, const Packet& packet) {
@@ -63,14 +62,14 @@ class AzimuthCarver {
 
  private:
   // The maximum number of pending lines of one azimuth. Consecutive line numbers map to different
-  // slots. Most line numbers that differ by a power of two also map to different slots.
+  // slots, and so do most line numbers that differ by a power of two.
   static constexpr std::uint32_t kOpenLines = 32;
   static constexpr std::uint32_t place_of(std::uint32_t number) {
     return (number ^ number / kOpenLines) % kOpenLines;
   }
 
-  // A line of the current azimuth and its pending beams. The line is null if no beams are pending.
-  // The slot is computed from Layer::line.
+  // A line of the current azimuth and its pending beams. The line is null if it has no pending
+  // beams. The slot is computed from Layer::line.
   struct OpenLine {
     KeptLine* line = nullptr;
     LineSteps steps;
@@ -82,7 +81,7 @@ class AzimuthCarver {
     std::uint32_t number = 0;
   };
 
-  // Returns the beam of a point. The point's sensor and azimuth become the current sensor and
+  // Returns the beam of a point. The sensor and azimuth of the point become the current sensor and
   // azimuth.
   [[gnu::always_inline]] KeptBeam& beam_of(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point) {
@@ -110,8 +109,8 @@ class AzimuthCarver {
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
-  // Members that each point needs come first, because accesses with large offsets need more
-  // instructions.
+  // Members that are needed for each point come first, because accesses with large offsets need
+  // more instructions.
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 

@@ -1,10 +1,10 @@
 // A cache for the lines of beams on the grid. Lines remain in the cache from scan to scan.
 //
-// A lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The course of a
-// line, its length in the grid, and the blocks that it crosses depend only on the mount. Each line
-// is therefore computed once and cached by its azimuth. The azimuths of a sensor need not be known
-// in advance. If a line is not in the cache, it is computed again, which takes time but does not
-// change the result.
+// For example, a lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The
+// course of a line, its length in the grid, and the blocks that it crosses depend only on the
+// mount. Each line is therefore computed once and cached by its azimuth. The azimuths of a sensor
+// need not be known in advance. A line that is not in the cache is computed again. This takes time
+// but does not change the result.
 #pragma once
 
 #include <algorithm>
@@ -23,16 +23,16 @@
 
 namespace iog::grid {
 
-// The line size of the level 1 and level 2 caches. Cached beam lines compete with the grid for
-// these caches.
+// The cache line size of the level 1 and level 2 caches. In these caches, the cached beam lines
+// compete with the grid.
 inline constexpr std::size_t kCacheLineBytes = 32;
 
 // The part of a line in which beams of one height are within a height band. The limits of the part
 // are fractions of the line's length.
 class BandLimits {
  public:
-  // If a point is at least this far beyond the part, the point's beam frees the whole part, because
-  // the zones before the point are also beyond the part.
+  // If a point is at least this far beyond the part, its beam frees the whole part, because the
+  // uncertain zone in front of the point is also beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
@@ -55,8 +55,8 @@ class BandLimits {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance or beyond free the whole part, because the zones before these points
-  // are also beyond the part.
+  // A point at or beyond this distance frees the whole part, because the uncertain zone in front of
+  // the point is also beyond the part.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
   // Returns true if this part ends farther along a line than the part of another layer.
@@ -74,8 +74,8 @@ class BandLimits {
   traversal::MeasuredShare from_;
 };
 
-// The part of a line that a beam may free. A point at free_from_mm or beyond frees the whole part,
-// because the zones before the point are also beyond the part.
+// The part of a line that a beam can free. A point at free_from_mm or beyond frees the whole part,
+// because the uncertain zone in front of the point is also beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;  // > 0
@@ -90,8 +90,8 @@ class alignas(kCacheLineBytes) KeptLine {
   [[nodiscard]] std::uint32_t number() const { return number_; }  // Layer::line
 
   // Returns the number of borders that the line crosses up to this distance. The distance should be
-  // at most Sensor::range. For greater distances, the result may be too small, but is never before
-  // the line's end.
+  // at most Sensor::range. For greater distances, the result may be too small, but it is never
+  // before the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -152,7 +152,7 @@ class alignas(kCacheLineBytes) KeptLine {
   vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
-// An odd number of cache lines spreads lines over all sets of a cache.
+// If the size is an odd number of cache lines, the lines are spread over all sets of a cache.
 static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
 // The beam of one layer at one azimuth, with cached properties. On the target, a KeptBeam fills one
@@ -179,7 +179,7 @@ class KeptBeam {
   KeptLine* line_ = nullptr;
 };
 
-// Properties of a beam that are needed less often.
+// Properties of a beam that are needed less often than those in KeptBeam.
 class KeptHeight {
  public:
   void find(const vehicle::Layer& layer, const vehicle::Direction& direction);
@@ -209,8 +209,8 @@ class KeptHeight {
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
-// cached. Four layers and two lines are enough for a LUX, and for a level rotating lidar, because
-// all layers of such a lidar share one line.
+// cached. Four layers and two lines are enough for a LUX, and also for a level rotating lidar,
+// whose layers all share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -225,8 +225,8 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Returns true if another azimuth may evict this azimuth, that is, if this azimuth has not been
-  // used since another azimuth last requested the same slot.
+  // Returns true if another azimuth may evict this azimuth. This is the case if this azimuth has
+  // not been used since another azimuth last requested the same slot.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
@@ -270,17 +270,16 @@ class KeptAzimuth {
   alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
-  // This padding makes an azimuth 49 cache lines long on the target. Without the padding, about 45
-  // azimuths of 45 cache lines would fill the 2,048 sets of the level 2 cache, and the following
-  // azimuths would compete for the same sets.
+  // This padding makes an azimuth 49 cache lines long on the target. Without this padding, about 45
+  // azimuths of 45 cache lines would fill the 2,048 sets of the level 2 cache, and further azimuths
+  // would compete for the same sets.
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. The
-// finest steps of a LUX are an eighth of a degree. With up to three sensors, the azimuths in these
-// steps also map to distinct slots. With four sensors, nearly all azimuths in these steps map to
-// distinct slots.
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. In the
+// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots with
+// up to three sensors, and nearly all with four.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

@@ -1,9 +1,9 @@
 // The grid of a frame, stored in blocks of 4 by 4 cells. Each block has sixteen bytes.
 //
-// On average, a line crosses four cells of a block, and one saturating subtraction carves all four
-// cells (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1 cells. Each row of
-// blocks has one cache line of padding. Without the padding, all blocks of a column would compete
-// for only two of the 256 sets of the L1 cache.
+// On average, a line crosses four cells of a block, and a single saturating subtraction carves all
+// of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, a cache
+// line would cover 32 by 1 cells. Each row of blocks has one cache line of padding. Without this
+// padding, all blocks of a column would compete for only two of the 256 sets of the L1 cache.
 //
 // Outside src/grid, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
 // occupancy index or -128. Carving saturates at -128, and reading a cell converts -128 to -127.
@@ -68,7 +68,7 @@ class BlockGrid {
   // tile are unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 
-  // Sets all cells of the tile to unknown, and marks the tile as untouched.
+  // Sets all cells of the tile to unknown and marks the tile as untouched.
   void clear_tile(std::size_t tile);
 
   // Returns one row of the tile's blocks, which consists of kBlocksPerTile contiguous blocks.

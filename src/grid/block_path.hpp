@@ -1,10 +1,9 @@
-// The blocks that a line crosses, in order. The path stores one byte per block and computes each
-// block only once.
+// The blocks that a line crosses, in order. The path stores one byte per block, and each block is
+// computed only once. Block 0 contains the line's start.
 //
-// Block 0 contains the line's start. The line meets no corner after its start, so consecutive
-// blocks share a border. The number of a block is therefore the number of block borders between
-// this block and block 0. If a line starts at a corner where blocks meet, the line crosses no cells
-// of block 1.
+// The line meets no corner after its start, so consecutive blocks share a border. The number of a
+// block is therefore the number of block borders that the line crosses between block 0 and this
+// block. If a line starts at a corner where blocks meet, it crosses no cells of block 1.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@ namespace iog::grid {
 
 // A cursor on a block path. The cursor consists of the current block, the block's code, and the
 // codes of the following blocks. The code selects the stride to the next block, in stored blocks.
-// masks[code / 2] selects the cells of the block that the line crosses.
+// The entry masks[code / 2] selects the cells of the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;
@@ -30,8 +29,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // Returns the next block. Both candidates are computed first, so that only the selection depends
-  // on the code.
+  // Returns the next block. Both candidates are computed first, so that the code only selects one
+  // of them.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -42,7 +41,7 @@ struct Way {
     code = *next_codes;
     ++next_codes;
   }
-  // Advances by this many steps, to a known block.
+  // Advances by this number of steps, to a block that is already known.
   void step_to(LaneBytes* to, std::uint32_t steps) {
     block = to;
     next_codes += steps;
@@ -130,13 +129,14 @@ class BlockPath {
  private:
   // A line is monotone on each axis. The number of blocks that a line enters is therefore at most
   // the number of block columns plus the number of block rows. The search always stores two codes
-  // per column of blocks, even if only one code is valid.
+  // per column of blocks, even if only one of them is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
-  // The members are in order of access, without gaps, because the paths of many lines are cached.
+  // The members are in order of access and without gaps, because the paths of many lines are
+  // cached.
   std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
   // The height at which the line leaves the first column of tiles, in units of 2^-32 of a tile.

@@ -1,4 +1,4 @@
-// A one-byte code for the cells of a 4 by 4 block that a line crosses.
+// Defines a one-byte code for the cells of a 4 by 4 block that a line crosses.
 //
 // A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
 // of both axes and rises by at most one cell per column. `u` is the column number along the line's
@@ -16,7 +16,8 @@
 //
 // In each column, the line crosses at most one border of v. Seven bits, called the block's *shape*,
 // are therefore enough to determine the cells that the line crosses and the border through which it
-// leaves. Three bits contain the entry, and each of the other four bits represents one column.
+// leaves the block. Three bits contain the entry, and each of the other four bits represents one
+// column.
 #pragma once
 
 #include <array>
@@ -55,7 +56,7 @@ struct BlockColumn {
 };
 
 // The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
-// Both u and v may run in the negative direction.
+// Both u and v can run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -64,7 +65,8 @@ struct Orientation {
   [[nodiscard]] constexpr std::size_t number() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  // The offsets from one element to the next along u and along v, if a row has `row` elements.
+  // The offsets from one element to the next along u and along v, in an array with `row` elements
+  // per row.
   struct Strides {
     std::ptrdiff_t u;
     std::ptrdiff_t v;
@@ -87,12 +89,12 @@ struct Orientation {
 };
 
 // The cell masks of a block for lines of one orientation. A byte is -1 if its cell is selected, and
-// otherwise 0.
+// 0 otherwise.
 struct BlockMasks {
   // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // The cells that a line can cross after it has reached a given cell, indexed by the given cell's
-  // position in the block. `from` includes the given cell, and `after` excludes it.
+  // The cells that a line can cross after it has reached a given cell, indexed by the position of
+  // the given cell in the block. `from` includes the given cell, and `after` excludes it.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };

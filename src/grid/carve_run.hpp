@@ -1,4 +1,4 @@
-// The hot loop of carving, which carves consecutive blocks of a path by the same amount.
+// The innermost loop of carving, which carves consecutive blocks of a path by the same amount.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,8 @@ inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   way = here;
 }
 
-// An optimised version of carve_one_by_one(). CMake selects the source file.
+// An optimised version of carve_one_by_one(). CMake selects the source file that implements this
+// function.
 void carve_run(Way& way, std::uint32_t count, Lanes amount);
 
 }  // namespace iog::grid

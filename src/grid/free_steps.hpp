@@ -1,10 +1,12 @@
-// A step function along a line: the amount by which the line's pending beams lower each cell.
+// A step function along a line. The function specifies the amount by which the line's pending beams
+// lower each cell.
 //
-// All beams of a line carve the same cells, each beam up to its own end. Each beam adds a negative
-// index to a cell. Saturating additions of negative indexes commute (docs/model.md section 3):
-// adding a and then b, each clamped at -127, equals adding a + b clamped at -127. The sum of the
-// beams can therefore be carved in one pass. The example shows two beams of a LUX. The point of the
-// nearer beam is at a, and the point of the farther beam is at b:
+// All beams of a line carve the same cells, but each beam stops at its own end. Each beam adds a
+// negative index to a cell. Saturating additions of negative indexes commute (docs/model.md section
+// 3). Adding x and then y, with each sum clamped at -127, has the same result as adding x + y and
+// clamping once. The sum of the beams can therefore be carved in one pass. The example shows two
+// beams of a LUX. The point of the nearer beam is at `a`, and the point of the farther beam is at
+// `b`:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
@@ -13,9 +15,9 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// The function is stored as a difference array. The number of borders crossed is the index of a
-// slot. A bitmap marks the slots in use. A change can therefore be added without a search, and
-// scanning the bitmap yields the changes in order.
+// The function is stored as a difference array. The index of a slot is the number of borders that
+// the line has crossed. A bitmap marks the slots in use. A change can therefore be added without a
+// search, and scanning the bitmap yields the changes in order.
 #pragma once
 
 #include <algorithm>
@@ -108,8 +110,8 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // A line crosses at most kSlots - 2 borders between two cells of the grid. One more border may
-  // follow the last cell.
+  // A line crosses at most kSlots - 2 cell borders. There can be one more border after the last
+  // cell.
   static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
   Between first_;
@@ -126,10 +128,10 @@ class LowSteps : public FreeSteps {};
 
 // The pending beams of a line. `free` contains the amount by which the beams lower the line's
 // cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which any beam is
-// low. A beam adds at most one entry to each member.
+// low. A beam adds at most one entry to each of these members.
 struct LineSteps {
-  // The amount by which a low beam lowers cells in `low`. Cells saturate, so overlapping low beams
-  // have the same effect as one low beam.
+  // The amount by which a low beam lowers cells in `low`. Cells saturate, so several overlapping
+  // low beams have the same effect as one low beam.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

@@ -1,9 +1,9 @@
-// Height limits for the beams and returns of level rotating lidars. Beams free cells, and returns
-// mark cells, only within these limits. The limits are either the vehicle's height band or relative
-// to the ground (docs/ground.md). A judge applies the limits to the points of a packet, and a gate
-// applies them to the beams of a line. The judge is selected once per packet, and the gate is
-// selected once per line. The judge and the gate are template arguments, so callers work with both
-// kinds of limits.
+// Defines the height limits for the beams and returns of level rotating lidars. Beams free cells,
+// and returns mark cells, only within these limits. The limits are either the vehicle's height band
+// or heights relative to the ground (docs/ground.md). A judge applies the limits to the points of a
+// packet, and a gate applies them to the beams of a line. The judge is selected once per packet,
+// and the gate is selected once per line. The judge and the gate are template arguments, so callers
+// work with both kinds of limits.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct BandJudge {
   }
 };
 
-// If the ground is estimated, each layer has its own limits in each sector.
+// With an estimated ground, each layer has its own limits in each sector.
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
@@ -71,16 +71,16 @@ struct GroundJudge {
 
 class BandGate {
  public:
-  // Both must outlive the gate.
+  // Both arguments must outlive the gate.
   BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
 
   // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
   // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // If the distance of a hit is at least far_mm(), the beam clears the free parts of all layers
+  // If the distance of a hit is at least far_mm(), its beam frees the free parts of all layers
   // whose rank is at least TurnLayers::near_rank.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
-  // `part()` returns the part of the line that the layer may free. `end()` returns the end of this
+  // `part()` returns the part of the line that the layer can free. `end()` returns the end of this
   // part if the part is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
@@ -90,7 +90,7 @@ class BandGate {
     return line_->end_in_band(layers_->layers[layer].band);
   }
   // `low_part()` returns the part of the line in which the layer is low. `may_be_low()` returns
-  // true if this part may begin before a hit at the given range.
+  // true if this part could begin before a hit at the given range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }

@@ -8,12 +8,12 @@
 
 namespace iog::grid {
 
-// A boundary between two consecutive cells of a line. A boundary has either the form `before` the
-// next cell or the form `after` the previous cell. A boundary is stored as one number that
-// increases along the line. The number consists of the number of borders crossed to reach the next
-// cell (16 bits), a bit for the form `before`, and x of the position (15 bits). The form `after`
-// sorts before the form `before` of the same boundary. In the form `after`, the next cell may lie
-// outside the grid.
+// A boundary between two consecutive cells of a line. A boundary is stored either as `before` the
+// next cell or as `after` the previous cell. A boundary is stored as one number that increases
+// along the line. This number consists of the number of borders crossed to reach the next cell (16
+// bits), a bit for the form `before`, and the x coordinate of the position (15 bits). The form
+// `after` sorts before the form `before` of the same boundary. In the form `after`, the next cell
+// can lie outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell

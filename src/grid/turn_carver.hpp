@@ -1,6 +1,6 @@
 // Carves the beams of level rotating lidars. All layers of an azimuth step share one line
-// (turn_lines.hpp). Hundreds of lines are pending at the same time (waiting_lines.hpp), because
-// different lasers measure at different azimuths.
+// (turn_lines.hpp). Hundreds of lines are pending at the same time, because different lasers
+// measure at different azimuths (waiting_lines.hpp).
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class TurnCarver {
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 
-  // The current sensor. The data that every point needs are stored close together in memory.
+  // The current sensor. The data that every point needs is stored close together in memory.
   template <typename Judge>
   class Turn {
    public:
@@ -39,8 +39,8 @@ class TurnCarver {
           azimuths_(sensor.azimuths),
           judge_(judge) {}
 
-    // Stores the mark of this point, and carves the point's beam immediately or later. The point's
-    // layer and azimuth must be valid in the sensor's format.
+    // Stores the mark for this point. Carves the point's beam, either immediately or when its line
+    // is carved. The point's layer and azimuth must be valid in the sensor's format.
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
    private:
@@ -66,7 +66,7 @@ class TurnCarver {
     return {*this, sensor, {&ground.beams(), &ground.exits(), layers_->zones_mm, judge}};
   }
 
-  // Estimates the car's tilt from one packet. Packet needs for_each_sample().
+  // Estimates the car's tilt from one packet. The packet type must have for_each_sample().
   template <typename Packet>
   [[nodiscard]] ground::Tilt tilt_of(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                      const Packet& packet);
@@ -89,9 +89,9 @@ class TurnCarver {
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind);
-  // Gate is the line's BandGate or GroundGate. Functions that take steps as a parameter are not
-  // inlined. As a result, the address of the steps stays in a register and is not recomputed for
-  // each change.
+  // Gate is either BandGate or GroundGate, depending on the line. Functions that take steps as a
+  // parameter are not inlined, so that the address of the steps stays in a register instead of
+  // being recomputed for each change.
   template <typename Gate>
   void add_beams(const Gate& gate, const KeptLine& line, std::span<const WaitingPoint> points,
                  const RankSet& behind);
@@ -121,7 +121,7 @@ class TurnCarver {
   LineSteps steps_;                         // of the line being carved
 };
 
-// All layers share the azimuth's line, but each layer has its own height.
+// All layers share the line of the azimuth, but each layer has its own height.
 template <typename Judge>
 inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point) const {
   if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {

@@ -16,14 +16,14 @@ namespace iog::grid {
 
 // The properties of a layer that do not depend on the azimuth. `range_share` is the ratio of
 // horizontal range to range. `in_band` contains the horizontal ranges within the height band.
-// `clears_mm` is the horizontal range up to which the layer carves without an echo. `band` is the
-// part of the line within the height band.
+// `clears_mm` is the horizontal range up to which the layer carves if there is no echo. `band` is
+// the part of the line within the height band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // The layer's place in the order in which the sensor's layers leave the band. The layer that
-  // stays within the band up to the greatest distance has rank 0.
+  // The position of this layer in the order in which the sensor's layers leave the band. The layer
+  // that stays within the band up to the greatest distance has rank 0.
   std::uint32_t rank = 0;
   // A point at this range or beyond frees the whole line from the sensor to the point where the
   // layer leaves the band. If the sensor is outside the band, behind_mm has the maximum value.
@@ -39,8 +39,8 @@ struct TurnLayers {
   bool start_in_band = false;
   // The number of beams that saturate a cell.
   std::uint32_t enough_beams = 0;
-  // A hit at this distance or beyond frees all cells within the band that layers with a rank of
-  // near_rank or higher may free.
+  // A hit at this distance or beyond frees every cell in the band that can be freed by layers of
+  // rank near_rank or higher.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
@@ -58,7 +58,7 @@ class TurnLines {
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
   // Returns the horizontal ranges that end on the car itself, computed on first use. The sensor
-  // must belong to the vehicle, and the sensor's layers must share lines.
+  // must belong to the vehicle, and its layers must share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;
@@ -77,9 +77,9 @@ class TurnLines {
   }
 
  private:
-  // Every turn visits all lines, so each line is fetched from memory again in each turn. The first
-  // point of a line needs the ranges on the car, but the line itself is needed only for carving.
-  // The ranges are therefore stored separately, next to the ranges of neighbouring lines.
+  // A turn visits all lines, so each line has to be fetched from memory again in each turn. The
+  // first point of a line needs the ranges on the car, but the line itself is needed only for
+  // carving. The ranges are therefore stored separately, next to the ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

@@ -61,7 +61,7 @@ class RankSet {
     return is_new;
   }
 
-  // Calls visit(rank) for each rank in ascending order, until visit() returns false.
+  // Calls visit(rank) for each rank in ascending order until visit() returns false.
   template <typename Visit>
   void visit_while(Visit&& visit) const {
     for (std::uint32_t first = 0; first < vehicle::kMaxLayers; first += 32) {
@@ -82,13 +82,13 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The pending lines of a rotating lidar. The azimuth step of a line determines the line's slot. The
-// slots cover the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees
-// apart, which is 390 of 8,192 steps.
+// The pending lines of a rotating lidar. The azimuth step of a line determines its slot. The slots
+// cover the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees apart,
+// which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that each point accesses. The part fits into one cache line. The
-  // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
+  // The part of a pending line that is accessed for each point. The part fits into one cache line.
+  // The points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
   // layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;
@@ -102,7 +102,7 @@ class WaitingLines {
     const Line& line = lines_[azimuth_step % kPlaces];
     return line.azimuth_step == azimuth_step && line.count < kMostPoints;
   }
-  // Begins a line. The slot of the line must be empty.
+  // Begins a line. The slot for the line must be empty.
   void begin(std::uint32_t azimuth_step, const vehicle::Ranges& on_car) {
     lines_[azimuth_step % kPlaces] = {
         .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind = {}};
@@ -122,8 +122,8 @@ class WaitingLines {
     ++lines_[place].count;
   }
 
-  // If the slot of this step contains a line, calls carve(azimuth_step, points, behind) for the
-  // line and empties the slot.
+  // If the slot of this step contains a line, calls carve(azimuth_step, points, behind) for it and
+  // empties the slot.
   template <typename Carve>
   void take(std::uint32_t azimuth_step, Carve&& carve) {
     const std::uint32_t place = azimuth_step % kPlaces;
@@ -145,9 +145,9 @@ class WaitingLines {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
   // The points of a slot fill an odd number of cache lines, so that slots do not compete for the
-  // same cache sets. The 2 in the condition below covers the beams beyond the band. At most
-  // `enough_beams` beams beyond the band are carved. Together, these beams change a line by less
-  // than two other beams could.
+  // same cache sets. The 2 in the condition below accounts for the beams beyond the band, of which
+  // at most `enough_beams` are carved. Together, these beams change a line by less than two other
+  // beams could.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

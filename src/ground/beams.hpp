@@ -1,9 +1,9 @@
 // Computes the sector, the distance and the height of a spinning sensor's returns.
 //
-// If a sensor is mounted level, all of its layers share one line per azimuth, and each beam rises
-// by the tangent of its elevation (docs/model.md section 5). If a sensor is tilted, its bins lie in
-// its plane of rotation. Heights in these bins are measured from the car's plane, along the
-// vertical axis of the car. Straight ground therefore remains straight.
+// If a sensor is mounted level, all of its layers share one line per azimuth, and the slope of each
+// beam is the tangent of its elevation (docs/model.md section 5). If a sensor is tilted, its bins
+// lie in its plane of rotation. Heights in these bins are measured from the car's plane, along the
+// car's vertical axis. Straight ground therefore remains straight.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace iog::ground {
 
-// The slope of a beam in units of 2^-24. A slope of 89 degrees still fits in one word.
+// The slope of a beam in units of 2^-24. Even a slope of 89 degrees fits into one word.
 using Slope = std::int32_t;
 inline constexpr int kSlopeFractionBits = 24;
 
@@ -56,7 +56,7 @@ class Beams {
   [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
     return static_cast<std::uint32_t>((std::uint64_t{out_mm} * along_of_out_[layer]) >> kAlongBits);
   }
-  // Returns the slope of the beams of a layer. The slope is valid for level sensors only.
+  // Returns the slope of the beams of a layer. The slope is valid only for level sensors.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
   [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
 
@@ -66,13 +66,13 @@ class Beams {
   [[nodiscard]] std::span<const std::uint8_t> from_below() const {
     return std::span(from_below_).first(layer_count_);
   }
-  // Returns the points of a packet from which the car's tilt is estimated. The points come from
-  // every second layer of the lower two thirds. The number of firings is chosen to give kSamples
-  // points.
+  // Returns which points of a packet are used to estimate the car's tilt. These points are in every
+  // second layer of the lower two thirds. The number of firings is chosen so that there are
+  // kSamples points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }
-  // Returns the minimum number of samples that a packet needs for an estimate of the tilt.
+  // Returns the minimum number of samples that a packet must have for an estimate of the tilt.
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:

@@ -1,6 +1,7 @@
-// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, counted in
-// the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64 bins (docs/model.md
-// section 5). A bin is 1,024 mm long, or 2,048 mm if the line is longer than 64 bins of 1,024 mm.
+// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, which are
+// counted in the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64 bins
+// (docs/model.md section 5). A bin is 1,024 mm long. If the line is longer than 64 of these bins, a
+// bin is 2,048 mm long.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +37,7 @@ class Bins {
     return per_1024_mm << (shift_ - kShortShift);
   }
   // Returns the maximum plausible height of the ground above or below the car's plane. The limit is
-  // 0.3 m plus a slope of 12.4 degrees, and at most 14 m.
+  // 0.3 m plus the rise of a slope of 12.4 degrees, and is at most 14 m.
   [[nodiscard]] constexpr std::int32_t most_plausible_mm(std::uint32_t bin) const {
     return std::min(300 + rise_of_bin(225) * static_cast<std::int32_t>(bin + 1), kMostPlausibleMm);
   }

@@ -1,10 +1,10 @@
-// The ground around those sensors of a vehicle that follow the ground. The ground is constant while
-// the packets of a frame are processed, and is updated between two frames.
+// The ground around the sensors of a vehicle that follow the ground. The ground is constant while
+// the packets of a frame are processed, and it is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
-// sensor has swept the ticks of at least one complete scan since the last update. The time of the
-// update therefore depends only on the set of packets in each frame. The order of the packets, and
-// the cores that fuse them, have no effect on the time of the update.
+// ticks swept since the last update add up to at least one complete scan. The time of the update
+// therefore depends only on the set of packets in each frame. The time of the update does not
+// depend on the order of the packets or on the cores that fuse them.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The slope of a beam, and the ranges at which the beam ends on the car itself. A sample needs both
-// properties.
+// The slope of a beam, and the ranges at which it ends on the car itself. A sample needs both of
+// these properties.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -39,8 +39,8 @@ struct Ray {
 class Ground {
  public:
   Ground() = default;
-  // The sensor must be a spinning lidar that follows the ground, and must outlive this object. The
-  // ground is flat at first.
+  // The sensor must be a spinning lidar that follows the ground, and it must outlive this object.
+  // The ground is flat at first.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
@@ -51,8 +51,8 @@ class Ground {
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
   // Returns the part of a beam that is low enough to open cells, as distances along the beam's
-  // line. If beams at any height open cells, the low part is the entire line. If the sensor's
-  // layers share lines, the part ends at the exit range of the beam.
+  // line. If beams at any height open cells, this part is the entire line. If the sensor's layers
+  // share lines, this part ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -66,9 +66,9 @@ class Ground {
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // Returns the minimum height of a tall return above the highest ground nearby. A bank that begins
-  // within one or two bins is therefore not tall relative to the ground in front of it. If the
-  // value is 0, every return is tall.
+  // Returns the minimum height of a tall return above the highest ground nearby. For example, a
+  // bank that begins within one or two bins is not tall relative to the ground in front of it. If
+  // the value is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
   // Returns the tilt of the car as measured by one packet of the sensor. `Packet` must have
@@ -114,8 +114,8 @@ class Ground {
 
 // A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
 // return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
-// degrees, the projection of such a return moves by more than one cell. A static object would then
-// appear to approach.
+// degrees, the projection of a return beyond these heights moves by more than one cell, and a
+// static object would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.
@@ -130,9 +130,9 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // The result of judge(). `judge()` adds a return to the lows and classifies the return by its
-  // height above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return
-  // above the car's plane.
+  // The result of judge(). `judge()` adds a return to the lows, and classifies it by its height
+  // above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return above
+  // the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
@@ -142,8 +142,8 @@ class PacketJudge {
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
-    // The ground at the return is never higher than the highest ground nearby. A test against the
-    // ground at the return is therefore enough to reject most returns.
+    // The ground at the return is never higher than the highest ground nearby. Most returns can
+    // therefore be rejected by their height above the ground at the return.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,
@@ -166,14 +166,14 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each sensor that follows the ground. Each sensor that follows the ground has an
-// index, called its place. Make the object static, because it takes up 630 KB.
+// The ground around each sensor that follows the ground. Each of these sensors has an index, called
+// its place. The object must be static because it takes up 630 KB.
 class Grounds {
  public:
   // The vehicle must outlive this object.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // Returns the place of the sensor with this number, or nothing if the sensor does not follow the
+  // Returns the place of the sensor with this number, or nothing if this sensor does not follow the
   // ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
@@ -202,8 +202,8 @@ class Grounds {
   }
 
  private:
-  // A sensor that is silent for kForgottenUs may have moved to another place. The time is counted
-  // in frame periods.
+  // If a sensor is silent for kForgottenUs, the car may have moved to another place. The time is
+  // counted in frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

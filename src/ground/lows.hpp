@@ -2,9 +2,9 @@
 // included.
 //
 // A minimum depends neither on the order of its inputs nor on duplicates. The lows therefore do not
-// depend on the order of packets, on duplicates or on the distribution over cores. A forged return
-// can only lower the value of its bin, and only to a plausible height, because lower returns are
-// ignored.
+// depend on the order of packets, on duplicates, or on which core processes a packet. A forged
+// return can only lower the value of its bin, and only to a plausible height, because returns below
+// this height are ignored.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // The value kNothing means that a bin has no return. kNothing is higher than every valid return.
+  // The value kNothing means that a bin has no return. The value kNothing is higher than every
+  // valid return.
   static constexpr std::int16_t kNothing = 32767;
   // A ring contains one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;
@@ -36,8 +37,8 @@ class Lows {
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {
-      // Few returns are lower than all previous returns, so the plausibility of a return is checked
-      // last.
+      // Only a few returns are lower than all previous returns, so the plausibility of a return is
+      // checked last.
       std::int16_t& low = rings_[bin][sector];
       if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
         low = static_cast<std::int16_t>(z_mm);
@@ -45,7 +46,7 @@ class Lows {
     }
   }
 
-  // Keeps the lower value of each bin.
+  // For each bin, keeps the lower of the two values.
   void join(const Lows& other) {
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       for (std::size_t sector = 0; sector < kSectors; ++sector) {

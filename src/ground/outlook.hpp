@@ -1,12 +1,12 @@
 // Computes where the beams of a sector exceed a height limit above the ground.
 //
-// Ranges: The room of a beam is its height difference from the limit. Heights are in units of 2^-14
-// mm, so a slope in units of 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is
-// at most 2^37, the sum of 64 bins of 2^31 each and 2^17 mm. Within a bin, the room changes by less
-// than 2^32, which covers 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. The divisor therefore
-// has 32 bits, and the dividend is below 2^32 times half a bin. If a beam rises by at most 2^24 per
-// bin (a slope of 1, or 1/2 in long bins), its room is at most 64 times 2^24 plus 2^16 mm and fits
-// in one word.
+// Ranges: The clearance of a beam (called `room` in the code) is its height difference from the
+// limit. Heights are in units of 2^-14 mm, so a slope in units of 2^-24 equals the rise per 1,024
+// mm. At the start of a bin, the clearance is at most 2^37. This is the sum of 64 bins of 2^31 each
+// and 2^17 mm. Within a bin, the clearance changes by less than 2^32, which allows for 46,000 mm of
+// ground and a slope of 2 * 57.3 * 2^24. The divisor therefore has 32 bits, and the dividend is
+// below 2^32 times half a bin. If a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in
+// long bins), its clearance is at most 64 times 2^24 plus 2^16 mm, so it fits in one word.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace iog::ground {
 // The side on which beams exceed the limits.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// The ground of a sector for beams that exceed the limit on one side. Call leave() once for each
+// The ground of a sector, for beams that exceed the limit on one side. Call leave() once for each
 // beam, in the order in which the beams exceed the limit.
 class Outlook {
  public:
@@ -57,8 +57,8 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // Returns the room at the start of a bin. If the room is negative, the beam has exceeded the
-  // limit.
+  // Returns the clearance at the start of a bin. If the clearance is negative, the beam has
+  // exceeded the limit.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);

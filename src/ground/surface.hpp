@@ -1,5 +1,5 @@
-// The height of the ground around a spinning sensor. The returns of one turn are classified with
-// the heights of this surface.
+// The height of the ground around a spinning sensor. The returns of one turn are classified by
+// using the heights of this surface.
 #pragma once
 
 #include <algorithm>
@@ -13,28 +13,27 @@ namespace iog::ground {
 
 class Surface {
  public:
-  // The heights above the car's plane in mm, at the start of each bin and at the end of the last
-  // bin. Between two of these points, the ground is straight.
+  // The heights above the car's plane, in mm, at the start of each bin and at the end of the last
+  // bin. Between adjacent points, the ground is a straight line.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
   static constexpr std::int32_t kMost = 32'000;  // maximum magnitude of any height
   static constexpr std::size_t kNearBins = 2;
 
-  // The number of consecutive turns without a return for which a sector keeps its row. After that,
-  // the row is reset.
+  // If a sector has no returns, its row is kept for this many consecutive turns, and is then reset.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
-  // The source of a sector's row.
+  // Specifies where the heights in a sector's row come from.
   enum class Source : std::uint8_t {
     kFlat,  // no returns: the car's plane
     kOwn,   // returns of the last turn
     kKept,  // returns of an earlier turn
   };
 
-  // Converts a return's height above the car's plane to its height above the ground. Beyond the
-  // last bin, the ground continues with that bin's slope for kBeyondMm.
+  // Converts a return's height above the car's plane to its height above the ground. For kBeyondMm
+  // beyond the last bin, the ground continues with the slope of this bin.
   //
-  // Range: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
+  // Ranges: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
   // 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
@@ -43,8 +42,8 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // Returns the height of a return above the highest ground nearby. The highest ground nearby is
-  // computed by raising each start to the highest start within kNearBins on either side.
+  // Returns the height of a return above the highest ground nearby. To compute the highest ground
+  // nearby, each start is raised to the highest start within kNearBins on either side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -58,9 +57,10 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // Returns the lowest ground nearby. Each start is lowered to the lowest start within kNearBins,
-  // except for height differences that are due to a constant slope. A constant slope is therefore
-  // not lowered. A start is never lowered below the lowest start within kNearBins.
+  // Returns the lowest ground nearby. To compute the lowest ground nearby, each start is lowered to
+  // the lowest start within kNearBins, except for height differences that are due to a constant
+  // slope. Ground with a constant slope is therefore not lowered. A start is never lowered below
+  // the lowest start within kNearBins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }

@@ -1,11 +1,11 @@
-// Estimates the tilt and lift of the car since the last turn from one packet.
+// Estimates, from one packet, how far the car has tilted and lifted since the last turn. The
+// surface comes from the last turn.
 //
-// The surface comes from the previous turn. Braking and bumps tilt the car by up to one degree per
-// turn of the lidar, which is 0.35 m at a distance of 20 m. A straight line is therefore fitted to
-// the packet's returns that are near the sensor and near the ground. The line gives the height
-// above the surface as a function of distance. A packet covers a narrow sector, in which pitch and
-// roll appear as a single slope. The result depends only on the returns of the packet and on the
-// surface.
+// Braking and bumps tilt the car by up to one degree per turn of the lidar, which is 0.35 m at a
+// distance of 20 m. A straight line is therefore fitted to the returns of the packet that are near
+// the sensor and near the ground. The line gives the height above the surface as a function of
+// distance. A packet covers a narrow sector, in which pitch and roll appear as a single slope. The
+// result depends only on the returns of the packet and on the surface.
 #pragma once
 
 #include <array>
@@ -51,8 +51,9 @@ class Samples {
   std::size_t count_ = 0;
 };
 
-// Fits the tilt. Returns no tilt if fewer samples than `fewest` lie near a line, if these samples
-// are too close together, or if the line is not clearly better than no tilt. Requires fewest > 0.
+// Fits the tilt. Returns no tilt in three cases: fewer samples than `fewest` lie near a line, these
+// samples are too close together, or the line is not clearly better than no tilt. Requires fewest >
+// 0.
 [[nodiscard]] Tilt tilt_of(std::span<const Sample> samples, std::int32_t fewest);
 
 }  // namespace iog::ground

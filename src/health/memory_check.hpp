@@ -2,8 +2,8 @@
 // slices, and compares the CRC-32 of every region once per round.
 //
 // A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
-// a round, so the load depends on the number of bytes, but not on the loop period. If the loop is
-// late, each call catches up by a bounded number of slices.
+// a round. The load therefore depends on the number of bytes, but not on the loop period. If the
+// loop is late, each call catches up by a limited number of slices.
 #pragma once
 
 #include <cstddef>
@@ -39,11 +39,12 @@ class MemoryCheck {
   // The regions and their bytes must outlive the check. `regions` may be empty.
   explicit MemoryCheck(std::span<const Region> regions);
 
-  // Checks all regions at once. Returns the index of the first changed region, if any.
+  // Checks all regions at once. Returns the index of the first region that has changed, if there is
+  // one.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due. If a slice completes the check of a region and the region has
-  // changed, the function returns the index of the region. The first call only sets the start time.
+  // Checks the slices that are due. If a slice completes the check of a region that has changed,
+  // returns the index of this region. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
   // Returns the number of complete rounds, modulo 2^32.
@@ -53,7 +54,7 @@ class MemoryCheck {
   [[nodiscard]] std::size_t slices() const { return slices_; }
 
  private:
-  // Returns false if the slice completes a region and the region has changed.
+  // Returns false if the slice completes a region that has changed.
   bool look_at_next_slice();
 
   std::span<const Region> regions_;

@@ -2,7 +2,7 @@
 //
 // Index n represents the probability p_n of the recursive set (index/recursive_set.hpp;
 // docs/model.md section 2, thesis section 3.3). Index 0 means unknown, a negative index means
-// likely free, and a positive index means likely occupied.
+// probably free, and a positive index means probably occupied.
 #pragma once
 
 #include <algorithm>
@@ -25,25 +25,25 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 
 inline constexpr OccupancyIndex kUnknown = 0;
 
-// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes, saturated at
-// +-127 for int8. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to int32,
-// the sum fits into 64 bits.
+// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes. For int8, the
+// sum saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to
+// int32, the sum fits into 64 bits.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }
 
-// Same as above, for a second argument that is not positive, as in carving. The sum saturates only
-// at the lower end, which saves one comparison in the innermost loop. The second argument may be a
-// sum of many indexes, but must be above -2^30.
+// Same as above, for a second argument that is not positive. Carving uses this function. The sum
+// can saturate only at the lower end, which saves one comparison in the innermost loop. The second
+// argument may be a sum of many indexes, but must be above -2^30.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_positive) {
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a byte that was carved with saturation at the minimum of int8 to an index. The value
-// -128 becomes -127.
+// Converts a carved byte, which saturates at the minimum of int8, to an index. The value -128
+// becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

@@ -1,4 +1,4 @@
-// The recursive set S_epsilon, and the quantisation of a probability to an element of the set
+// The recursive set S_epsilon, and the quantisation of a probability to an element of this set
 // (docs/model.md section 2, thesis section 3.3.3).
 //
 // The probabilities of the set are p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of
@@ -45,8 +45,8 @@ class RecursiveSet {
   }
 
  private:
-  // Returns the n with p_n <= probability < p_(n+1). The function estimates n from the log-odds and
-  // corrects the estimate by comparison.
+  // Returns the n with p_n <= probability < p_(n+1). The function estimates n from the log-odds,
+  // and then corrects the estimate by comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
     const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
     auto n = static_cast<std::int32_t>(estimate);

@@ -1,32 +1,34 @@
 // Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
 // are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
 // the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore judged only
-// by beams for which a return is expected. There are ground, sky, level and open sectors.
+// by those beams for which a return is expected. There are ground, sky, level and open sectors.
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
-// plane within 20 m and with a slope of at least 1 in 16. A turn blocks a ground sector if less
-// than one sixteenth of its ground beams have a return, and one of two conditions holds: less than
-// one sixteenth of all its beams have a return, or at least one quarter of its ground beams
-// previously had a return. The previous fraction is a running mean, updated by 1/32 per turn. A
-// ground sector opens after three turns in which one eighth of its ground beams, or else of all its
-// beams, have a return.
+// plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
+// turn in which less than one sixteenth of its ground beams have a return, if one of two conditions
+// holds: less than one sixteenth of all its beams have a return, or at least one quarter of its
+// ground beams previously had a return. The previous fraction is a running mean that is updated by
+// 1/32 per turn. A ground sector is unblocked after three turns in which one eighth of its ground
+// beams have a return. If less than one quarter of its ground beams previously had a return, one
+// eighth of all its beams is also enough.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
 //
-// Level sectors belong to units that do not spin or have no ground beams. At least one beam of a
-// level sector meets the car's plane within the unit's range. A level sector is blocked after 32
-// scans without a return, and opens after two scans with a return. After three scans without any
-// return, all sectors of the unit are blocked.
+// Level sectors belong to units that do not spin or have no ground beams. At least one beam of each
+// level sector meets the car's plane within the unit's range. A level sector becomes blocked after
+// 32 scans without a return, and is unblocked after two scans with a return. After three scans
+// without any return, all sectors of the unit are reported as blocked.
 //
 // Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-// range, such as a level 2D scanner. Only beams with any echo are judged. An open sector is blocked
-// after 32 scans in which less than one sixteenth of these echoes count as returns, and opens after
-// two other scans.
+// range, such as a level 2D scanner. Only beams that have an echo are judged. An open sector
+// becomes blocked after 32 scans in which less than one sixteenth of these echoes count as returns.
+// An open sector is unblocked after two scans in which at least one sixteenth of these echoes count
+// as returns.
 //
-// Returns closer than the sensor's minimum range, and returns that the sensor flags as dirt or
-// rain, are ignored. Only whole turns and scans are judged. Turns and scans are sums over packets,
-// so the order of packets does not matter.
+// Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
+// them as dirt or rain. Only whole turns and scans are judged, as sums over their packets, so the
+// order of packets does not matter.
 #pragma once
 
 #include <array>
@@ -83,13 +85,13 @@ class BlockedSectors {
     std::array<std::int16_t, kSectors> levels{};
     std::array<std::uint16_t, kSectors> gave{};  // mean fraction of ground beams with a return
     std::uint8_t empty_turns = 0;
-    // Bit i of `seen` is set if the sensor has looked into sector i since start. Bit i of `blocked`
-    // is set if the sensor is blocked in sector i.
+    // Bit i of `seen` is set if the sensor has swept sector i since start. Bit i of `blocked` is
+    // set if the sensor is blocked in sector i.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };
 
-  // Returns the state after the current frame. The arguments are the number of ticks and the
+  // Returns the state after the current frame. The arguments are the number of ticks and the set of
   // sectors that the sensor has swept in the current frame.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
   // Ends the frame.
@@ -144,8 +146,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet for the fusion code. At silent azimuths, a missing return is no evidence of
-// free space.
+// A view of a packet that the fusion code uses. At silent azimuths, a missing return is no evidence
+// of free space.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -1,4 +1,4 @@
-// A received UDP datagram: its source, its destination port and its payload.
+// A received UDP datagram, with its source, its destination port and its payload.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // Converts datagrams to packets and assigns them to frames.
 //
-// A datagram is decoded only once. The result contains the sensor and the decoded contents. After
-// the caller has closed a frame, it can therefore classify the same packet again for the next
-// frame. Dropped datagrams are counted by cause.
+// A datagram is decoded only once. The result contains the sensor and the decoded contents of the
+// datagram. If the caller closes a frame, it can therefore classify the same packet again for the
+// next frame. Dropped datagrams are counted by cause.
 #pragma once
 
 #include <array>
@@ -40,22 +40,22 @@ class Intake {
     kNextFrame,  // close the frame, then call classify() again
   };
 
-  // `sensors` must outlive the intake. `replayer_ipv4` may send on behalf of every sensor.
+  // `sensors` must outlive the intake. `replayer_ipv4` may send on behalf of any sensor.
   // `replayer_ipv4` is 0 if there is no replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
-  // Returns true if the datagram was sent to a sensor's port by a source that may send for this
-  // sensor.
+  // Returns true if the datagram was sent to a sensor's port by a source that may send on behalf of
+  // this sensor.
   [[nodiscard]] bool listens_to(const Datagram& datagram) const {
     return sensor_of(datagram) != kNobody;
   }
 
-  // Finds the sensor of a datagram and decodes the datagram. Returns nothing if the datagram was
+  // Finds the sensor of a datagram, and decodes the datagram. Returns nothing if the datagram was
   // dropped. The payload must outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Determines whether the packet belongs to the open frame. A packet that repeats earlier ranges
-  // is dropped.
+  // Determines whether the packet belongs to the open frame. Drops a packet that repeats earlier
+  // ranges.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
   // Adds the packet to the open frame. Call this function only after classify() has returned
@@ -67,7 +67,7 @@ class Intake {
   // Returns true if every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const;
 
-  // Ends the frame and starts the next frame.
+  // Ends the frame and starts the next one.
   void start_frame();
 
   // Returns the report of a sensor for the current frame.
@@ -97,8 +97,7 @@ class Intake {
   }
 
  private:
-  // Returns the sensor that may send from this source to this port, or kNobody if there is no such
-  // sensor.
+  // Returns the sensor that may send from this source to this port, or kNobody if there is none.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
   [[nodiscard]] bool is_of_unit(std::size_t sensor, const Packet& packet);
   void drop(PacketDrop cause);

@@ -1,12 +1,12 @@
-// Detects stuck sensors. A stuck sensor no longer measures, but sends earlier ranges again with new
-// timestamps and sequence numbers.
+// Detects stuck sensors. A stuck sensor no longer measures. A stuck sensor sends earlier ranges
+// again with new timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. The
 // probability that two packets agree in all of at least 64 ranges is therefore at most 10^-24. With
-// 16 rows, a hash may cover only 32 ranges, and the probability is 10^-12. All other units either
-// have a resolution of 5 mm or better, or are noisier than the Ouster. With these units, two ranges
-// agree in at most 27 of 100 cases, and the probability that 32 ranges agree is 10^-18.
+// 16 rows, a hash may cover as few as 32 ranges, so the probability is 10^-12. All other units
+// either have a resolution of 5 mm or better, or are noisier than the Ouster. With these units, two
+// ranges agree in at most 27 of 100 cases, so the probability that 32 ranges agree is 10^-18.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ namespace iog::intake {
 // all points.
 class RangeDigest {
  public:
-  // The value that represents no hash. A packet has no hash if so few sampled points have returns
-  // that the ranges may repeat by chance.
+  // The value that represents a missing hash. A packet has no hash if so few of its sampled points
+  // have returns that their ranges may repeat by chance.
   static constexpr std::uint64_t kNone = 0;
 
   explicit RangeDigest(const vehicle::Sensor& sensor);
   RangeDigest() = default;
 
   // Returns the hash of a valid packet of this sensor. Returns kNone if the packet has fewer than
-  // 32 returns, or if less than half of the points of a spinning unit have a return.
+  // 32 returns or, for a spinning unit, if less than half of the sampled points have a return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
@@ -48,8 +48,8 @@ class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
 
-  // Sets the number of previous packets to search. The number must be below kMaxPackets. Initially,
-  // it is 0.
+  // Sets the number of previous packets to search. It must be below kMaxPackets. Initially, it is
+  // 0.
   void look_back(std::size_t packets) { packets_ = static_cast<std::uint32_t>(packets); }
 
   // Returns true if one of the previous packets had this hash. Returns false for kNone. The search
@@ -77,13 +77,13 @@ class RangeMemory {
 // two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
-  // Sets the number of previous packets to search for a repetition. The number must be below
+  // Sets the number of previous packets to search for a repetition. It must be below
   // RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 
-  // Returns true if a packet with this hash is frozen, that is, if the packet repeats earlier
-  // ranges. A packet without a hash counts as frozen if its unit is frozen. A unit is frozen after
-  // a frame in which it repeated packets and sent no new packets.
+  // Returns true if a packet with this hash is frozen, that is, if it repeats earlier ranges. A
+  // packet without a hash counts as frozen if its unit is frozen. A unit is frozen after a frame in
+  // which it repeated packets and sent no new ones.
   [[nodiscard]] bool is_frozen(std::uint64_t digest) const {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }
@@ -93,7 +93,7 @@ class FrozenWatch {
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);
 
-  // Ends the frame and starts the next frame.
+  // Ends the frame and starts the next one.
   void start_frame();
 
  private:

@@ -51,7 +51,7 @@ class Packet {
     return packet;
   }
 
-  // If the packet is not valid, only status() and the number of points may be used.
+  // If the packet is not valid, use only status() and the number of points.
   [[nodiscard]] lidar::DecodeStatus status() const { return status_; }
   [[nodiscard]] bool is_sound() const { return status_ == lidar::DecodeStatus::kOk; }
   [[nodiscard]] const lidar::PacketInfo& info() const { return info_; }
@@ -72,9 +72,8 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for raw ranges of a valid packet, and returns visit. For a spinning
-  // unit, the function visits the ranges of the sampled points. For other units, the function
-  // visits all ranges.
+  // Calls visit(std::uint32_t) for raw ranges of a valid packet, and returns visit. Visits the
+  // ranges of the sampled points if the unit is spinning, and all ranges otherwise.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -87,7 +86,7 @@ class Packet {
     return visit;
   }
 
-  // Returns the properties of the unit that a valid Velodyne packet shows. Returns null for other
+  // Returns the properties of the unit, as found in a valid Velodyne packet. Returns null for other
   // packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;
@@ -105,8 +104,8 @@ class Packet {
   }
 
  private:
-  // Calls visit(decoder) with the packet's decoder. `std::visit()` would need abort() from the C++
-  // library, which the target does not have.
+  // Calls visit(decoder) with the packet's decoder. `std::visit()` cannot be used because it needs
+  // abort() from the C++ library, which the target does not have.
   template <typename Self, typename Visit>
   static void with_decoder(Self& self, Visit&& visit) {
     const auto if_it_is = [&](auto* decoder) {

@@ -5,13 +5,13 @@
 // file. The order of the packets does not matter.
 //
 // A LUX numbers its scans, and a frame contains at most one scan of each LUX. A new number starts
-// the next scan. A packet is late if the frame of its scan has been closed. The scan of a spinning
-// lidar has no beginning or end, and a frame may be shorter than a turn. The next turn therefore
-// begins when a packet sweeps only azimuths that the frame has already swept. If turns are
-// numbered, a packet of an older turn does not start a new frame.
+// the next scan. A packet is late if the frame with its scan has already been closed. The scan of a
+// spinning lidar has no beginning or end, and a frame may be shorter than a turn. The next turn
+// therefore begins when a packet sweeps only azimuths that the frame has already swept. If turns
+// are numbered, a packet of an older turn does not start a new frame.
 //
-// The next scan ends the frame. Scans that begin too soon are dropped. Otherwise, a unit whose
-// timestamps imply impossibly fast scans would end frames at an unbounded rate.
+// The frame ends when the next scan begins. Scans that begin too soon are dropped. Otherwise, a
+// unit whose timestamps imply impossibly fast scans would end frames at an unbounded rate.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +35,8 @@ class ScanTracker {
   };
 
   // `turns` is true if the scans are turns of a spinning lidar. `scan_width_ticks` is the width of
-  // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers
-  // `packets` packets, but at least kRemembered.
+  // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers the
+  // last `packets` packets, but at least kRemembered.
   ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)
       : swept_(ticks_per_turn),
@@ -51,7 +51,7 @@ class ScanTracker {
   // kPartOfFrame.
   void accept(const lidar::PacketInfo& packet);
 
-  // Ends the frame and clears the swept sectors.
+  // Ends the frame and clears the set of swept sectors.
   void start_frame();
 
   [[nodiscard]] bool is_complete() const {
@@ -73,11 +73,11 @@ class ScanTracker {
 
  private:
   static constexpr std::size_t kRemembered = 192;
-  // This maximum exceeds 579, the number of packets in one dual-return turn of an HDL-64E S3 at 10
-  // Hz.
+  // This maximum exceeds 579, which is the number of packets in one dual-return turn of an HDL-64E
+  // S3 at 10 Hz.
   static constexpr std::size_t kMaxRemembered = 640;
-  // Half the shortest scan period of any unit. A LUX scans 50 times per second, and other units
-  // turn 20 times per second.
+  // Half of the shortest scan period of any unit. A LUX scans up to 50 times per second, and other
+  // units turn up to 20 times per second.
   static constexpr std::uint64_t kShortestScanUs = 10'000;
   static constexpr std::uint64_t kShortestTurnUs = 25'000;
   // A packet is late if its scan is at most kLateScans scans before the newest scan. If the
@@ -90,14 +90,15 @@ class ScanTracker {
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
   // Returns true if the packet begins the next scan too soon after the last scan. If timestamps
-  // stop or go back, the function always returns false.
+  // stop or go back, always returns false.
   [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
   // Returns true if the packet sweeps a part of the turn that is already in the frame, and the two
   // sweeps begin less than the shortest turn apart. If the clock has stepped between the sweeps,
-  // the function always returns false. A clock that counts from the full hour steps every hour.
+  // always returns false. For example, a clock that counts from the start of the hour steps every
+  // hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

@@ -7,7 +7,7 @@
 
 namespace iog::intake {
 
-// The reason why a datagram was dropped before any point was used.
+// The reason why a datagram was dropped before any of its points was used.
 enum class PacketDrop : std::uint8_t {
   kStranger,  // no sensor of this vehicle may send from this source to this port
   kWrongLength,

@@ -1,5 +1,5 @@
 // The azimuths of a turn that have been swept, stored as one bit per tick. Even a narrow sector is
-// therefore counted completely, and the overlap of two sectors is counted only once.
+// therefore counted completely, and ticks in the overlap of two sectors are counted only once.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // The number of ticks per turn of an Ouster, which is the maximum of all formats.
+  // The number of ticks per turn of an Ouster, which is the maximum for all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
   // `ticks_per_turn` must be at most kMaxTicksPerTurn. Sectors must lie within one turn.
@@ -32,7 +32,7 @@ class SweptSectors {
   static constexpr std::uint32_t kWordTicks = 32;
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
-  // Calls visit(word, bits) for each word that the sector overlaps, until visit returns false.
+  // Calls visit(word, bits) for each word that the sector overlaps, until visit() returns false.
   // `bits` contains the sector's bits in the word.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;

@@ -3,14 +3,13 @@
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle
-// with a radius of 20 m around the origin. A sensor watches a sector if the sensor reaches the
-// sector's arc and has swept the azimuths at which it sees the arc. A sensor that does not spin
-// must have swept seven eighths of the arc's azimuths in the current frame. A spinning unit may
-// sweep a sector in two frames, and a frame may be shorter than a turn. For a spinning unit, it is
-// therefore enough to sweep half of the azimuths in one frame. The sector then counts as watched
-// for 200 ms.
+// with a radius of 20 m around the origin. A sensor watches a sector if it reaches the sector's arc
+// and has swept the azimuths at which it sees this arc. A sensor that does not spin must have swept
+// seven eighths of these azimuths in the current frame. A spinning unit may sweep a sector in two
+// frames, and a frame may be shorter than a turn. For such a unit, it is therefore enough to sweep
+// half of the azimuths in one frame. The sector then counts as watched for 200 ms.
 //
-// Radars and ultrasonic sensors watch no sector, because they do not report every object.
+// Radars and ultrasonic sensors watch no sector because they do not report every object.
 //
 // If a scan has no returns, the sensor watches no sector. A sensor does not watch a sector in which
 // it is blocked (blocked_sectors.hpp).
@@ -41,23 +40,23 @@ struct Surroundings {
 
 class WatchedSectors {
  public:
-  // The slowest unit turns five times per second.
+  // The slowest unit makes five revolutions per second.
   static constexpr std::uint64_t kTurnUs = 200'000;
 
   // The sensors must outlive this object.
   explicit WatchedSectors(std::span<const vehicle::Sensor> sensors);
 
-  // This class is not copyable, because it contains pointers to its own members.
+  // This class is not copyable because it contains pointers to its own members.
   WatchedSectors(const WatchedSectors&) = delete;
   WatchedSectors& operator=(const WatchedSectors&) = delete;
 
   // Adds a packet of the current frame.
   void add(std::size_t sensor, const Packet& packet);
 
-  // Returns the surroundings at the end of the frame that `intake` has received.
+  // Returns the surroundings at the end of the frame whose packets `intake` has received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
-  // Returns the silent azimuths of a packet of this sensor, based on earlier frames.
+  // Returns the silent azimuths of a packet of this sensor. They depend on earlier frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
     return blocked_[sensor].silent_azimuths(packet);
   }

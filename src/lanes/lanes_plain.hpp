@@ -1,6 +1,6 @@
-// The plain C++ version of the operations on sixteen indexes at once and on two rows of bits. This
-// version is the specification of the other versions. Machines without vector instructions use this
-// version.
+// The plain C++ implementation of operations on sixteen indexes at once and on two rows of bits.
+// This version is the reference for the other implementations. Machines without vector instructions
+// use this version.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,8 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // The arguments are four rows, each in two halves. The result has one bit per lane. A bit is set
-  // if its lane is negative. Bit 0 is the leftmost lane.
+  // The arguments are four rows, each split into two halves. The result has one bit per lane. A bit
+  // is set if the value of its lane is negative. Bit 0 is the leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};
@@ -119,7 +119,8 @@ class PlainRowPair {
     return {first_ & ~other.first_, second_ & ~other.second_};
   }
 
-  // `up()` shifts towards the higher bits and down() towards the lower bits. Both fill with zeros.
+  // `up()` shifts towards the higher bits, and down() shifts towards the lower bits. Both fill with
+  // zeros.
   template <int kBits>
   [[nodiscard]] PlainRowPair up() const {
     return {first_ << kBits, second_ << kBits};

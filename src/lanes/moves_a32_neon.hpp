@@ -1,6 +1,6 @@
-// NEON loads and stores of ARM state that advance their own pointer, and other single instructions
-// that the compiler would replace with two or three instructions. CMake generates
-// lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
+// Defines NEON loads and stores of ARM state that advance their own pointer. Also defines other
+// single instructions that the compiler would replace with two or three instructions. CMake
+// generates lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -87,8 +87,8 @@ inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::ui
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// Copies 16 bytes from each of two rows, one after the other. All pointers advance by the length of
-// a row, 32 bytes. All pointers are aligned to 16 bytes.
+// Copies 16 bytes from each of two rows, first from one and then from the other. All pointers
+// advance by the length of a row, 32 bytes. All pointers are aligned to 16 bytes.
 inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right,
                              std::int8_t*& to) {
   constexpr std::int32_t kRow = 32;

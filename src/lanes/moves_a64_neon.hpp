@@ -44,7 +44,7 @@ inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_ot
   return vbslq_u8(is_other, others, cells);
 }
 
-// 64 bits at a time.
+// Adds 64 bits at a time.
 inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::uint32_t, 32>& b,
                 std::array<std::uint32_t, 32>& sum) {
   std::uint64_t carry = 0;

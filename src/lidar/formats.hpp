@@ -114,7 +114,7 @@ constexpr void for_each_format(Visit&& visit) {
   return name;
 }
 
-// True if the scans of this format are turns of a spinning lidar.
+// Returns true if each scan of this format is one turn of a spinning lidar.
 [[nodiscard]] constexpr bool turns(Format format) {
   bool it_does = false;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -5,13 +5,13 @@
 // blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
 // Each block contains an azimuth and one range per laser. Packets of a Pandar40P have no header.
 // Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
-// return mode, the blocks form pairs with the same azimuth. The position of the nearer return in a
-// pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all other
-// differences between units. The compiler generates a decoder from each HesaiUnit.
+// return mode, the blocks form pairs with the same azimuth. The order of the nearer and the farther
+// return in a pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all
+// other differences between units. The compiler generates a decoder from each HesaiUnit.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
-// turns by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
-// conversion, the decoder ignores the rotation of the head during a block.
+// rotates by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
+// conversion, the decoder ignores this rotation.
 #pragma once
 
 #include <array>
@@ -69,9 +69,9 @@ class HesaiPacket {
   static constexpr std::int32_t kTicksPerTurn = 36'000;  // 0.01 degrees
   static constexpr bool kTurns = true;
   // At 20 Hz, a firing covers at most 1.2 degrees of azimuth. If two adjacent blocks are more than
-  // 3 degrees apart, the packet is not a single sweep.
+  // 3 degrees apart, the packet does not cover a single continuous sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // Packets do not contain the rotation of the head during the last block (see
+  // Packets do not show how far the head rotates during the last block (see
   // VelodynePacket::kSeamTicks).
   static constexpr std::uint32_t kSeamTicks = 10;
   static constexpr std::size_t kMaxBlocks = 10;

@@ -11,7 +11,7 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 10
-// fires 28.58 us before the timestamp, and each block fires 55.56 us before the next block. The
+// fires 28.58 us before the timestamp. Each block fires 55.56 us before the following block. The
 // lasers of a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
                                           .blocks = 10,
@@ -31,7 +31,7 @@ inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
 class HesaiPandar40p : public HesaiDecoder<kPandar40pUnit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar40P";
-  // One turn takes 180 packets of 400 points, or 360 packets in dual return mode.
+  // One turn consists of 180 packets of 400 points, or 360 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar40p", .range_min_mm = 300, .max_points_per_scan = 370 * 400};
   static constexpr std::array<double, 0> kElevationsDeg{};

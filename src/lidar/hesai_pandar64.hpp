@@ -10,8 +10,8 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 6 fires
-// 42.58 us before the timestamp, and each block fires 55.56 us before the next block. The lasers of
-// a block fire 3.62 to 54.67 us before the block's firing time.
+// 42.58 us before the timestamp. Each block fires 55.56 us before the following block. The lasers
+// of a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,
@@ -33,8 +33,8 @@ inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
 class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
-  // In single return mode, one turn takes 300 packets of 384 points. In dual return mode, one turn
-  // has more points than a frame can mark.
+  // In single return mode, one turn consists of 300 packets of 384 points. In dual return mode, one
+  // turn has more points than can be marked in a frame.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -1,6 +1,7 @@
 // Decodes the data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data
 // Packet"). The lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The
-// angles differ between units, so the car file contains the angles from the manufacturer's file.
+// angles differ between units, so the car file contains the angles from the manufacturer's
+// calibration file.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 1 fires
-// 25.71 us after the timestamp, and each block fires 166.67 us before the next block. The lasers of
-// a block fire 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to
+// 25.71 us after the timestamp. Each block fires 166.67 us before the following block. The lasers
+// of a block fire 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to
 // 136.45 us for these times.
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .flags = 0x01,
@@ -37,7 +38,7 @@ inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
 class HesaiQt64 : public HesaiDecoder<kQt64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarQT-64";
-  // One turn takes 150 packets of 256 points, or 300 packets in dual return mode.
+  // One turn consists of 150 packets of 256 points, or 300 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt64", .range_min_mm = 100, .max_points_per_scan = 310 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -21,9 +21,9 @@ struct HesaiXtLayout {
 };
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. The last
-// block fires 5.632 us after the timestamp, and each block fires 50 us before the next block. The
-// first laser of a block fires 0.368 us after the block's firing time. Each further laser fires
-// laser_ns after the previous laser.
+// block fires 5.632 us after the timestamp. Each block fires 50 us before the following block. The
+// first laser of a block fires 0.368 us after the block's firing time. Each of the other lasers
+// fires laser_ns after the previous one.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,
@@ -55,7 +55,7 @@ inline constexpr HesaiUnit kXt32mUnit = make_hesai_xt(
 class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-16";
-  // One turn takes 250 packets of 128 points, or 500 packets in dual return mode.
+  // One turn consists of 250 packets of 128 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt16", .range_min_mm = 500, .max_points_per_scan = 512 * 128};
   // The elevation of each channel, in wire order.
@@ -66,7 +66,7 @@ class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
 class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32";
-  // One turn takes 250 packets of 256 points, or 500 packets in dual return mode.
+  // One turn consists of 250 packets of 256 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
   // The elevation of each channel, in wire order.
@@ -76,7 +76,7 @@ class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
 };
 
 // The data sheet specifies a field of view of 40.3 degrees that starts 19.5 degrees below the
-// horizon, with a spacing of 1.3 degrees.
+// horizon, and a layer spacing of 1.3 degrees.
 consteval std::array<double, 32> elevations_of_xt32m() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < elevations.size(); ++channel) {
@@ -88,7 +88,7 @@ consteval std::array<double, 32> elevations_of_xt32m() {
 class HesaiXt32m : public HesaiDecoder<kXt32mUnit> {
  public:
   static constexpr std::string_view kName = "Hesai PandarXT-32M";
-  // One turn takes 334 packets of 192 points, or 667 packets in dual return mode.
+  // One turn consists of 334 packets of 192 points, or 667 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32m", .range_min_mm = 500, .max_points_per_scan = 682 * 192};
   // The elevation of each channel, in wire order.

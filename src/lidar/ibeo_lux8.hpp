@@ -1,10 +1,10 @@
 // Decodes the messages of ibeo LUX and SICK LD-MRS units with eight layers into scan points.
 //
 // The messages have the format of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
-// mirror scan alternately. One side is tilted downwards and the other upwards, relative to the
-// mirror's axis. Each message contains four layers. A flag specifies whether a message contains the
-// lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). Units with four layers also set
-// this flag, so a message does not show whether its unit has four or eight layers.
+// mirror scan alternately. Relative to the mirror's axis, one side is tilted downwards and the
+// other upwards. Each message contains four layers. A flag specifies whether they are the lower or
+// the upper four layers (SICK, libsick_ldmrs, LuxBase). Units with four layers also set this flag,
+// so a message does not show whether its unit has four or eight layers.
 #pragma once
 
 #include <array>
@@ -44,9 +44,9 @@ class IbeoLux8 {
   }
   [[nodiscard]] static constexpr bool looks_up(std::size_t layer) { return layer >= kLayersOfSide; }
 
-  // Works like IbeoLux::decode(), but also returns kWrongAngle for a sector that the unit cannot
-  // see, and kOtherUnit if the unit is mounted upside down. The beam directions of a unit mounted
-  // upside down are unknown.
+  // Works like IbeoLux::decode(), but also returns kWrongAngle if the unit cannot see the sector,
+  // and kOtherUnit if the unit is mounted upside down. The beam directions of a unit that is
+  // mounted upside down are unknown.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }

@@ -14,7 +14,7 @@ struct Laser {
   double range_m = 0;        // offset added to every range, -10 to 10
 };
 
-// The part of a laser's calibration that changes a scan point, as integers.
+// The integer corrections of a laser that change a scan point.
 struct LaserCorrection {
   std::int16_t azimuth_ticks = 0;  // counter-clockwise; at most one twelfth of a turn
   std::int16_t range_mm = 0;

@@ -19,7 +19,7 @@ class LayerSearch {
 
   LayerSearch() = default;
   // `rising` must contain at least one elevation. The elevations must be in ascending order and
-  // within a quarter turn, which has at most 2^20 units. The array must outlive the search.
+  // span at most a quarter turn (2^20 units). The array must outlive the search.
   explicit LayerSearch(std::span<const std::int32_t> rising) : rising_(rising) {
     const std::size_t last = rising.size() - 1;
     lowest_ = rising.front() - (last == 0 ? kAlone : (rising[1] - rising[0]) / 2);
@@ -37,7 +37,7 @@ class LayerSearch {
     return elevation >= lowest_ && elevation <= highest_;
   }
 
-  // Returns the nearest layer. If two layers are equally near, returns the upper layer.
+  // Returns the nearest layer. If two layers are equally near, returns the upper one.
   [[nodiscard]] std::size_t nearest(std::int32_t elevation) const {
     const std::size_t layer = guess(elevation);
     return is_nearest(layer, elevation) ? layer : found(elevation);

@@ -6,7 +6,7 @@
 // zeros at the end of a payload.
 //
 // The message contains no direction. The point therefore lies on the sensor's axis, and the
-// sensor's arc is as wide as the sensor's cone (sensor_model/arc.hpp).
+// sensor's arc is as wide as its cone (sensor_model/arc.hpp).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class MavlinkUltrasonic {
  public:
   static constexpr std::string_view kName = "MAVLink ultrasonic";
   // Distances are sent in centimetres. Unless the air temperature is measured, the speed of sound
-  // is known only to within 1 %. Hits are strongest if a 1D cell is twice as long as sigma.
+  // is known only to within 1 %. Hits get the highest index if a 1D cell is twice as long as sigma.
   static constexpr DataSheet kDataSheet{.type = "mavlink_ultrasonic",
                                         .range_min_mm = 200,
                                         .range_max_mm = 5'000,
@@ -45,7 +45,7 @@ class MavlinkUltrasonic {
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) { return 1; }
 
   // Returns kOk, kWrongLength, kWrongType or kWrongAngle. `kWrongLength` means that the length
-  // differs from the length in the header or exceeds the maximum for the message. `kWrongType`
+  // differs from the length in the header or exceeds the message's maximum length. `kWrongType`
   // means that the message is not MAVLink 2, is signed or has other flags, has another message
   // number, has a wrong checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
   // according to the message, the sensor does not point to a side of its carrier.
@@ -61,9 +61,9 @@ class MavlinkUltrasonic {
   void move_to(std::span<const std::byte> /*copy*/) {}
 
   // Calls visit(const ScanPoint&) once. Requires decode() == kOk. The point has no return if there
-  // was no echo within the sensor's maximum distance. If the sensor reports the echo as invalid, or
-  // if the echo is below the sensor's minimum distance, the point is flagged in the same way as a
-  // lidar's rain return.
+  // was no echo within the sensor's maximum distance. The point is flagged like a lidar's rain
+  // return if the sensor reports the echo as invalid or if the echo is below the sensor's minimum
+  // distance.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     visit(point_);

@@ -5,11 +5,11 @@
 // Manual", chapter "Lidar Data Packet Format"). The decoder supports four profiles: the only
 // profile before firmware 2.0 (LEGACY), "low data rate" (RNG15), "single return" (RNG19) and "dual
 // return" (RNG19 dual). The car file specifies the profile, the number of rows and the number of
-// columns per turn, because packets do not contain them.
+// columns per turn, because packets do not contain these values.
 //
-// Column i of W columns is measured when the head has turned clockwise by i / W of a turn, starting
-// in the direction opposite to x. The head is 16 mm wide. The decoder assumes that beams start at
-// the centre of the head. This assumption moves a point by less than 1 mm.
+// There are W columns in a turn. Column i is measured when the head has turned clockwise by i / W
+// of a turn from the direction opposite to x. The head is 16 mm wide. The decoder assumes that
+// beams start at the centre of the head. This assumption moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,8 @@
 namespace iog::lidar {
 
 // The differences between profiles. To obtain a range in mm, the decoder masks the first word of
-// the pixel and shifts it left. If each beam has two returns, the pixel contains a second range.
+// the pixel and shifts the result left. If each beam has two returns, the pixel contains a second
+// range.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -165,9 +166,9 @@ class OusterDecoder : public OusterPacket {
   // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
   // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
   // packet has another type, or that the times between columns do not match the unit's mode.
-  // `kWrongAngle` means that a column number is too high or contradicts its encoder, or that the
-  // columns are not consecutive. `kWrongPoint` means that no column was measured. `kOtherUnit`
-  // means that the pixels have the format of another profile.
+  // `kWrongAngle` means that a column number is too high or does not match the encoder value, or
+  // that the columns are not consecutive. `kWrongPoint` means that no column was measured.
+  // `kOtherUnit` means that the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }

@@ -3,11 +3,11 @@
 //
 // A datagram is little-endian and contains a header and up to 85 points of a scan. A point consists
 // of a direction and a range, or of x, y and z, in the sensor frame. Angles are in units of 1/3,200
-// degree. In these units, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers.
-// The car file specifies the elevations of the layers. Each point belongs to the nearest layer.
+// degree. In this unit, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers. The
+// car file specifies the elevations of the layers. Each point belongs to the nearest layer.
 //
-// Two formats use this layout. PointsTurning is for spinning units, and kTurns is true in this
-// format. Points is for all other units.
+// Two formats use this layout. PointsTurning, whose kTurns is true, is for spinning units. Points
+// is for all other units.
 #pragma once
 
 #include <algorithm>
@@ -145,8 +145,8 @@ class PointsDecoder : public PointsPacket {
   // kWrongLength, kWrongType, kWrongAngle or kWrongPoint. `kWrongLength` means that the length
   // differs from the length in the header or exceeds the maximum, or that the unit has no layers.
   // `kWrongType` means that the magic number, the version or a flag is unknown. `kWrongAngle` means
-  // that the sector is larger than a turn, or that the scan has no datagram of this number.
-  // `kWrongPoint` means that a point is impossible or outside the sector of the datagram.
+  // that the sector is larger than a turn, or that the number of the datagram is too high for the
+  // scan. `kWrongPoint` means that a point is impossible or outside the sector of the datagram.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
   }
@@ -162,7 +162,7 @@ class PointsDecoder : public PointsPacket {
   }
 
   // Calls visit(const ScanPoint&) for each first echo in the sampled layers. The function uses all
-  // firings, because a datagram contains only a few firings. In a datagram with x, y and z, the
+  // firings, because a datagram contains only a few firings. If a datagram has x, y and z, the
   // function reads only every third point, because computing a direction is slow. Requires decode()
   // == kOk.
   template <typename Visit>
@@ -193,8 +193,8 @@ class PointsDecoder : public PointsPacket {
   // For spinning units, echo 1 represents all later echoes.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
-  // Points outside the layers are flagged as rain, because the car file defines no beams in their
-  // directions.
+  // Points in directions outside the layers are flagged as rain, because the car file defines no
+  // beams there.
   template <bool kArePlacesHere>
   [[nodiscard]] ScanPoint point(PointBytes bytes) const {
     const std::uint8_t flags = flags_at(bytes);

@@ -9,7 +9,7 @@
 
 namespace iog::lidar {
 
-// This constant is beyond the reach of every unit. Longer ranges, in a packet or after the unit's
+// No unit can measure a range above this constant. Longer ranges, in a packet or after the unit's
 // correction, are clamped to kMaxRangeMm.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
@@ -42,10 +42,10 @@ struct Sector {
 };
 
 // The time at which a packet was measured, in microseconds of the sensor's own clock. The epoch of
-// this clock is 1970-01-01 UTC for a LUX and a Hesai, and the full hour for a Velodyne. For an
-// Ouster, the epoch depends on the configuration. With PTP, an Ouster's epoch is also 1970. For a
-// LUX, the times refer to the whole scan, even if the packet contains only a part of the scan. For
-// spinning units, the times refer to the packet.
+// this clock is 1970-01-01 UTC for a LUX and a Hesai, and the start of the current hour for a
+// Velodyne. For an Ouster, the epoch depends on the configuration (1970 with PTP). For a LUX, the
+// times refer to the whole scan, even if the packet contains only a part of the scan. For spinning
+// units, the times refer to the packet.
 struct Sweep {
   std::uint64_t begin_us = 0;
   std::uint64_t end_us = 0;
@@ -54,7 +54,8 @@ struct Sweep {
   bool is_of_packet = false;  // the times refer to the packet, otherwise to the whole scan
 };
 
-// The contents of a packet's header, which are available before any point is checked.
+// The contents of a packet's header. The header's contents are available before any point is
+// checked.
 struct PacketInfo {
   std::uint64_t fingerprint = 0;  // two packets have the same value only if they are identical
   std::uint32_t scan_number = 0;  // scan counter of the sensor; 0 if the format has none

@@ -1,5 +1,4 @@
-// The properties of a scanner that follow from its format. The format's decoder defines these
-// properties.
+// The properties of a scanner that the decoder of its format defines.
 #pragma once
 
 #include <cstddef>

@@ -33,15 +33,15 @@ constexpr bool TurnMode::is_valid() const {
 }
 
 struct Unit {
-  // One correction per layer, or no corrections. If the packets of a format do not contain the
-  // number of layers, the size of this span is the number of layers. The storage must be static or
-  // must outlive the packets.
+  // One correction per layer, or an empty span. If the packets of a format do not contain the
+  // number of layers, the size of this span determines it. The storage must be static or must
+  // outlive the packets.
   std::span<const LaserCorrection> corrections{};
   // The elevations of the layers in ascending order, in units of 1/3,200 degree. The elevations are
   // used only for units whose points contain their own elevations. The storage must also be static
   // or outlive the packets.
   std::span<const std::int32_t> elevations{};
-  // The following two values are used only for formats whose packets do not contain these values.
+  // The following two values are used only for formats whose packets do not contain them.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
 };

@@ -26,15 +26,15 @@ namespace iog::lidar {
 struct VelodyneUnit {
   std::uint8_t layers = 0;
   // The number of blocks that share one azimuth if each beam has one return. The number is 2 or 4
-  // if a block is too short for all lasers.
+  // if a block is too short for the ranges of all lasers.
   std::uint8_t banks = 1;
   std::uint8_t product = 0;      // byte 1205; if there are two banks, this byte has another meaning
   std::uint8_t old_product = 0;  // value of the same byte in old firmware
   std::uint8_t range_unit_mm = 0;
   bool has_two_returns = true;  // if the unit is configured for it
   std::uint32_t block_ns = 0;   // time from one azimuth to the next
-  // Each channel fires fires_at / block_parts * block_ns after the azimuth of the channel's block
-  // is measured.
+  // Each channel fires fires_at / block_parts * block_ns after the azimuth of its block is
+  // measured.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
   // The clockwise azimuth offset of each channel from the unit's direction, in units of 0.01
@@ -69,9 +69,10 @@ class VelodynePacket {
   static constexpr std::int32_t kTicksPerTurn = velodyne::kTurn;
   static constexpr bool kTurns = true;
   // A block takes at most 110.592 us, which is 0.8 degrees at the maximum rotation rate of 20 Hz.
-  // If two adjacent blocks are more than 3 degrees apart, the packet is not a single sweep.
+  // If two adjacent blocks are more than 3 degrees apart, the packet does not cover a single
+  // continuous sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // Packets do not contain the rotation of the head during the last block, and the rotation speed
+  // Packets do not show how far the head rotates during the last block, and the rotation speed
   // varies by up to a tenth. The sector of a packet is therefore widened by kSeamTicks. As a
   // result, adjacent sectors overlap instead of leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
@@ -82,7 +83,7 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Returns the properties of the unit that a valid packet shows.
+  // Returns the properties of the unit, as found in a valid packet.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
   // Moves the view to this copy of the datagram.
@@ -93,8 +94,8 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // The azimuth of each channel of a block: the rotation of the unit until the channel fires, plus
-  // the channel's own offset.
+  // The azimuth of each channel of a block. This azimuth is the rotation of the unit until the
+  // channel fires, plus the channel's own offset.
   struct Firing {
     std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
@@ -206,8 +207,8 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
   // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit as
-  // std::for_each() does. The compiler can then keep counters inside visit in registers. Requires
-  // decode() == kOk.
+  // std::for_each() does. By returning visit, the function lets the compiler keep counters inside
+  // visit in registers. Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {

@@ -43,8 +43,8 @@ consteval std::array<double, 32> make_hdl32e_elevations() {
 class VelodyneHdl32e : public VelodyneDecoder<kHdl32eUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-32E";
-  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 181
-  // packets, or 362 packets in dual return mode.
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz consists
+  // of 181 packets, or 362 packets in dual return mode.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl32e", 370);
   // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = make_hdl32e_elevations();

@@ -45,8 +45,8 @@ inline constexpr VelodyneUnit kHdl64eS3Unit = make_hdl64e(kHdl64eS3Timing, true)
 class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S2";
-  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 348
-  // packets.
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz consists
+  // of 348 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s2", 360);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };
@@ -54,9 +54,9 @@ class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
 class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
-  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 290
-  // packets. In dual return mode, one turn takes 579 packets, and the car file must allow for this
-  // number.
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz consists
+  // of 290 packets. In dual return mode, one turn consists of 579 packets, and the car file must
+  // specify a maximum that allows for them.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

@@ -23,7 +23,7 @@ inline constexpr VelodyneUnit kPuckHiresUnit = make_puck_hires();
 class VelodynePuckHires : public VelodyneDecoder<kPuckHiresUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne Puck Hi-Res";
-  // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode consists of 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_puck_hires", 160);
   // The elevation of each laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{

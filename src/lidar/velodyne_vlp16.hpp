@@ -1,5 +1,5 @@
 // Decodes the data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block
-// contains two firings of the 16 lasers, but only the azimuth of the first firing.
+// contains two firings of the 16 lasers, but the azimuth of only the first firing.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ inline constexpr VelodyneUnit kVlp16Unit = make_vlp16();
 class VelodyneVlp16 : public VelodyneDecoder<kVlp16Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-16";
-  // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode consists of 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp16", 160);
   // The elevation of each laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{-15, 1, -13, 3,  -11, 5,  -9, 7,

@@ -35,7 +35,7 @@ inline constexpr VelodyneUnit kVlp32cUnit = make_vlp32c();
 class VelodyneVlp32c : public VelodyneDecoder<kVlp32cUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLP-32C";
-  // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 302 packets.
+  // The precision is 3 cm. One turn at 10 Hz in dual return mode consists of 302 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp32c", 310);
   // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg{

@@ -15,9 +15,9 @@
 
 namespace iog::lidar {
 
-// According to chapter 9.4, a firing consists of 20 slots. Groups 0 to 7 use the first slots, one
-// slot is a pause, and groups 8 to 15 use the next slots. The manual specifies 53.3 us per firing.
-// In a recording, the three firings of a packet take 165.84 us.
+// According to chapter 9.4, a firing consists of 20 slots. Groups 0 to 7 use the first eight slots.
+// A pause of one slot follows, and then groups 8 to 15 use the next eight slots. The manual
+// specifies 53.3 us per firing. In a recording, the three firings of a packet take 165.84 us.
 consteval VelodyneUnit make_vls128() {
   VelodyneUnit unit{.layers = 128,
                     .banks = 4,
@@ -40,7 +40,7 @@ inline constexpr VelodyneUnit kVls128Unit = make_vls128();
 class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne VLS-128";
-  // The precision is 3 cm. One turn at 10 Hz takes 603 packets.
+  // The precision is 3 cm. One turn at 10 Hz consists of 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
   // The elevation of each laser id, bank by bank and then channel by channel.
   static constexpr std::array<double, 128> kElevationsDeg{

@@ -1,8 +1,8 @@
 // A map block contains buildings and roads as polygons, with an index of buckets. `docs/spec.md`,
 // section 6, describes each byte.
 //
-// A block is untrusted until check() has accepted the whole block. A Block reads accepted bytes
-// without further checks. The bytes must not change after check().
+// A block is untrusted until check() has accepted all of it. A Block then reads its bytes without
+// further checks. The bytes must not change after check().
 #pragma once
 
 #include <algorithm>
@@ -66,15 +66,14 @@ struct Tables {
   std::size_t features_at = 0;  // of the first feature
 };
 
-// Runs check() in steps, for callers that cannot check a whole block at once.
+// Runs check() in steps, for callers that cannot check an entire block at once.
 class Check {
  public:
-  // The bytes must outlive the check and must not change while it runs.
+  // The bytes must outlive this object and must not change while the check runs.
   explicit Check(std::span<const std::uint8_t> bytes);
 
   // Continues the check until it has processed about `budget` bytes. Features and buckets are not
-  // split, so a single feature or bucket may exceed the budget. Returns true if the check has
-  // ended.
+  // split, so a single one of them may exceed the budget. Returns true if the check has ended.
   bool advance(std::size_t budget);
 
   // The result is valid after the check has ended.
@@ -119,8 +118,8 @@ class Block {
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
   // Returns the date in seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // Returns the map's accuracy. Of 100 vertices, 95 are closer to their true positions than this
-  // distance.
+  // Returns the map's accuracy. On average, 95 of 100 vertices are closer to their true positions
+  // than this distance.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
   [[nodiscard]] std::uint32_t size_bytes() const { return words_.u32(8); }
@@ -133,9 +132,8 @@ class Block {
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
-  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. The
-  // function visits buckets row by row. Within a bucket, the function visits features in the order
-  // of their numbers.
+  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. Visits
+  // buckets row by row. Within a bucket, visits features in the order of their numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
@@ -179,7 +177,7 @@ class FeatureWalk {
   [[nodiscard]] bool is_over() const { return is_over_; }
 
   // Examines one entry, or continues with the next bucket. Each feature is listed in all buckets
-  // that its box overlaps, but is returned only in the first visited bucket. Do not call this
+  // that its box overlaps, but it is returned only in the first visited bucket. Do not call this
   // function if is_over() returns true.
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {

@@ -8,8 +8,8 @@
 
 namespace iog::map {
 
-// Returns the cells of the tile that have a set bit within `radius` cells, measured from centre to
-// centre. `radius` is 0 ... kHalo. Only rows within the radius are read.
+// Returns the cells of the tile that have a set bit within `radius` cells. Distances are measured
+// from centre to centre. `radius` is 0 ... kHalo. Only rows within the radius are read.
 [[nodiscard]] window::Plane blurred(const FrameBits& bits, std::int32_t radius);
 
 }  // namespace iog::map

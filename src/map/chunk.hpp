@@ -2,7 +2,7 @@
 // E2E headers (protection/protected_message.hpp), a header of 20 bytes, and up to 1280 bytes of the
 // block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each byte.
 //
-// The sender and the target share this file, so both use the same format.
+// The sender and the target both use this file, so they use the same format.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Two blocks are different if the CRC or the number of bytes
-// differs.
+// Identifies the block of a chunk. Two blocks are different if their CRCs or their numbers of bytes
+// differ.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
@@ -60,7 +60,7 @@ struct Chunk {
 class ChunkEncoder {
  public:
   // Returns the whole message, which is valid until the next call. The chunk must have at most
-  // kChunkBytes bytes. The encoder does not check the fields, because the decoder checks them.
+  // kChunkBytes bytes. The encoder does not check the fields because the decoder checks them.
   [[nodiscard]] std::span<const std::byte> encode(const Chunk& chunk);
 
  private:
@@ -73,7 +73,7 @@ struct DecodedChunk {
   Chunk chunk{};                // only if the chunk is valid; refers to the datagram
 };
 
-// Decodes a chunk. The function accepts any bytes. The outcome is kTaken, or one of the values from
+// Decodes a chunk. The function accepts any bytes. The outcome is kTaken or one of the values from
 // kTooShort to kOutOfRange.
 [[nodiscard]] DecodedChunk decode_chunk(std::span<const std::byte> datagram);
 

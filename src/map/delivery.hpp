@@ -1,16 +1,16 @@
-// Receives map blocks in chunks. Of the two buffers, chunks are stored in the buffer that does not
-// contain the block in use.
+// Receives map blocks in chunks. Chunks are stored in whichever of the two buffers does not hold
+// the block in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
-// arrived, the whole block is checked, with a limited number of bytes per frame. A valid block is
-// in use as soon as the check has ended. An invalid block is dropped, and the previous block stays
-// in use.
+// arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
+// valid block is used as soon as its check has ended. An invalid block is dropped, and the previous
+// block stays in use.
 //
 // Only one block is delivered at a time, so a late or forged chunk cannot interrupt a delivery. The
 // delivery of another block may start if no new chunk of the current block has arrived for
 // kPatienceUs.
 //
-// The CRC detects damage on the network, but does not authenticate the sender. Anyone who can send
+// The CRC detects transmission errors, but it does not authenticate the sender. Anyone who can send
 // from the configured address can replace the map.
 #pragma once
 
@@ -69,8 +69,8 @@ class Delivery {
                std::uint64_t arrival_us);
 
   // Sets a block that is available from the start, such as a block in the firmware image. Call this
-  // function before the first frame. The block must outlive this object. The function checks the
-  // block immediately, and counts a rejection like any other rejection.
+  // function before the first frame. The block must outlive this object. Checks the block
+  // immediately, and counts a rejection like any other rejection.
   void begin_with(std::span<const std::uint8_t> block);
 
   // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the

@@ -7,7 +7,7 @@
 
 namespace iog::map {
 
-// The outcome of a datagram. All outcomes except kTaken are drops, which change nothing.
+// The outcome of a datagram. All outcomes except kTaken are drops, which have no effect.
 enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored

@@ -1,18 +1,18 @@
-// The map layer of the window. The layer schedules the drawing of tiles, that is, it determines
+// The map layer of the window. The layer schedules the drawing of tiles. That is, it determines
 // which tiles are drawn, which tiles are pending, and which tiles must be drawn again.
 //
 // A tile becomes pending when it enters the window or when the map changes. A drawn tile also
-// becomes pending if the transform has moved any corner by more than a cell since the drawing, or
-// if the blur is now wider than the blur of the drawing. If the blur becomes narrower, the tile is
-// not drawn again, because its mask is still correct, although less specific than possible. The
-// cells of a pending tile may have any class. The tile that has been pending longest is drawn
-// first. If several tiles have been pending equally long, the tile with the lowest slot is drawn
-// first.
+// becomes pending in two cases: the transform has moved one of its corners by more than a cell
+// since the drawing, or the blur is now wider than in the drawing. If the blur becomes narrower,
+// the tile is not drawn again, because its mask is still correct, although it is less specific than
+// possible. The cells of a pending tile may have any class. The tile that has been pending longest
+// is drawn first. If several tiles have been pending equally long, the one with the lowest slot is
+// drawn first.
 //
 // If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. The layer
-// still draws the map, so that it can detect renewed agreement.
+// still draws the map so that it can detect when the map agrees with the sensors again.
 //
-// The budget of a frame, kWorkPerFrame, is measured in edges. If the budget is used up, the
+// The budget of a frame (kWorkPerFrame) is measured in edges. If the budget is used up, the
 // remaining work is postponed to the next frame, even in the middle of a tile. A tile takes effect
 // only when its drawing is complete.
 #pragma once
@@ -35,7 +35,7 @@
 namespace iog::map {
 
 // Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing, and an
-// entry of the block's index costs 1. The constants below define the costs of other work on a tile.
+// entry in the block's index costs 1. The constants below define the costs of other work on a tile.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
@@ -60,12 +60,12 @@ class Layer {
 
   // Call this function once per frame, after the window has followed the vehicle. `block` is the
   // block in use, or null. The bytes of the block must stay valid until the next call. `transform`
-  // is the transform of the newest pose, if the pose has a transform.
+  // is the transform of the newest pose, if this pose has one.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
   // Call this function instead of work() if the window has no frame. The function updates only the
-  // report, so a pause without data has no effect on the drawing of tiles.
+  // report, so a pause without data does not affect the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
@@ -117,7 +117,7 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // These members are stored by slot in separate arrays, so that a scan over all states reads no
+  // These members are stored by slot in separate arrays so that a scan over all states reads no
   // other data.
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
@@ -133,7 +133,7 @@ class Layer {
   std::int32_t cell_mm_ = geometry::kCellMm;
   std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
-  // The following members describe the last frame in which no cause prevented drawing.
+  // The following members describe the last frame in which nothing prevented drawing.
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;

@@ -1,4 +1,4 @@
-// Reports the effect of the map on the window, or the reason why the map has no effect.
+// Reports the effect of the map on the window, or the reason why it has none.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace iog::map {
 
-// The reason why no tile has a mask. If several causes apply, the first cause is reported.
+// The reason why no tile has a mask. If several causes apply, only the first one is reported.
 enum class Cause : std::uint8_t {
   kNone,
   kNoMap,         // no block
@@ -41,7 +41,7 @@ struct LayerReport {
   std::uint16_t tiles_drawn = 0;    // with a mask
   std::uint16_t tiles_outside = 0;  // outside the extent
   std::uint16_t tiles_waiting = 0;
-  // In this frame:
+  // The following counts are for this frame.
   std::uint16_t tiles_finished = 0;   // drawn, or found to be outside
   std::uint16_t tiles_withdrawn = 0;  // lost their mask, so that the map has no effect on them
   std::uint32_t work = 0;             // out of kWorkPerFrame (map/layer.hpp)

@@ -1,5 +1,5 @@
-// A hash that identifies the origin of a map. Two maps, or a map and a pose, refer to the same
-// plane if their hashes are equal.
+// A hash that identifies the origin of a map. If the hashes of two maps, or of a map and a pose,
+// are equal, both refer to the same plane.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace iog::map {
 
 // Returns the 64-bit FNV-1a hash (Fowler, Noll, Vo) of latitude and longitude in units of 1e-9
-// degrees. The hashed data are 16 bytes in big-endian byte order, with the latitude first.
+// degrees. The hash covers 16 bytes in big-endian byte order, with the latitude first.
 [[nodiscard]] constexpr std::uint64_t origin_name(std::int64_t latitude, std::int64_t longitude) {
   constexpr std::uint64_t kOffsetBasis = 0xCBF29CE484222325;
   constexpr std::uint64_t kPrime = 0x00000100000001B3;

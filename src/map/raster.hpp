@@ -2,11 +2,11 @@
 // polygon.
 //
 // Each row is stored in a word, starting with the lowest y. Bit i represents the cell in column i.
-// According to the even-odd rule, a centre is inside if the edges cross the centre's row an odd
-// number of times at or left of the centre. An edge crosses the rows from its lower end (inclusive)
-// to its upper end (exclusive). Borders are therefore half open, so polygons that share an edge
-// have no common cell and leave no gap. The only inexact step is the rounding of vertices to fine
-// units (map/tile_place.hpp).
+// By the even-odd rule, a centre is inside if the edges cross its row an odd number of times at or
+// left of the centre. An edge crosses the rows from its lower end (inclusive) to its upper end
+// (exclusive). Borders are therefore half open. Polygons that share an edge have no cell in common
+// and leave no gap. The only inexact step is the rounding of vertices to fine units
+// (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The range of rows and columns within a distance from the tile.
+// The range of rows and columns that are within a distance from the tile.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive
@@ -36,8 +36,8 @@ struct RowRange {
 // Collects the edges of a polygon in any order, and then returns the cells inside the polygon.
 class Raster {
  public:
-  // Discards all edges. Later results are valid only in `rows`, and in the columns with the same
-  // numbers.
+  // Discards all edges. After this call, results are valid only in `rows` and in the columns with
+  // the same numbers.
   void clear(RowRange rows);
 
   // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row need

@@ -1,4 +1,4 @@
-// Describes the sender of maps. This description is part of a vehicle's description.
+// Describes the sender of maps, as a part of a vehicle's description.
 #pragma once
 
 #include <cstdint>

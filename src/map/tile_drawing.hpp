@@ -1,11 +1,10 @@
-// Draws one tile of the window from a block, that is, determines the classes that each cell of the
+// Draws one tile of the window from a block. That is, it determines which classes each cell of the
 // tile may have.
 //
-// A cell's own classes are the classes of all features that contain the cell's centre. If no
-// feature contains the centre, the cell's own class is intermediate space. Outside the extent of
-// the block, any class is possible. The allowed classes of a cell are the own classes of all cells
-// within the radius. A drawing can be suspended. The result is available only when the drawing is
-// complete.
+// A cell's own classes are the classes of all features that contain its centre. If no feature
+// contains the centre, the cell's own class is `intermediate`. Outside the extent of the block, any
+// class is possible. A cell may have any of the own classes of the cells within the radius. A
+// drawing can be suspended. The result is available only when the drawing is complete.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +17,7 @@
 
 namespace iog::map {
 
-// The cost of an edge that crosses a row of the frame, relative to an edge that crosses no row.
+// The cost of an edge that crosses a row of the frame. An edge that crosses no row costs 1.
 inline constexpr std::uint32_t kWorkPerCrossing = 8;
 
 class TileDrawing {
@@ -27,8 +26,8 @@ class TileDrawing {
   // `radius` is in cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 
-  // Returns true if all cells within the radius are outside the extent. In this case, all cells of
-  // the tile may have any class.
+  // Returns true if all cells within the radius are outside the extent, so that all cells of the
+  // tile may have any class.
   [[nodiscard]] static bool is_outside(const Block& block, const TilePlace& place,
                                        std::int32_t radius) {
     return !place.box(radius).meets(block.extent());
@@ -36,8 +35,8 @@ class TileDrawing {
 
   // Continues until the budget is used up or the drawing is complete. Returns true if the drawing
   // is complete. An entry of the block's index costs 1. An edge also costs 1 if the box of its
-  // feature reaches the tile's rows and columns. An edge that crosses a row costs kWorkPerCrossing
-  // instead, but at most the remaining budget.
+  // feature reaches the tile's rows and columns. If the edge crosses a row, it costs
+  // kWorkPerCrossing instead, but at most the remaining budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
   // Returns the mask. The mask is valid only when the drawing is complete.

@@ -21,7 +21,7 @@ struct MacAddress {
 
 inline constexpr MacAddress kBroadcastMac{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
 
-// An IPv4 address in host byte order. On every machine, 10.0.2.15 is 0x0A00020F.
+// An IPv4 address in host byte order. For example, 10.0.2.15 is 0x0A00020F on every machine.
 struct Ipv4Address {
   std::uint32_t value = 0;
 

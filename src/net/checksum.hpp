@@ -23,12 +23,12 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies `bytes` to the front of `to` and adds `bytes` to the sum. `bytes` and `to` must not
+  // Copies `bytes` to the front of `to`, and adds them to the sum. `bytes` and `to` must not
   // overlap. Each byte of `to` is written exactly once, in order, and is never read, so `to` may be
   // uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // Returns the value for the checksum field. The field itself must have been summed as 0.
+  // Returns the value for the checksum field. That field must have been summed as 0.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }

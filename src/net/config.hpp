@@ -1,4 +1,4 @@
-// Network addresses of the target and its peer, taken from the car block of the image.
+// The network addresses of the target and its peer, as given in the car block of the image.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace iog::net {
 
 // The multicast group and port of service discovery. AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol
-// calls them SD_MULTICAST_IP and SD_PORT. The group and the port have the usual values.
+// calls the group SD_MULTICAST_IP and the port SD_PORT. Both have their usual values.
 inline constexpr Ipv4Address kDiscoveryGroup = ipv4(224, 244, 224, 245);
 inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
 inline constexpr std::uint16_t kDiscoveryPort = 30490;
@@ -35,15 +35,15 @@ struct Config {
   std::uint16_t source_port;
 
   // The instance ID of the service that is offered through SOME/IP service discovery. If the ID is
-  // not 0, the target also listens on the discovery port and group. If the ID is 0, service
-  // discovery is disabled.
+  // not 0, the target also listens on the discovery port and joins the discovery group. If the ID
+  // is 0, service discovery is disabled.
   std::uint8_t service_instance = 0;
 };
 
-// Returns true if the configuration meets the preconditions of Host. Use is_valid() in a
+// Returns true if the configuration meets the preconditions of Host. Check is_valid() in a
 // static_assert next to the configuration.
 [[nodiscard]] constexpr bool is_valid(const Config& config) {
-  // The prefix must be checked first, because the other checks use it as a shift count.
+  // The prefix must be checked first because the other checks use it as a shift count.
   return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&
          is_host_in_subnet(config.address, config.address, config.prefix_bits) &&
          is_host_in_subnet(config.peer, config.address, config.prefix_bits) &&

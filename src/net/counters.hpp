@@ -14,7 +14,7 @@
 namespace iog::net {
 
 // The reason why a received frame was dropped. If several reasons apply to a frame, only the first
-// reason is counted.
+// one is counted.
 enum class Drop : std::uint8_t {
   kShort,            // shorter than an Ethernet header
   kNotForUsMac,      // destination is neither our Ethernet address nor broadcast nor our group

@@ -1,5 +1,5 @@
-// Ethernet II framing. A frame consists of destination, source, type and payload, without preamble
-// and FCS.
+// Ethernet II framing. A frame consists of a destination, a source, a type and a payload, without
+// preamble and FCS.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct EthernetFrame {
 };
 
 // Returns nothing if `frame` is shorter than a header. Frames shorter than kMinFrameBytes are
-// accepted, because some virtual links do not pad frames.
+// accepted because some virtual links do not pad frames.
 [[nodiscard]] std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame);
 
 void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,

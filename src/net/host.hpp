@@ -1,17 +1,17 @@
 // A small network host on one Ethernet port. The host receives datagrams and sends messages to one
-// peer.
+// peer. The host answers pings only from the peer, but ARP requests from every host in its subnet,
+// so that sensors can reach it.
 //
-// The host answers ARP requests from every host in its subnet, so sensors can reach it. The host
-// answers pings only from the peer. `send_message()` sends only to the peer. `send_to()` sends to
-// any given destination. The host can also use ARP to resolve one more address, the neighbour.
+// `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
+// can also use ARP to resolve one more address, called the neighbour.
 //
-// The host reads no clock and owns no memory except the port's buffers. The caller provides the
-// memory for reassembly. Received data is copied only during reassembly. Sent data is copied once,
-// and its checksum is computed during the copy. The port's memory is uncached, so reading the data
-// back would be slow.
+// The host reads no clock. The host owns no memory except the port's buffers. The caller provides
+// the memory for reassembly. Received data is copied only during reassembly. Sent data is copied
+// once, and its checksum is computed during the copy. The port's memory is uncached, so it would be
+// slow to read the data back.
 //
-// In each iteration, the loop calls poll() until it returns nothing, sends its messages, and then
-// calls the port's pump().
+// In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
+// then calls the port's pump().
 #pragma once
 
 #include <cstddef>
@@ -37,37 +37,37 @@ inline constexpr int kMaxFramesPerPoll = 32;
 template <hal::EthernetPort Port>
 class Host {
  public:
-  // is_valid(config) must be true. The host has exclusive use of the port. The port must outlive
+  // `is_valid(config)` must be true. The host has exclusive use of the port. The port must outlive
   // the host.
   Host(Port& port, const Config& config) : port_{port}, config_{config} {}
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // Returns the next datagram addressed to us. The datagram is valid until the next call of poll().
-  // Returns nothing if no datagram has arrived, or after kMaxFramesPerPoll other frames. `now_us`
-  // must not decrease.
+  // Returns the next datagram addressed to us. The datagram is valid until the next call to poll().
+  // Returns nothing if no datagram has arrived, or after kMaxFramesPerPoll frames without a
+  // datagram. `now_us` must not decrease.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // Provides the memory in which fragments are reassembled from now on. Before this call, all
-  // fragments are dropped.
+  // Provides the memory for reassembling fragments from now on. Before this call, all fragments are
+  // dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
   // Returns true if the peer's Ethernet address is known.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
-  // Sends a copy of `payload` to the peer. The call fails if the payload is longer than
-  // kMaxUdpPayloadBytes, the peer is unresolved, or the transmit ring is full. If the call fails,
-  // it returns false, sends nothing and counts the cause.
+  // Sends a copy of `payload` to the peer. If the payload is longer than kMaxUdpPayloadBytes, the
+  // peer is unresolved, or the transmit ring is full, the call returns false, sends nothing and
+  // counts the cause.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
   // Sends a copy of `payload` to a destination whose Ethernet address the caller knows.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Sets or clears the neighbour. The neighbour is another host in the subnet, and its address is
-  // resolved by ARP.
+  // Sets or clears the neighbour. The neighbour is another host in the subnet, and ARP resolves its
+  // address.
   void know(std::optional<Ipv4Address> neighbour);
 
-  // Returns the neighbour's Ethernet address and the time at which ARP last confirmed the address.
+  // Returns the neighbour's Ethernet address and the time at which ARP last confirmed it.
   [[nodiscard]] std::optional<Told> neighbour() const;
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
@@ -83,8 +83,8 @@ class Host {
 
   void release_frame();
   void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
-  // Returns the complete datagram if `fragment` completes it. Otherwise, the fragment is stored or
-  // dropped.
+  // If `fragment` completes a datagram, returns this datagram. Otherwise, stores or drops the
+  // fragment.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
   [[nodiscard]] bool learn(const ArpPacket& packet, std::uint64_t now_us);
@@ -235,10 +235,9 @@ void Host<Port>::release_frame() {
   }
 }
 
-// Sends an ARP request if one is due. The first poll() sends an ARP request immediately. The first
-// ARP request also announces the target. QEMU's user network forwards nothing to the target before
-// the first ARP request. If the ring is full, the request is not stored. The next request is due
-// one second later.
+// Sends an ARP request if one is due. The first poll() sends a request immediately, which also
+// announces the target. QEMU's user network forwards nothing to the target before this request. If
+// the ring is full, the request is not stored, and the next one is due a second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
   const std::optional<MacAddress> whom = resolver.request_due(now_us);
@@ -265,8 +264,9 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// According to RFC 826, "Packet Reception", the sender is learnt first, and then the request is
-// answered. A request from the peer is both learnt and answered, but is counted only as answered.
+// According to RFC 826, "Packet Reception", the address of the sender is learnt first, and then the
+// request is answered. A request from the peer is both learnt and answered, but is counted only as
+// answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {
@@ -291,7 +291,8 @@ void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   ++counters_.arp_answered;
 }
 
-// The reply is sent to the address learnt by ARP, not to the source address of the request.
+// The reply is sent to the address that was learnt by ARP, not to the source address of the
+// request.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_ping(std::span<const std::byte> request) {
   if (!resolver_.known()) {

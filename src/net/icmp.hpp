@@ -11,13 +11,13 @@ inline constexpr std::size_t kIcmpHeaderBytes = 8;
 
 enum class IcmpStatus : std::uint8_t { kEchoRequest, kOther, kBad };
 
-// Returns kBad if the message is shorter than a header, or if the checksum over all of `message` is
-// wrong.
+// Returns kBad if the message is shorter than a header, or if the checksum over the entire
+// `message` is wrong.
 [[nodiscard]] IcmpStatus classify_icmp(std::span<const std::byte> message);
 
-// Writes the reply to `request`, which classify_icmp() must have classified as an echo request.
-// Copies the identifier, the sequence number and the data. `target` must be as long as `request`
-// and must not overlap it.
+// Writes the reply to `request`. Before the call, classify_icmp() must have classified `request` as
+// an echo request. Copies the identifier, the sequence number and the data. `target` must be as
+// long as `request` and must not overlap it.
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request);
 
 }  // namespace iog::net

@@ -1,4 +1,4 @@
-// The IPv4 header (RFC 791). The headers that we send have no options.
+// The IPv4 header (RFC 791). The headers of sent packets have no options.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // The offset of the payload in its datagram, in bytes. The offset is a multiple of 8 below 2^16.
-  // `has_more_fragments` is false only for the last fragment.
+  // The offset of the payload in its datagram, in bytes. The offset is a multiple of 8 and is below
+  // 2^16. `has_more_fragments` is false only for the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
   std::span<const std::byte> payload{};  // length from the header; without options and padding
@@ -37,10 +37,10 @@ struct [[nodiscard]] Ipv4Result {
 
 // Returns kBadHeader if the version, header length or total length is inconsistent with the other
 // fields or with the number of bytes. Returns kBadChecksum if the header checksum is wrong. Returns
-// kFragment if the packet is valid and is part of a datagram.
+// kFragment if the packet is valid and contains only a part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
-// The header fields that differ between the packets that we send.
+// The header fields that differ between sent packets.
 struct Ipv4Header {
   Ipv4Address source{};
   Ipv4Address destination{};

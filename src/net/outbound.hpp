@@ -1,6 +1,6 @@
 // Builds outgoing ARP packets, echo replies and datagrams. Each function writes to the front of a
-// buffer for the largest frame, pads with zeros to the minimum length, and returns the length to
-// commit.
+// buffer that can hold the largest frame, pads with zeros to the minimum length, and returns the
+// length to commit.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +33,11 @@ struct Destination {
 };
 
 // Builds a request for the Ethernet address of `host`. The request is sent to one station or is
-// broadcast to all stations.
+// broadcast.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Builds a reply that sends our Ethernet address only to the sender of `request`.
+// Builds a reply with our Ethernet address, which is sent only to the sender of `request`.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 
@@ -48,8 +48,8 @@ struct Destination {
                                            std::span<const std::byte> request);
 
 // Builds a datagram with a copy of the payload. The payload must be at most kMaxUdpPayloadBytes
-// long. The function writes the frame but never reads it, because on the target the frame is in
-// uncached memory.
+// long. On the target, the frame is in uncached memory, so the function writes it but never reads
+// it.
 [[nodiscard]] std::size_t build_datagram(FrameBuffer frame, const Config& config,
                                          const Destination& to, std::uint16_t identification,
                                          std::span<const std::byte> payload);

@@ -1,5 +1,5 @@
-// Stores the Ethernet address of one host and schedules ARP requests for the address. The host is
-// called the peer here.
+// Stores the Ethernet address of one host, called the peer here, and schedules ARP requests for
+// this address.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ class PeerResolver {
  public:
   [[nodiscard]] bool known() const { return mac_.has_value(); }
 
-  // Requires known(). An address can be replaced but is never deleted. A peer that is silent for a
-  // while therefore loses no message. If a peer has left, one request per second is sent.
+  // Requires known(). An address can be replaced, but it is never deleted. No message is therefore
+  // lost if the peer is silent for a while. If the peer has left, one request per second is sent.
   [[nodiscard]] const MacAddress& mac() const { return *mac_; }
 
   // Returns the address and the time at which ARP last confirmed it, or nothing if no address is
@@ -38,9 +38,9 @@ class PeerResolver {
   }
 
   // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
-  // unsolicited ARP packet. A different station is therefore accepted only if the known station has
-  // not answered for one interval. Until then, the known station is in doubt, as it is after a call
-  // of hear().
+  // unsolicited ARP packet. An address of a different station is therefore accepted only if the
+  // known station has not answered for one interval. Until then, the known station is in doubt,
+  // just as after a call to hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of
@@ -49,10 +49,10 @@ class PeerResolver {
   // with a forged source.
   void hear(const MacAddress& mac);
 
-  // If an ARP request is due now, returns its destination and counts the request as sent. If the
-  // known station is in doubt, the request is sent directly to this station (RFC 1122, section
-  // 2.3.2.1, "Unicast Poll"). The request is a broadcast if no station is known, if the address is
-  // due for a refresh, or if the known station has not answered.
+  // If an ARP request is due now, returns its destination and counts it as sent. If the known
+  // station is in doubt, the request is sent directly to it (RFC 1122, section 2.3.2.1, "Unicast
+  // Poll"). The request is a broadcast in three cases: no station is known, the address is due for
+  // a refresh, or the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:

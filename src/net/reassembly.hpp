@@ -1,19 +1,19 @@
 // Reassembles fragmented UDP datagrams (RFC 791, section 3.2) in bounded memory.
 //
-// Some lidars send packets that do not fit in one frame and therefore arrive as fragments. A
-// datagram is identified by source, destination, protocol and identification. The fragments of a
-// datagram must not overlap. A datagram is complete when its fragments cover the length given by
-// the last fragment. A fragment that contradicts another fragment invalidates its datagram. All
-// further fragments of that datagram are dropped (RFC 5722, section 4). A fragment that repeats
-// another fragment byte for byte is ignored as a duplicate.
+// Some lidars send packets that do not fit into one frame and therefore arrive as fragments. A
+// datagram is identified by its source, destination, protocol and identification field. The
+// fragments of a datagram must not overlap. A datagram is complete when its fragments cover the
+// length that the last fragment specifies. If a fragment contradicts another fragment, the datagram
+// is invalid. All further fragments of this datagram are dropped (RFC 5722, section 4). A fragment
+// that repeats another fragment byte for byte is ignored as a duplicate.
 //
 // Only fragments from listed senders are stored. Each listed sender may have as many incomplete
-// datagrams as it has streams. Slots are reserved for the incomplete datagrams of each listed
-// sender. If a sender starts too many datagrams, its own oldest datagram is evicted. If unlisted
-// senders are allowed, they share the remaining slots. If all shared slots are in use, a datagram
-// of the unlisted sender with the most datagrams is evicted. The evicted datagram is the one with
-// the fewest fragments, and in a tie the oldest one. A flood of orphaned fragments is therefore
-// evicted before the datagram of a sensor.
+// datagrams as it has streams. Slots are reserved for the incomplete datagrams of listed senders.
+// If a sender starts too many datagrams, its own oldest datagram is evicted. If unlisted senders
+// are allowed, they share the remaining slots. If all shared slots are in use, the unlisted sender
+// with the most datagrams loses one of them. This sender loses the datagram with the fewest
+// fragments or, in a tie, the oldest one. Orphaned fragments in a flood are therefore evicted
+// before the datagram of a sensor.
 #pragma once
 
 #include <array>
@@ -25,12 +25,12 @@
 
 namespace iog::net {
 
-// The senders whose fragments are stored. The list has at most kMostSenders addresses, with at most
-// kMostDatagrams incomplete datagrams in total.
+// The senders whose fragments are stored. The list can contain up to kMostSenders addresses, with
+// up to kMostDatagrams incomplete datagrams in total.
 class FragmentSenders {
  public:
-  // A car has eight sensors that each send one datagram at a time, a pose source, a map source, and
-  // one replayer of all eight sensors.
+  // The senders of a car are eight sensors that each send one datagram at a time, a pose source, a
+  // map source, and one replayer of all eight sensors.
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
@@ -65,12 +65,12 @@ class FragmentSenders {
 class Reassembly {
  public:
   static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
-  // The size of the UDP header plus the longest payload of any sensor. The longest payload is
-  // 35,336 bytes, from a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024
+  // The size of the UDP header plus the longest payload of any sensor. The longest payload is the
+  // 35,336 bytes of a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024
   // bytes per packet.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // A datagram of 35,344 bytes takes 24 fragments of 1480 bytes. No sender uses fragments of less
-  // than 984 bytes.
+  // A datagram of 35,344 bytes is split into 24 fragments of 1480 bytes. No sender uses fragments
+  // of less than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
   // The timeout starts when the first fragment is received. At 100 Mbit/s, the fragments of a
   // datagram arrive within 3 ms. With 1,280 datagrams per second, the 16-bit identification of a
@@ -84,14 +84,14 @@ class Reassembly {
   };
   struct [[nodiscard]] Result {
     Fate fate = Fate::kDropped;
-    // `packet` is valid only for kCompleted. The payload is valid until the next call of add().
+    // `packet` is valid only for kCompleted. The payload is valid until the next call to add().
     // `pieces` is the number of fragments.
     Ipv4Packet packet{};
     std::size_t pieces = 0;
   };
 
   explicit Reassembly(const FragmentSenders& senders) : senders_(senders) {}
-  // This constructor accepts every sender. The constructor is used to read captures.
+  // This constructor, which is used to read captures, accepts every sender.
   Reassembly() { senders_.add({}, kDatagrams); }
 
   // `piece` must be a packet with Ipv4Status::kFragment. `now_us` must not decrease. Each call
@@ -123,7 +123,7 @@ class Reassembly {
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
-  // The open flags are stored separately, so that scans do not touch the memory of unused slots.
+  // The open flags are stored separately so that scans do not access the memory of unused slots.
   [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
     return std::uint32_t{1} << (&joining - joinings_.data());
   }

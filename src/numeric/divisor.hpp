@@ -1,4 +1,4 @@
-// Divides exactly by a divisor known only at run time, without a divide instruction.
+// Divides exactly by a divisor that is known only at run time, without a divide instruction.
 //
 // The Cortex-A9 has no integer divide instruction, and the compiler's 64-bit division takes about
 // 400 instructions. This class follows Moeller and Granlund, "Improved division by invariant
@@ -29,8 +29,8 @@ consteval Inverses make_inverses() {
 }
 
 // The entries are floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor. The
-// index of an entry is u without its top bit. The table is global because the compiler would copy a
-// local table to the stack in each call.
+// index of an entry is u without its top bit. The table is global because the compiler would
+// otherwise copy it to the stack in each call.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail

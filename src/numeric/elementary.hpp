@@ -1,11 +1,11 @@
 // Computes exp, log, sin and cos for tables at compile time.
 //
 // On the target, only consteval functions call the functions in this file. A check at link time
-// ensures that the image contains no floating-point instruction. On the PC, the reference
-// implementations also call the functions in this file at run time. The functions use only +, -, *
-// and / of IEEE doubles. Each operation is correctly rounded, so every compiler computes the same
-// table. The relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/
-// compare the results with the C library.
+// ensures that the image contains no floating-point instructions. On the PC, the reference
+// implementations also call these functions at run time. The functions use only +, -, * and / of
+// IEEE doubles. Each operation is correctly rounded, so every compiler computes the same table. The
+// relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/ compare the
+// results with the C library.
 #pragma once
 
 namespace iog::numeric {
@@ -98,7 +98,7 @@ constexpr double sin(double x) {
 
 constexpr double cos(double x) { return sin(x + kPi / 2); }
 
-// Returns the nearest integer. Ties are rounded away from zero. Requires |x| < 2^62.
+// Returns the nearest integer, with ties rounded away from zero. Requires |x| < 2^62.
 constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric

@@ -1,5 +1,5 @@
-// Converts a position to direction and distance with CORDIC (Volder, 1959), which needs no
-// multiplication per bit. CORDIC runs twice: first about z and then about the remaining horizontal
+// Converts a position to a direction and a distance with CORDIC (Volder, 1959), which needs no
+// multiplication per bit. CORDIC runs twice, first about z and then about the remaining horizontal
 // axis.
 #pragma once
 
@@ -14,8 +14,8 @@ struct Polar {
 };
 
 // Requires |x|, |y|, |z| <= 2^20. The range error is at most 0.55. If the elevation is within 89
-// degrees, the angle errors are at most 2^-21 turns. All results are 0 for (0, 0, 0). The azimuth
-// is 0 for a position straight up or down.
+// degrees, the angle errors are at most 2^-21 turns. For (0, 0, 0), all results are 0. For a
+// position straight up or down, the azimuth is 0.
 [[nodiscard]] Polar polar_of(std::int32_t x, std::int32_t y, std::int32_t z);
 
 }  // namespace iog::numeric

@@ -8,7 +8,7 @@
 //
 // In this class, N = 31. Because d > 2^(l - 1), m < 2^32. If d is a power of two, m = 2^31.
 // Therefore n * m < 2^63, and the 32 x 32-bit product does not overflow. The quotient n * m / 2^31
-// fits in one word, the upper word of 2n * m.
+// fits into one word, which is the upper word of 2n * m.
 #pragma once
 
 #include <bit>

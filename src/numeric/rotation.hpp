@@ -3,9 +3,9 @@
 //
 // Sine and cosine are interpolated linearly in a table of 4096 values per turn. Each table value is
 // rounded to the nearest 2^-30. With h = 2 pi / 4096, the interpolation error is at most h^2 / 8 <
-// 2.95e-7. Rounding the table and the result adds at most 2^-30. The total error is therefore below
-// 2^-21, or 0.03 mm at a distance of 50 m. At the angles of the table, the result equals the table
-// value.
+// 2.95e-7. Rounding of the table and of the result adds at most 2^-30. The total error is therefore
+// below 2^-21, or 0.03 mm at a distance of 50 m. At the angles of the table, the result equals the
+// table value.
 #pragma once
 
 #include <cstdint>

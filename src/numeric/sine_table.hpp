@@ -13,8 +13,8 @@ namespace iog::numeric {
 // All sines and cosines are in units of 2^-30.
 inline constexpr int kSineFractionBits = 30;
 
-// Computes the first quadrant of the sine. The table has kTicksPerTurn / 4 + 1 values, each rounded
-// to the nearest 2^-30.
+// Computes the sine table of the first quadrant. The table has kTicksPerTurn / 4 + 1 values, each
+// rounded to the nearest 2^-30.
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
@@ -30,7 +30,7 @@ consteval auto make_sine_quadrant() {
 template <std::int32_t kTicksPerTurn>
 inline constexpr auto kSineQuadrant = make_sine_quadrant<kTicksPerTurn>();
 
-// Returns sines and cosines for a full turn from a table of one quadrant.
+// Provides sines and cosines for a full turn from a table of one quadrant.
 class SineTable {
  public:
   constexpr SineTable() = default;

@@ -1,4 +1,4 @@
-// The gate of a track. A track takes hits up to this distance outside its box.
+// The gate of a track is the distance from its box within which the track claims hits.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // Clusters the hits of a frame that have no owner. Each hit of a cluster is near another hit of the
 // same cluster.
 //
-// Two hits are near each other if their distance on both axes is at most the gap of either hit. The
-// gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are ignored.
-// Cells are represented as the bits of a plane as large as the window. A cluster grows by the set
-// bits around each of its cells, and each bit is found only once.
+// Two hits are near each other if, on both axes, their distance is at most the gap of either hit.
+// The gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are
+// ignored. Cells are represented as the bits of a plane as large as the window. A cluster grows by
+// the set bits around each of its cells, and each bit is found only once.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct Cluster {
 class Clusters {
  public:
   // Assigns a cluster to each hit that is not old, in the order of the hits. Returns the number of
-  // hits left without a cluster because all kMostClusters clusters were in use.
+  // hits that have no cluster because all kMostClusters clusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 
   [[nodiscard]] std::span<Cluster> all() { return std::span(clusters_).first(count_); }

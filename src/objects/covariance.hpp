@@ -1,6 +1,6 @@
-// The covariance of position and speed along one axis. The Kalman filter's motion model is a
-// position whose speed changes randomly (Bar-Shalom, Li, Kirubarajan, "Estimation with applications
-// to tracking and navigation", 2001, section 6.2).
+// The covariance of position and speed along one axis. In the motion model of the Kalman filter,
+// the speed changes randomly (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to
+// tracking and navigation", 2001, section 6.2).
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class Covariance {
   // Predicts the covariance after one step. `wander` is the process noise in mm/s per root second.
   void predict(Step step, std::int32_t wander);
 
-  // Updates the covariance for a measurement of the position. Requires 0 < variance < 2^31.
+  // Updates the covariance after a measurement of the position. Requires 0 < variance < 2^31.
   Gain measure(std::int32_t variance);
 
  private:

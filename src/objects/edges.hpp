@@ -1,4 +1,4 @@
-// Computes the extent of a track's hits along and across the track's box.
+// Computes the extent of a track's hits along and across its box.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ using Edges = std::array<Ends, 2>;  // indexed by Side
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// Returns the sides of a box with the given edges. The box is at least kThinnestMm thick.
+// Returns the limits of a box with the given edges. The box is at least kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

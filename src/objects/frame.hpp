@@ -21,7 +21,7 @@ struct Frame {
   // The time from the middle of each slice to the end of the frame, in ms from 0 to 255. The span
   // has at most kMostSlices entries.
   std::span<const std::uint8_t> ages_ms{};
-  // The hits of the frame in any order. Duplicate hits are counted once.
+  // The hits of the frame, in any order. Duplicate hits are counted only once.
   std::span<const Hit> hits{};
 };
 

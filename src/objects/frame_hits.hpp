@@ -1,10 +1,10 @@
-// Sorts the hits of a frame, so that the result does not depend on the order of arrival. Hits are
-// sorted by ring of tiles around the car, then by window slot, cell and slice.
+// Sorts the hits of a frame by ring of tiles around the car, then by window slot, cell and slice,
+// so that the result does not depend on the order of arrival.
 //
-// The nearest hits come first. If a frame has too many hits, the nearest hits are therefore kept.
-// If a frame has more than kMostSeen hits, complete rings are dropped, starting with the farthest
-// ring. If more than kMostHits hits remain, the last hits of the sorted list are dropped. Hits
-// outside the window or without a slice are rejected. All dropped and rejected hits are counted.
+// The nearest hits come first, so they are kept if a frame has too many hits. If a frame has more
+// than kMostSeen hits, complete rings are dropped, starting with the farthest one. If more than
+// kMostHits hits remain, the last hits of the sorted list are dropped. Hits outside the window or
+// without a slice are rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>
@@ -38,13 +38,13 @@ class FrameHits {
   // Returns true if a cell or any of its eight neighbours has a hit. Cells outside the window have
   // no hits.
   [[nodiscard]] bool is_hit_around(geometry::Cell cell) const;
-  // Returns the index of the first hit of a window cell, or the number of hits if the cell has no
-  // hit.
+  // Returns the index of the first hit of a window cell. If the cell has no hit, returns the number
+  // of hits.
   [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
 
  private:
   // The key consists of 5 bits for the ring, 10 bits for the slot, 10 bits for the cell in the
-  // tile, and 5 bits for the slice, starting from the highest bit.
+  // tile, and 5 bits for the slice, from the highest bit to the lowest.
   using Key = std::uint32_t;
 
   static constexpr std::uint32_t kRings = 32;

@@ -1,4 +1,4 @@
-// A hit of the current frame, with the data that tracking adds to the hit.
+// A hit of the current frame, with the data that tracking adds to it.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// Determines whether the grid confirms the motion of a track. The grid confirms the motion if
-// places that the track has left are now free, and if places that the track has reached were open.
+// Determines whether the grid confirms the motion of a track. The grid confirms the motion if the
+// places that the track has left are now free and the places that it has reached were open.
 //
-// A filter alone cannot confirm motion. Rails and walls appear to move because their visible part
-// moves with the car. The grid, however, stores the previous state of each place.
+// A filter alone cannot confirm motion. For example, rails and walls appear to move because their
+// visible part moves with the car. The grid, however, stores the previous state of each place.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ struct Hits {
   const RecentHits& recent;
 };
 
-// Counts good, bad and neutral places in track.seen. Compares the track and its hits with the
-// youngest snapshot that is old enough to show motion. If the track recedes, its trail is also
-// updated.
+// Counts good, bad and neutral places in `track.seen`. Compares the track and its hits with the
+// youngest snapshot that is old enough to show motion. If the track is receding, also updates its
+// trail.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
                   std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
                   Track& track);
@@ -32,7 +32,7 @@ void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
 // Returns true if enough places confirm the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);
 
-// Takes a snapshot of the track if a snapshot is due.
+// Takes a snapshot of the track if one is due.
 void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
               std::span<const FrameHit> hits, Track& track);
 

@@ -1,4 +1,4 @@
-// Maps the classes of grid cells to the few classes that tracking needs.
+// Maps the classes of grid cells to the few labels that tracking needs.
 #pragma once
 
 #include <cstdint>

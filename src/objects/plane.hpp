@@ -12,8 +12,8 @@
 
 namespace iog::objects {
 
-// The coordinates of a point are within +-1.1 * 10^9 mm. The difference of two points of one window
-// fits into a word.
+// The coordinates of a point are within +-1.1 * 10^9 mm. The difference between two points in one
+// window fits into a word.
 struct Point {
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
@@ -32,8 +32,8 @@ struct Velocity {
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-// Returns the position of a point after it has moved with a velocity for `ms`, which may be
-// negative. The absolute value of `ms` must be at most 1024, so that products stay below 2^27.
+// Returns the position of a point that has moved with a velocity for `ms`, which may be negative.
+// The absolute value of `ms` must be at most 1024, so that products stay below 2^27.
 [[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
@@ -55,7 +55,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// The two axes of a box. The axis kAcross is kAlong rotated by 90 degrees to the left.
+// The two axes of a box. The axis kAcross is the axis kAlong, rotated by 90 degrees to the left.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -95,7 +95,7 @@ struct Box {
     return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
   }
   // Returns how far a point is outside the box. The result is the larger of the distances along the
-  // two axes, or 0 for a point inside the box.
+  // two axes, or 0 if the point is inside the box.
   [[nodiscard]] constexpr std::int32_t outside(Point point) const {
     std::int32_t most = 0;
     for (const Side side : kSides) {
@@ -107,7 +107,8 @@ struct Box {
   // Returns true if the line between two points crosses the box. Both points must be within 2^17 mm
   // of the box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The positions of the last entry and the first exit, as fractions of the length of the line.
+    // The positions of the last entry and of the first exit, as fractions of the length of the
+    // line.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;
@@ -143,7 +144,7 @@ struct Box {
   }
 };
 
-// An axis-aligned rectangle. Tests combine four signs into one branch, because four separate
+// An axis-aligned rectangle. Tests combine four signs into one branch because four separate
 // branches would be hard to predict.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};

@@ -2,7 +2,7 @@
 // eight epochs of 80 ms.
 //
 // Cell coordinates are taken modulo 1024, which is the size of the window. At most kMostOfAnEpoch
-// cells are recorded per epoch. If more cells are hit, the farthest hits of a frame are not
+// cells are recorded per epoch. If more cells are hit, the farthest hits of the frame are not
 // recorded.
 #pragma once
 
@@ -21,16 +21,16 @@ class RecentHits {
   static constexpr int kEpochs = 8;
   static constexpr std::size_t kMostOfAnEpoch = 2 * kMostHits;
 
-  // Returns the number of epochs since `cell` or one of its eight neighbours was first hit, at most
-  // kEpochs - 1. The current epoch is the epoch of the last add(). If neither `cell` nor a
-  // neighbour was hit before the current epoch, the result is 0.
+  // Returns the number of epochs since `cell` or one of its eight neighbours was first hit. The
+  // result is at most kEpochs - 1. The current epoch is the epoch of the last add(). If neither
+  // `cell` nor a neighbour was hit before the current epoch, the result is 0.
   [[nodiscard]] int oldest(geometry::Cell cell) const;
-  // Returns true if `cell` or one of its eight neighbours was hit in the current epoch or the
-  // previous epoch.
+  // Returns true if `cell` or one of its eight neighbours was hit in the current or the previous
+  // epoch.
   [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
-  // Adds the hits of a frame at the end of the frame. Time may run backwards only after a call of
-  // forget().
+  // Call this function at the end of a frame to add its hits. Time may run backwards only after a
+  // call to forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
 
   void forget();

@@ -9,15 +9,16 @@
 
 namespace iog::objects {
 
-// Capacities that limit the cost of a frame. Excess elements are dropped and counted.
+// Capacities that limit the cost of a frame. Elements beyond these capacities are dropped and
+// counted.
 inline constexpr std::size_t kMostHits = 4096;
 inline constexpr std::size_t kMostTracks = 256;
 inline constexpr std::size_t kMostClusters = 256;
 inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile
 inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
-// All tracks end if the time between two frames exceeds kLongestStepMs or is not positive. If a
-// spinning lidar loses three turns of 100 ms, the gap is 400 ms.
+// All tracks end if the time between two frames exceeds kLongestStepMs or is not positive. For
+// example, a gap of 400 ms occurs if a spinning lidar loses three turns of 100 ms.
 inline constexpr std::int32_t kLongestStepMs = 450;
 // If the last measurement is older than kLongestToldMs, no object is published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
@@ -38,12 +39,12 @@ inline constexpr std::int32_t kSmallMm = 1200;     // a walker is at most this l
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// Tyres and legs limit the acceleration. After kGripFrom updates, the speed of a moving track along
-// each axis changes by at most kGrip mm/s per second. Braking and cornering reach 10 m/s^2.
+// Tyres and legs limit the acceleration. After kGripFrom updates, the speed of a moving track
+// changes by at most kGrip mm/s per second along each axis. Braking and cornering reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track. The track takes hits up to this distance outside its box. The gate is
+// The gate of a track is the distance from its box within which the track claims hits. The gate is
 // extended by twice the standard deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
@@ -53,18 +54,18 @@ inline constexpr std::int32_t kGateStandingMm = 250;
 inline constexpr std::int32_t kMostGateDeviationMm = 600;
 inline constexpr std::int32_t kMostGateDeviationSettledMm = 300;
 
-// A hit contradicts a track if its place was already hit before the track could have been there.
+// A hit contradicts a track if its place was hit before the track could have reached it.
 inline constexpr std::uint32_t kContradictedFrom = 6;  // updates
 inline constexpr int kContradictingEpochs = 3;
 inline constexpr std::int32_t kStandingAgeMs = 800;
 inline constexpr std::int32_t kEpochSlackMs = 20;
 inline constexpr std::int32_t kContradictionMm = 150;
 
-// Hits within this gap of each other belong to the same object.
+// Hits belong to the same object if the gap between them is at most this large.
 inline constexpr std::int32_t kGapMm = 400;
 inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
-// These values determine whether a cluster next to a track is attached to the track.
+// These values determine whether a cluster next to a track is attached to it.
 inline constexpr std::int32_t kAttachMm = 300;  // in addition to the gap
 inline constexpr std::int32_t kHeadwayMs = 50;  // no road user follows a moving object more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
@@ -74,8 +75,8 @@ inline constexpr std::int32_t kGrowthAcrossMm = 2000;
 inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // of a receding track without a heading
 inline constexpr std::uint32_t kSmallCluster = 8;        // hits, plus one for each update
 
-// A young track is associated with a cluster whose edges are within this distance of the track's
-// edges.
+// A young track is associated with a cluster if the cluster's edges are within this distance of the
+// track's edges.
 inline constexpr std::int32_t kAssociateMm = 600;
 inline constexpr std::int32_t kAssociateDeviations = 3;
 
@@ -101,18 +102,18 @@ inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// In each update, the box follows a measured edge by 1/16 of the difference. The box follows any
-// other edge by 1/2 of the difference outwards and by 1/32 inwards.
+// In each update, the box follows a measured edge by 1/16 of the difference between them. The box
+// follows any other edge by 1/2 of the difference outwards and by 1/32 inwards.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
 
-// These values determine when the box of a track turns towards the track's velocity.
+// These values determine when the box of a track turns towards its velocity.
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// kTurnMovingDeviations applies to moving tracks, because their standard deviation is 0.7 m/s with
-// a 10 Hz scanner.
+// kTurnMovingDeviations applies to moving tracks because their standard deviation is 0.7 m/s with a
+// 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
 // kTurnSureSpeed applies to a track that is certainly a car. The speed must also exceed one
 // standard deviation.
@@ -135,7 +136,7 @@ inline constexpr std::int32_t kMergeReachMm = 20'000;
 // Parameters for confirming the motion of a track with the grid.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-// The interval between snapshots is shorter than an epoch, because frames do not end at regular
+// This interval between snapshots is shorter than an epoch because frames do not end at regular
 // intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
@@ -145,14 +146,14 @@ inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that
                                               // its box
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// Parameters of the trail of a receding track, which consists of the places that the track has
-// left. A frame supports the trail under two conditions. The track's own beams must pass at least
-// kTrailPlaces of the places that the track has left. The number of passed places must be at least
-// kGoodOverBad times the number of places that are hit again. A beam passes a place if it misses
-// the place by at most kBesideMm. A place that is still occupied is hit again within kLayersMs,
-// even if the sensor scans its layers one after the other. For tracks below kLayersSpeed, hits on
-// such a place count. Hits behind a faster track may belong to the track itself, because its speed
-// is not known well enough.
+// Parameters of the trail of a receding track. The trail consists of the places that the track has
+// left. A frame supports the trail under the following two conditions. The track's own beams must
+// pass at least kTrailPlaces of the places that the track has left. There must be at least
+// kGoodOverBad times as many passed places as places that were hit again. A beam passes a place if
+// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
+// kLayersMs, even if the sensor scans its layers one after the other. If a track is slower than
+// kLayersSpeed, hits on such a place count. Hits behind a faster track may belong to the track
+// itself, because its speed is not known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -198,11 +199,12 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side ar
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// Standing hits in the box of a car belong to the car under two conditions. The confidence of the
-// track must be at least kSureConfidence. At least kSureUnopposed frames must have supported the
-// motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad good or neutral
-// places for each bad place. Each opposing frame cancels kOpposed supporting frames. A frame that
-// does not oppose the motion supports the motion if the frame has at least kSteadyHits good places.
+// Standing hits in the box of a car belong to the car under two conditions. First, the confidence
+// of the track must be at least kSureConfidence. Second, at least kSureUnopposed frames must have
+// supported the motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad
+// good or neutral places for each bad place. Each frame that opposes the motion cancels kOpposed
+// frames that support it. A frame that does not oppose the motion supports it if the frame has at
+// least kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

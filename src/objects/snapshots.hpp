@@ -1,4 +1,5 @@
-// Stores recent boxes of a track, each with some of the cells that were hit at that time.
+// Stores recent boxes of a track. Each box is stored with some of the cells that were hit at that
+// time.
 #pragma once
 
 #include <array>
@@ -28,8 +29,8 @@ class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }
 
-  // Begins the next snapshot, which replaces the oldest snapshot. The caller fills in the cells of
-  // the new snapshot.
+  // Begins the next snapshot, which replaces the oldest one. The caller fills in the cells of the
+  // new snapshot.
   [[nodiscard]] Snapshot& begin(std::uint64_t now_us, const Box& box) {
     last_us_ = now_us;
     Snapshot& next = all_[next_];
@@ -40,8 +41,7 @@ class Snapshots {
     return next;
   }
 
-  // Returns the youngest non-empty snapshot taken at or before `time_us`, or null if no such
-  // snapshot exists.
+  // Returns the youngest non-empty snapshot taken at or before `time_us`, or null if there is none.
   [[nodiscard]] const Snapshot* youngest_before(std::uint64_t time_us) const {
     const Snapshot* youngest = nullptr;
     for (const Snapshot& its : all_) {

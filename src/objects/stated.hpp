@@ -14,7 +14,7 @@
 namespace iog::objects {
 
 // Multiplies the filter's standard deviation, in mm/s, by 1 + kStatedAgeMs / age. If the object is
-// nearer to the car than kStatedNearMm, the factor is at least kStatedNear.
+// less than kStatedNearMm away from the car, the factor is at least kStatedNear.
 [[nodiscard]] inline std::uint32_t stated_deviation(std::uint32_t deviation, const Track& track,
                                                     std::uint64_t now_us, Point car) {
   const std::uint64_t age_ms =

@@ -15,8 +15,8 @@
 namespace iog::objects {
 
 // The columns and rows that a rectangle overlaps, with one bit per column or row. Each column or
-// row is about 1 m wide. Strips whose numbers differ by 32 share a bit. Two rectangles do not
-// overlap if they have no column or no row in common.
+// row is about 1 m wide. Strips whose numbers differ by 32 share a bit. If two rectangles have no
+// column or no row in common, they do not overlap.
 struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
@@ -27,7 +27,7 @@ struct Strips {
             .rows = bits(bounds.low.y_mm - more_mm, bounds.high.y_mm + more_mm)};
   }
   [[nodiscard]] constexpr bool may_meet(const Strips& other) const {
-    // The test uses a single branch, because two branches would be hard to predict.
+    // The test uses a single branch because two branches would be hard to predict.
     return std::min(columns & other.columns, rows & other.rows) != 0;
   }
 
@@ -69,8 +69,8 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // Returns the first number, starting at `from`, whose strips may overlap the given strips, or
-  // count() if no strips may overlap.
+  // Returns the first number, starting at `from`, of a track whose strips may overlap the given
+  // strips. If there is none, returns count().
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

@@ -1,9 +1,9 @@
-// Lists the tracks that may take hits in each tile of the window, so that a hit is compared with
-// few tracks.
+// Lists the tracks that may claim hits in each tile of the window, so that each hit is compared
+// with only a few tracks.
 //
-// Each tile can list kMostTracksOfATile tracks, in the order of slots. If too many tracks overlap a
-// tile, moving tracks are listed first. A track that is not listed is counted and takes no hits in
-// this tile.
+// Each tile can list up to kMostTracksOfATile tracks, in the order of their slots. If too many
+// tracks overlap a tile, moving tracks have priority. A track that is not listed is counted and
+// claims no hits in this tile.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ class TileTracks {
   std::uint32_t list(std::span<const Track> tracks, const ClaimGates& gates,
                      const window::Area& area);
 
-  // Returns the slots of the tracks listed for the tile of a cell, in ascending order. The cell
-  // must be in the window.
+  // Returns the slots of the tracks listed for the tile that contains a cell, in ascending order.
+  // The cell must be in the window.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
-  // Returns true if the track may take a hit at this place. may_take() is fast and rules out most
+  // Returns true if the track may claim a hit at this place. The test is fast and rules out most
   // tracks.
   [[nodiscard]] bool may_take(std::size_t slot, Point place) const {
     return reaches_[slot].contains(place);

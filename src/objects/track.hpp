@@ -1,4 +1,5 @@
-// A track represents one object by its hits, with a box, a velocity and a state.
+// A track represents one object. A track has a box, a velocity and a state, and hits are assigned
+// to it.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ struct Seen {
   std::int32_t contradicted = 0;  // hits that are too early to belong to it
   bool is_end_hidden = false;     // it may be longer or wider than its box
   // The numbers of places that the track has left or reached. Good places confirm the track's
-  // motion, bad places contradict the motion, and neutral places do neither.
+  // motion, bad places contradict it, and neutral places do neither.
   std::int32_t good = 0;
   std::int32_t bad = 0;
   std::int32_t neutral = 0;
@@ -50,8 +51,8 @@ class Track {
 
   // Predicts the position and covariance for the next frame.
   void predict(Step step);
-  // Applies an innovation of the position along one side, with |innovation| < 2^17 mm. The speed
-  // along `side` changes by at most `most_change` mm/s.
+  // Applies an innovation of the position along one side. Requires |innovation| < 2^17 mm. The
+  // speed along `side` changes by at most `most_change` mm/s.
   void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
                std::int32_t most_change = kMostSpeed);
   // Reduces the speed across the box by 1/kWheelsShare.
@@ -80,20 +81,20 @@ class Track {
   // Returns the standard deviation of the speed, computed from both axes, in mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
   // Returns true if the track is slow and larger than a walker, and most of its hits are standing.
-  // The standing hits may belong to an object that is parked next to the track.
+  // These hits may belong to an object that is parked next to the track.
   [[nodiscard]] bool is_mostly_standing() const;
   // Returns true if the track has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Returns true if the track has the size of a car and a high confidence, and recent frames
+  // Returns true if the track has the size of a car and a high confidence, and if recent frames
   // support its motion. Standing hits in the box of such a track belong to the car. A slow car
   // covers each place for so long that the grid classifies the place as standing. Walkers beside a
-  // parked car may form a track of the same size, but the places that the walkers leave are
-  // classified as standing.
+  // parked car may form a track of the same size, but the places that they leave are classified as
+  // standing.
   [[nodiscard]] bool is_sure_car() const;
-  // Updates is_receding according to the track's velocity and its position relative to the car.
+  // Updates is_receding from the track's velocity and its position relative to the car.
   void look_from(Point car);
-  // Returns true if the track recedes and is larger than a walker. The rear of such an object has
-  // covered its places for a long time, so hits on the rear may be standing hits.
+  // Returns true if the track is receding and is larger than a walker. The rear of such an object
+  // has covered its places for a long time, so hits on it may be standing hits.
   [[nodiscard]] bool may_have_a_standing_face() const;
   // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();
@@ -103,9 +104,9 @@ class Track {
   // Returns true if the track has the size and speed of a walker.
   [[nodiscard]] bool is_small() const;
   // Returns true if the track is a streak, that is, a line of hits where a beam grazes the ground.
-  // A real object of the same length has more hits or is wider. Moving tracks and groups of walkers
-  // are not treated as streaks, because moving tracks may lose hits and groups of walkers have
-  // gaps.
+  // A real object of the same length has more hits or is wider. Moving tracks are not treated as
+  // streaks because they may lose hits. Groups of walkers are not treated as streaks because they
+  // have gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;
@@ -119,8 +120,8 @@ class Track {
   std::int32_t confidence = 0;   // confidence that it is moving, 0 ... kMostConfidence
   std::int32_t trail = 0;        // evidence for a trail, 0 ... kMostTrail
   std::int32_t unopposed = 0;    // supporting frames minus deductions, 0 ... kMostUnopposed
-  // True if the track moves away from the car within about 60 degrees of the line of sight, and is
-  // not slow.
+  // True if the track is not slow and moves away from the car within about 60 degrees of the line
+  // of sight.
   bool is_receding = false;
   Seen seen{};
   Snapshots snapshots{};

@@ -1,6 +1,6 @@
 // Tracks moving objects with the hits of each frame and the classes of the perception grid.
 //
-// A track is a box with a velocity to which hits are assigned. A track is moving only if the grid
+// A track is a moving box, and hits are assigned to it. A track counts as moving only if the grid
 // confirms its motion (docs/objects.md). The tracker never changes the grid. The tracker performs
 // the following steps for each frame:
 //
@@ -46,13 +46,13 @@ class Tracker {
   Tracker(const Tracker&) = delete;
   Tracker& operator=(const Tracker&) = delete;
 
-  // Processes a frame. A frame with the same end time as the previous frame has no effect. If time
-  // runs backwards or advances by more than kLongestStepMs, all tracks end first. `grid` must
+  // Processes a frame. If a frame has the same end time as the previous frame, it has no effect. If
+  // time runs backwards or advances by more than kLongestStepMs, all tracks end first. `grid` must
   // return the classes after the frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
-  // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
-  // classes. If begin() returns false, the frame has no effect and the other steps must not be
+  // The steps of add(), for callers that split the work. `begin()` gathers the hits. It needs no
+  // classes. If begin() returns false, the frame has no effect, and the other steps must not be
   // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
   // look_at_hits(), and the same hits may be looked up twice. `end()` performs the remaining work.
   // While end() runs, other cores may change data other than classes.
@@ -66,8 +66,8 @@ class Tracker {
   // shorter pause has no effect.
   void pass(std::uint64_t end_us);
 
-  // Ends all tracks and forgets recent hits, because the window has lost its position. Ids are not
-  // reused.
+  // Ends all tracks and clears the recent hits, because the window has lost its position. Ids are
+  // not reused.
   void forget();
 
   // Returns the end of the last processed frame. The value is 0 if no frame has been processed
@@ -87,8 +87,9 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Returns the subset of cells in a row that a moving object may cover, including cells without a
-  // hit. All returned cells are at most kTailMm outside the object's box. See MovingBoxes::hold().
+  // Returns the cells of the given set in a row that a moving object may cover, including cells
+  // without a hit. All returned cells are at most kTailMm outside the object's box. See
+  // MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }
@@ -99,7 +100,7 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
-  // Returns all slots up to the last slot that contains a track.
+  // Returns all slots up to the last one that contains a track.
   [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
   [[nodiscard]] Track* free_slot();
   void leave_free_slots();

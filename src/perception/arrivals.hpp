@@ -1,17 +1,17 @@
 // Detects motion onset. The Arrivals class distinguishes hits on moving objects from hits on the
 // flickering edges of stationary objects.
 //
-// The square sizes below apply to cells of 0.1 m. With larger cells, a square keeps its size in
-// metres (Rules::around). The required numbers of new hits do not change.
+// The square sizes below apply to cells of 0.1 m. If cells are larger, a square keeps its size in
+// metres (Rules::around), and the required numbers of new hits stay the same.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
-// beam has freed its cell and a tall return lies within Rules::tall_within cells. An object so low
-// that beams pass over it is therefore never classified as moving.
+// beam has freed its cell and a tall return lies within Rules::tall_within cells. An object is
+// therefore never classified as moving if it is so low that beams pass over it.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
-// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and
-// no standing object is beside the hit. A hit beside a standing object has not moved. Any other hit
-// has moved if its cell was dense, or if its cell was open and the 7 by 7 cells around it have
+// the 3 by 3 cells around it is standing. A hit is *new* if its cell was open and freed, and if it
+// is not beside a standing object. A hit beside a standing object has not moved. Any other hit has
+// moved in two cases: its cell was dense, or its cell was open and the 7 by 7 cells around it have
 // enough new hits. If the ground in the cell was found open three times, two new hits are enough.
 // Otherwise, seven new hits are needed.
 #pragma once
@@ -53,7 +53,7 @@ class Arrivals {
     }
   }
 
-  // Returns the moved hits in the tile at this slot.
+  // Returns the moved hits in the tile of this slot.
   [[nodiscard]] const window::Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:
@@ -62,8 +62,8 @@ class Arrivals {
   bool is_from_below_;
   int tall_within_;
   Around around_;
-  // A plane is valid only if has_new_ or has_open_ is set for its slot. Planes of other slots
-  // contain data of older frames.
+  // A plane is valid only if has_new_ or has_open_ is set for its slot. The planes of other slots
+  // contain data from older frames.
   std::array<bool, window::kSlotCount> has_new_{};
   std::array<bool, window::kSlotCount> has_open_{};
   std::array<window::Plane, window::kSlotCount> new_{};

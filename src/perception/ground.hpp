@@ -1,11 +1,12 @@
 // Updates the ground memory after a frame.
 //
-// The memory of the 3 by 3 cells around a standing cell is cleared. Any other cell becomes dense if
-// all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are free space. The
-// free space is computed from the freed cells in two steps. First, gaps of up to four cells between
-// beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are removed.
-// If a cell is open again in a later period of 480 ms, its tick count increases by one, up to 3.
-// Cells outside the window are never free space, although the dilation extends beyond the window.
+// The update clears the memory of the 3 by 3 cells around each standing cell. Any other cell
+// becomes dense if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are
+// free space. The free space is computed from the freed cells in two steps. First, gaps of up to
+// four cells between beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied
+// cells are removed. If a cell is open again in a later period of 480 ms, its tick count increases
+// by one, up to 3. Cells outside the window are never free space, even though the dilation extends
+// beyond the window.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ namespace iog::perception {
 void remember(window::Window& window, std::size_t slot, bool is_new_period,
               const Around& around = {});
 
-// The length of a period. Each period in which a cell is open again adds one tick to the cell.
+// The length of a period. If a cell is open again in a period, it gets one tick for this period.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
 // Updates half of the tiles at the end of a frame. A tile is updated if the sum of its slot and the
@@ -49,8 +50,8 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // The minimum and maximum number of tiles that one core claims at a time if several cores work in
-  // parallel.
+  // The minimum and maximum number of tiles that one core claims at a time if several cores share
+  // the work.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;
 

@@ -1,9 +1,10 @@
 // Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving. A
-// moving cell loses the class `moving` if it was not hit and is not in the box of a moving track.
-//
-// Relabelling changes only class bytes, and never masses or the ground memory. All changes are
-// undone when the next frame begins, so the masses in the grid are the same with and without
+// moving cell loses the class `moving` if it was not hit and is outside the boxes of all moving
 // tracks.
+//
+// Relabelling changes only class bytes. Relabelling never changes masses or the ground memory. All
+// changes are undone when the next frame begins, so the masses in the grid are the same with and
+// without tracks.
 #pragma once
 
 #include <array>
@@ -28,14 +29,14 @@ class MovingNames {
   // The call has no effect if the cell's group is unknown.
   void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
-  // Call note_tile() after the masses of a tile, or the labels computed from the masses, have
-  // changed. Several cores may call note_tile() for different tiles.
+  // Call note_tile() after the masses of a tile, or the labels computed from them, have changed.
+  // Several cores may call note_tile() for different tiles.
   void note_tile(std::size_t slot, const window::Tile& tile);
 
   // Relabels moving cells that were not hit in this frame as unknown, unless a moving object may
-  // cover them. `held(first, asked)` returns the subset of the requested cells of a group that
-  // moving objects may cover. Bit 0 is the cell `first`, and bit i is the i-th cell to the right of
-  // `first`. Call note_tile() for all changed tiles first.
+  // cover them. `held(first, asked)` returns the cells of the set `asked` that moving objects may
+  // cover. All cells are in one group. Bit 0 is the cell `first`, and bit i is the i-th cell to the
+  // right of `first`. Call note_tile() for all changed tiles first.
   template <typename Held>
   void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {

@@ -1,21 +1,21 @@
-// Implements free-space gating. Only low beams open cells to motion.
+// Implements free-space gating. Only low beams make a cell eligible for motion detection.
 //
 // A beam frees every cell that it crosses within the height band. Some of these cells are above a
-// bonnet, a verge or a kerb, or are seen through the windows of a parked car. If a later beam hits
-// such a cell, the hit is at a different height, and nothing has moved. The car file therefore
-// specifies two heights for each sensor: the maximum height of a beam that opens cells (low_mm),
-// and the minimum height of a moving object (tall_mm). The following rules apply:
+// bonnet, a verge or a kerb, or the beam reaches them through the windows of a parked car. If a
+// later beam hits such a cell, the hit is at a different height, and nothing has moved. The car
+// file therefore specifies two heights for each sensor: the maximum height of a beam that opens
+// cells (low_mm), and the minimum height of a return from a moving object (tall_mm). The following
+// rules apply:
 //
 //   * A hit can indicate motion only on ground that a low beam has freed before, and only near a
 //     tall return (arrivals.hpp).
 //   * If sensors look over objects, only low beams can free occupied cells. Other beams have no
-//     effect on an occupied cell.
+//     effect on these cells.
 //   * A cell becomes open ground or dense ground only if a low beam has freed it.
 //
 // Tile::from_below stores whether a low beam has freed a cell. The bit is set when a low beam frees
 // the cell, and cleared when a standing object is hit there. All conditions refer to the state
-// before the frame and are set operations. The order of slices, tiles and cores therefore does not
-// matter.
+// before the frame and are set operations, so the order of slices, tiles and cores does not matter.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Parameters of the perception grid. The parameters are part of a vehicle's description.
+// Parameters of the perception grid, which are part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
@@ -21,30 +21,30 @@ enum class Moved : std::uint8_t {
 // (docs/results/perception_time.md).
 inline constexpr std::uint32_t kGroupCycles = 500;
 
-// The maximum number of groups that are fused in a frame. In a frame period of 40 ms, one core can
-// fuse kGroupBudget groups. Groups with hits are fused first (perception/window_fusion.hpp).
+// The maximum number of groups that are fused in a frame. One core can fuse kGroupBudget groups in
+// a frame period of 40 ms. Groups with hits are fused first (perception/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
 // Converts a length to cells, rounded up.
 [[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
 
-// A hit is classified as moved only if a tall return is within this distance along each axis. The
-// larger distance is for sensors whose tall returns must also be high above the highest ground
-// nearby (ground/ground.hpp), because these sensors have fewer tall returns.
+// A hit is classified as moved only if a tall return is within this distance of it along each axis.
+// Some sensors have fewer tall returns, because their tall returns must also be well above the
+// highest ground nearby (ground/ground.hpp). The larger distance applies to these sensors.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
 inline constexpr int kTallOverGroundWithin =
     cells_of(kTallOverGroundWithinMm, geometry::kUsualCellMm);
 
-// The distances, in cells, within which the rules of motion onset and open ground examine a cell's
-// surroundings. The default values correspond to 0.1, 0.2 and 0.3 m.
+// The distances, in cells, that define the surroundings of a cell in the rules of motion onset and
+// open ground. The default values correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
   // A hit belongs to a standing object if a standing cell is within this distance.
   int beside = 1;
-  // Gaps between beams are closed with the radius `gaps`. All cells within this distance of a dense
-  // cell must be seen.
+  // Gaps of up to twice this radius between beams are closed. All cells within this distance of a
+  // dense cell must have been observed.
   int gaps = 2;
   // All cells within this distance of an open cell must be free. New hits are counted within the
   // same distance of a cell.
@@ -61,7 +61,7 @@ static_assert(around_with(geometry::kUsualCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // The tables of a car with its own evidential constants, in static storage. If the pointer is
+  // The tables, in static storage, of a car with its own evidential constants. If the pointer is
   // null, the default constants are used.
   const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If the pointer is null, all hits have the same

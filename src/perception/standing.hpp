@@ -23,29 +23,29 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
-// Returns true if a known tile has a standing cell, ignoring the two outermost columns on each
-// side. If has_standing_inside() returns false, all counts of standing_counts() are 0.
+// Returns true if a known tile has a standing cell. Ignores the two outermost columns on each side.
+// If has_standing_inside() returns false, all counts of standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
 // Counts the confirmed and contradicted cells of a known tile. The outermost two rows and columns
 // are ignored, because hits near them may be in another tile. `hit` contains the cells with hits,
 // and `crossed` contains the cells that beams crossed. If only low beams can open a cell
-// (perception/opening.hpp), `crossed` contains only cells that low beams crossed, because other
+// (perception/opening.hpp), `crossed` contains only the cells that low beams crossed, because other
 // beams pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed,
                                              const Around& around = {});
 
 // Detects wrong poses. If the poses are wrong, beams appear to pass through standing objects on all
-// sides. Counts are averaged over about eight frames, and the weight of a frame falls to one half
+// sides. Counts are averaged over about eight frames. The weight of a frame then falls to one half
 // after five more frames. When a parked car drives off, beams also cross its cells, but walls,
 // poles and other cars are confirmed at the same time.
 //
 // If the poses are wrong from the start, few cells become standing, and beams cross a much larger
-// fraction of these cells. A lower minimum number of cells therefore applies as long as the poses
-// have never moved the car. As long as the poses have never moved the car, more than an eighth of
-// the cells must be crossed in many successive frames. The excess over an eighth is accumulated,
-// and decays over about a hundred frames.
+// fraction of these cells. The minimum number of cells is therefore lower until the poses first
+// show the car moving. Until then, more than an eighth of the cells must be crossed in many
+// successive frames. The excess over an eighth is accumulated, and decays over about a hundred
+// frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
@@ -59,7 +59,7 @@ class Contradiction {
 
   // Returns true if the poses are contradicted. `has_moved` is true if the position or heading has
   // changed since the first pose. The minimum numbers of cells depend on the cell size. Sensors see
-  // the edges of static objects, and an edge covers fewer cells if the cells are large.
+  // the edges of static objects, and each edge covers fewer cells if the cells are large.
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {

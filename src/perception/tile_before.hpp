@@ -1,6 +1,6 @@
-// The undo log of a tile, for a core that repeats the work of another core. For each group, the log
-// stores the members on which the result depends. All other data written to a tile is derived from
-// the stored members.
+// The undo log of a tile. A core uses this log to repeat the work of another core. For each group,
+// the log stores the members on which the result depends. All other data written to a tile is
+// derived from these members.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace iog::perception {
 
 class TileBefore {
  public:
-  // Call begin() before the first group changes.
+  // Call begin() before changing any group of a tile.
   void begin(bool is_known) {
     is_known_ = is_known;
     count_ = 0;
   }
 
-  // Call keep() once for each group before the group changes. Undefined masses are not stored. If a
+  // Call keep() once for each group, before changing it. Undefined masses are not stored. If a
   // group was never aged, all of its masses are undefined. If a group has only free mass, its
   // occupied masses are undefined.
   void keep(const window::Tile& tile, std::size_t group) {

@@ -22,7 +22,8 @@ struct GroupBudget {
   std::uint32_t with_hits = 0;
   std::uint32_t without_hits = 0;
 
-  // Takes one group from the budget. Returns false if the budget is used up.
+  // Takes one group from the budget. Takes one group from the budget. Returns false if the budget
+  // is used up.
   bool take(bool has_hit) {
     std::uint32_t& left = has_hit ? with_hits : without_hits;
     if (left == 0) {
@@ -31,7 +32,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // Takes as many groups as the budget allows. Returns the number of groups taken of each kind.
+  // Returns the number of groups of each kind that were taken.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};
@@ -64,9 +65,9 @@ using Budget = std::optional<GroupBudget>;
 // The number of groups for which data is prefetched in advance.
 inline constexpr std::size_t kGroupsAhead = 2;
 
-// The groups of a tile that will be fused, in ascending order, and the number of groups with
-// evidence that are over budget. The last entry is repeated, so that prefetching may read beyond
-// the end.
+// Lists the groups of a tile that will be fused, in ascending order, and counts the groups with
+// evidence that are over budget. The last entry is repeated so that prefetching may read beyond the
+// end.
 class GroupList {
  public:
   GroupList(const placing::FrameEvidence::TileIndexes& indexes, Budget& budget) {
@@ -122,7 +123,7 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Returns a reference, because a copy would not be in the cache in time.
+// Returns a reference because a copy would not be in the cache in time.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);

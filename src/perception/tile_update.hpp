@@ -1,5 +1,5 @@
-// Updates a group of eight cells in a frame by ageing the cells, fusing evidence into them and
-// classifying them.
+// Updates a group of eight cells in a frame. The update ages the cells, fuses evidence into them
+// and classifies them.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@
 namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
-// at least 4 ms apart, so evidence of this age is more than 100 ms old, and its exact age has no
-// effect. Groups are refreshed often enough to record old evidence before the clock reuses the
-// slot.
+// at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
+// evidence therefore has no effect. Groups are refreshed so often that old evidence is recorded as
+// such before the clock reuses its slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
-// Returns the bits of a group's cells in a plane.
+// Returns the bits of a plane that belong to a group's cells.
 [[nodiscard]] inline std::uint8_t eight_of(const window::Plane& plane, std::size_t group) {
   return static_cast<std::uint8_t>(std::as_bytes(std::span(plane))[group]);
 }
@@ -33,8 +33,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // Updates tiles for the frame that has just ended according to the clock. If `assignment` is
-  // null, all hits have the same mass. Both arguments must outlive this object.
+  // Updates tiles for the frame that `clock` has just ended. If `assignment` is null, all hits have
+  // the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {

@@ -1,7 +1,7 @@
 // Fuses the slices of successive frames into masses and classes of the window.
 //
-// In each frame, the window first follows the vehicle. Then slices are added. Finally, the frame is
-// finished in five steps.
+// In each frame, the window first follows the vehicle, and then slices are added. Finally, the
+// frame is finished in five steps.
 //   Step 1: Neighbouring cells are looked up in the state before the frame. If only low beams open
 //     cells (perception/opening.hpp), evidence without effect is removed.
 //   Step 2: Groups with evidence are aged, fused and classified.
@@ -18,8 +18,8 @@
 // neighbouring tile.
 //
 // Each frame has a budget of groups. Groups with hits are fused first, and then the other groups.
-// Within each kind, groups are ordered by slot and group number. Groups that are over budget are
-// only aged.
+// Within each of these two kinds, groups are ordered by slot and group number. Groups that are over
+// budget are only aged.
 #pragma once
 
 #include <array>
@@ -69,9 +69,9 @@ struct FrameCounts {
 
 class WindowFusion {
  public:
-  // The constructor is not constexpr, so static objects are initialised at start-up and take up no
-  // space in the image. `is_followed` is true if objects are tracked. If objects are tracked, the
-  // hits of a frame are listed and cells can be relabelled.
+  // The constructor is not constexpr. Static objects are therefore initialised at start-up and take
+  // up no space in the image. `is_followed` is true if objects are tracked. In this case, the hits
+  // of a frame are listed, and cells can be relabelled.
   explicit WindowFusion(const Rules& rules = {}, bool is_followed = false,
                         std::int32_t cell_mm = geometry::kCellMm);
   WindowFusion(const WindowFusion&) = delete;
@@ -85,8 +85,8 @@ class WindowFusion {
   void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
   // Ends a frame, with or without registered slices. If the given timestamp is older than the
-  // newest timestamp so far, the newest timestamp is used. The call has no effect if the frame has
-  // no slices and no time has passed.
+  // newest timestamp so far, the newest one is used. The call has no effect if the frame has no
+  // slices and no time has passed.
   FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
     decide(stamp_us, crew);
     return end_frame(crew);
@@ -137,7 +137,7 @@ class WindowFusion {
     names_.withdraw(evidence_, window_, held);
   }
 
-  // Sets the classes that the map rules out in the tile at a slot (see Window). Only labels change,
+  // Sets the classes that the map rules out in the tile of a slot (see Window). Only labels change,
   // and they change immediately.
   void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
@@ -150,7 +150,7 @@ class WindowFusion {
     return counts_.slices > 0 || stamp_us > newest_us_;
   }
 
-  // Forgets all cells and the current frame. The clock is not reset.
+  // Clears all cells and the current frame. The clock is not reset.
   void forget();
 
   [[nodiscard]] std::int32_t cell_mm() const { return cell_mm_; }
@@ -170,8 +170,8 @@ class WindowFusion {
   }
 
  private:
-  // The minimum and maximum number of tiles that one core claims at a time if several cores work in
-  // parallel. The maximum also determines the size of the undo log.
+  // The minimum and maximum number of tiles that one core claims at a time if several cores share
+  // the work. The maximum also determines the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
@@ -191,10 +191,10 @@ class WindowFusion {
     }
   };
 
-  // The counts of the tile at a slot in the current frame.
+  // The counts of the tile of a slot in the current frame.
   struct SlotCounts {
     // Groups are counted only if the evidence might exceed the budget. The groups of slots without
-    // hits are counted only if several cores work in parallel.
+    // hits are counted only if several cores share the work.
     GroupBudget groups;
     Budget allowed;  // groups that may be fused in that case
     std::uint8_t fused = 0;
@@ -204,7 +204,7 @@ class WindowFusion {
   };
   static_assert(window::kGroupsPerTile <= 0xFF);
 
-  // Slots in ascending order.
+  // A list of slots in ascending order.
   struct SlotList {
     std::size_t count = 0;
     std::array<std::uint16_t, window::kSlotCount> slots{};

@@ -1,22 +1,23 @@
 // The evidence of a frame. All slices of the frame are joined in the cells of the window.
 //
-// Free space is gathered: the negative index of a slice cell is added to each window cell whose
-// centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
-// the window cell that contains the centre of the slice cell. If hits were gathered, thin objects
-// such as poles could be lost, because some slice cells contain no centre of a window cell (17 % at
-// 45 degrees). Hits outside the window are dropped.
+// Free space is gathered. That is, the negative index of a slice cell is added to each window cell
+// whose centre lies in the slice cell. Hits are scattered. That is, the positive index of a slice
+// cell is added to the window cell that contains the centre of the slice cell. If hits were
+// gathered, thin objects such as poles could be lost. The reason is that some slice cells contain
+// no centre of a window cell (17 % at 45 degrees). Hits outside the window are dropped.
 //
 // The evidence of a cell is the saturating sum of its positive indexes. If the cell has no positive
 // index, the evidence is the saturating sum of its negative indexes. One byte per cell is enough
-// for both sums (placing/slice_byte.hpp), because a positive byte contains only the sum of hits,
-// and the first hit overwrites the free index. Slices may be added in any order, because a
-// saturating sum of numbers with the same sign does not depend on their order. The extra bit of a
-// free cell is set if any slice sets the bit. Another bit per cell is set if a hit is a tall
-// return. The evidence takes up 1.1 MB in total.
+// for both sums (placing/slice_byte.hpp). A positive byte contains only the sum of hits, because
+// the first hit overwrites the free index. Slices may be added in any order because a saturating
+// sum of numbers with the same sign does not depend on their order. The extra bit of a free cell is
+// set if any slice sets it. Another bit per cell is set if a hit is a tall return. The evidence
+// takes up 1.1 MB in total.
 //
-// Several cores add slices in parallel. Each core processes regions of the window. The core that
-// processes a region gathers free space into the region's tiles and searches the slices for hits in
-// the region. A single core processes the whole window as one region.
+// If several cores add slices, they work in parallel. Each core processes regions of the window.
+// The core that processes a region gathers free space into the region's tiles and searches the
+// slices for hits in the region. If there is only one core, it processes the entire window as one
+// region.
 #pragma once
 
 #include <array>
@@ -45,12 +46,12 @@ class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // The maximum number of slices per call. A frame of 40 ms has at most this number of slices, each
-  // of 8 ms or less.
+  // The maximum number of slices per call. A frame of 40 ms has at most this many slices, each of 8
+  // ms or less.
   static constexpr std::size_t kMostAtOnce = 6;
 
   // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must not
-  // change within a frame. Core 0 runs `beside` at the same time. `beside` may read the slices.
+  // change within a frame. While slices are added, core 0 runs `beside`, which may read the slices.
   void add(std::span<const PlacedCells> slices, const window::Area& area,
            const work::Crew& crew = work::Crew(), work::Beside beside = {});
   void add(const SliceCells& slice, const window::Area& area, const Placement& at) {
@@ -58,27 +59,27 @@ class FrameEvidence {
     add(std::span(&only, 1), area);
   }
 
-  // Clears either all evidence or the evidence of the tile at a slot.
+  // Clears either all evidence or the evidence of the tile in a slot.
   void clear();
   void clear(std::size_t slot);
 
-  // Returns true if any cell of the tile at this slot has evidence.
+  // Returns true if any cell of the tile in this slot has evidence.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
 
-  // Returns true if any cell of the tile at this slot was hit.
+  // Returns true if any cell of the tile in this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // Returns the joined bytes of the tile at a slot, row by row from the lowest y.
+  // Returns the joined bytes of the tile in a slot, row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
   // Returns the tile's cells with a tall return. The result is valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
-  // Removes the evidence of the given cells of the tile at a slot.
+  // Removes the evidence from the given cells of the tile in a slot.
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:
-  // A square of tiles of the window. Tiles are counted from the window's lowest corner.
+  // A square block of tiles in the window. Tiles are counted from the window's lowest corner.
   struct Region {
     window::TileNumber low{};
     std::int32_t tiles_across = window::kTilesAcross;

@@ -26,7 +26,8 @@ struct Hit {
 
 class HitList {
  public:
-  // The capacity of the list. One turn of 128 layers hits fewer cells (docs/objects.md).
+  // The capacity of the list. The capacity exceeds the number of cells that one turn of 128 layers
+  // hits (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
   // The vehicle must be inside the area, and the area must not change within a frame.

@@ -13,8 +13,8 @@
 
 namespace iog::placing {
 
-// The images, in the slice grid, of a run of eight window cells, computed once for all runs of a
-// slice.
+// The images, in the slice grid, of a run of eight window cells. The images are computed once for
+// all runs of a slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
 // 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
@@ -22,16 +22,16 @@ namespace iog::placing {
 // run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells,
 // so a run covers at most six rows.
 //
-// The offset of a cell from the lowest column or row of its run is the integer part of the cell's
-// steps. The offset is larger by one if the fraction of the steps and the fraction of the lowest
-// column or row add up to 1 or more. The result is exact.
+// A cell's offset from the lowest column or row of its run is the integer part of its step value.
+// The offset is larger by one if the fraction of the steps and the fraction of the lowest column or
+// row add up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
   static constexpr std::int32_t kMostRows = 6;
   using Eight = std::array<std::uint16_t, kCount>;
 
-  // `step` is the image of the step from a window cell to the next window cell along x.
+  // `step` is the image of the step from one window cell to the next along x.
   explicit EightSteps(FinePoint step);
 
   FinePoint step;
@@ -39,8 +39,8 @@ struct EightSteps {
   FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
   std::int32_t rows;  // maximum number of grid rows that a run covers
-  // For each cell, kColumns times the integer part of the cell's steps in rows, plus the integer
-  // part of its steps in columns.
+  // For each cell, this value is kColumns times the integer part of its step value in rows, plus
+  // the integer part of its step value in columns.
   alignas(16) Eight wholes;
   // For each cell, the largest fraction of the lowest x (or y) for which the fractions add up to
   // less than 1.
@@ -70,7 +70,7 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
 
 // Merges the free space of the slice grid into the evidence of a tile (placing/slice_byte.hpp).
 // `first` is the image of the centre of the tile's first cell in the grid. The images of the other
-// cells follow from `steps`. Returns false if all cells near the tile are unknown.
+// cells are computed from `steps`. Returns false if all cells near the tile are unknown.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -1,10 +1,10 @@
 // Affine transforms of cell centres between the slice grid and the window, in units of 2^-16 cells.
 //
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
-// tile's other cells are computed by adding steps that are rounded to the nearest 2^-16 cells. The
-// image of a cell is therefore less than 32 * 2^-16 cells below and at most 31 * 2^-16 cells above
-// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window and the slice grid
-// have cells of the same size.
+// other cells of the tile are computed by adding steps that are rounded to the nearest 2^-16 cells.
+// Compared with the exact image, the image of a cell is therefore less than 32 * 2^-16 cells lower
+// and at most 31 * 2^-16 cells higher. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window
+// and the slice grid have cells of the same size.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,8 @@ struct ExactPoint {
 
 class CellMap {
  public:
-  // Returns the transform from window cells, counted from the corner of the window, to the slice
-  // grid. The vehicle must be inside the area.
+  // Returns the transform from window cells to the slice grid. Window cells are counted from the
+  // corner of the window. The vehicle must be inside the area.
   [[nodiscard]] static CellMap to_grid(const window::Area& area, const Placement& at);
 
   // Returns the transform from cells of the slice grid to window cells. The vehicle must be inside
@@ -69,7 +69,7 @@ class CellMap {
     return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
   }
 
-  // Returns the image of a point one tile farther along x or y, without rounding.
+  // Returns the image of the point that is one tile farther along x or y, without rounding.
   [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
     return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
   }
@@ -106,8 +106,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// The bounds of the images of a rectangle of cells, relative to the image of the rectangle's first
-// cell. The bounds include the lowest and the highest cell.
+// The bounds of the images of a rectangle of cells, relative to the image of its first cell. Both
+// bounds are inclusive.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

@@ -7,7 +7,7 @@
 //     -n            free, with index -n
 //     -(n + 32)     the same, and a beam that freed it was at most as high as the sensor's low_mm
 //
-// Indexes above 31 are clamped to 31, because masses do not increase beyond this index
+// Indexes above 31 are clamped to 31 because masses do not increase beyond this index
 // (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, so the byte has room
 // for the extra bit.
 #pragma once
@@ -36,8 +36,9 @@ static_assert(kMostIndex == kBeside - 1);
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 
-// Joins the free index of another slice into a cell's evidence. Indexes are added, and a set bit
-// stays set. Positive evidence consists of hits and does not change. Hits in `found` are ignored.
+// Joins the free index of another slice into a cell's evidence. The indexes are added, and an extra
+// bit that is set stays set. Positive evidence comes from hits and does not change. Hits in `found`
+// are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
   if (evidence > 0 || found >= 0) {
     return evidence;

@@ -1,9 +1,9 @@
 // The slice grid is the index grid of a slice, stored by tiles with one byte per cell
 // (placing/slice_byte.hpp). The slice grid also records which parts are known.
 //
-// The cells are a copy. Copying saves time, because each cell is looked up four times on average.
+// The cells are a copy. Copying saves time because each cell is looked up four times on average.
 // Known tiles are stored consecutively, so successive slices use the same part of the L2 cache. The
-// cells of unknown tiles are not stored, so unknown tiles need no clearing.
+// cells of unknown tiles are not stored, so they need not be cleared.
 #pragma once
 
 #include <array>
@@ -34,19 +34,19 @@ class SliceCells {
     note(tile);
   }
 
-  // Makes all cells unknown.
+  // Sets all cells to unknown.
   void clear();
 
-  // Replaces all tiles, on several cores. First call begin(), then call copy() or leave() for each
-  // tile on any core, and finally call note_all() on any core. If a core is lost, the core's tiles
-  // may be set again.
+  // Replaces all tiles, using several cores. First call begin(). Then call copy() or leave() for
+  // each tile, on any core. Finally call note_all(), on any core. If a core is lost, its tiles may
+  // be set again.
   void begin();
   void copy(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {});
   void leave(std::size_t tile) { is_known_[tile] = false; }
   void note_all();
 
-  // Returns true if the tile has a known cell. The tile is given by its number, or by its column
-  // and row.
+  // Returns true if the tile has a known cell. The tile is given by its number or by its column and
+  // row.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] bool is_known(geometry::Cell tile) const { return is_known_[number_of(tile)]; }
 
@@ -68,13 +68,13 @@ class SliceCells {
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
   // `is_known_near()` returns true if any cell of a rectangle may be known. The rectangle may lie
-  // anywhere, but must have at most kMostNear columns and rows.
+  // anywhere, but it must have at most kMostNear columns and rows.
   static constexpr std::int32_t kMostNear = 13;
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 
   // Returns the cells of the tile in a column and row of the grid, row by row from the lowest y.
-  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read the
-  // same number of bytes after these cells, but the values of these bytes are meaningless.
+  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read an
+  // equal number of bytes after these cells, but the values of these bytes are meaningless.
   [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
     const std::size_t number = number_of(tile);
     return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
@@ -90,18 +90,17 @@ class SliceCells {
   }
 
  private:
-  // The second element allows reads beyond the end of the first element.
+  // The second element allows reads beyond the end of the first one.
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The width of the margin of unknown cells around the grid. A rectangle of is_known_near() that
-  // overlaps the grid extends at most this far beyond the grid.
+  // The width of the margin of unknown cells around the grid. If a rectangle of is_known_near()
+  // overlaps the grid, it extends at most this far beyond the grid.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // Each row has one extra byte before the bytes of the grid, and two extra bytes after the bytes
-  // of the grid.
+  // Each row has one extra byte before the grid's bytes and two after them.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {

@@ -7,7 +7,7 @@
 
 namespace iog::pose {
 
-// The outcome of a datagram. All outcomes except the first two are drops, which change nothing.
+// The outcome of a datagram. All outcomes except the first two are drops, which have no effect.
 enum class Fate : std::uint8_t {
   kUsed,          // it is the newest pose
   kUnconfirmed,   // it waits for confirmation, because its run has not been accepted yet

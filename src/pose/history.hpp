@@ -1,16 +1,16 @@
 // Stores the poses of the last second and interpolates the pose at any time within this second.
 //
-// Times are in us on the clock of the pose source, unless they are stated to be on the target's
-// clock. Messages must arrive in the order of the source's clock. A message that is not newer than
-// the newest message so far is dropped. A sequence of poses ends with a break. A break is a gap of
-// kLostUs without messages, a jump, a new run of the source, a contradiction by the sensors, or a
-// growing delay. Data registered before a break has lost its position, so the window becomes
-// unknown.
+// Times are in us on the clock of the pose source unless the target's clock is stated. Messages
+// must arrive in the order of the source's clock. A message that is not newer than the newest
+// message so far is dropped. A sequence of poses ends with a break. A break is one of the
+// following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by
+// the sensors, or a growing delay. Data registered before a break no longer has a known position,
+// so the window becomes unknown.
 //
-// A forged message must not blind the target permanently. If the run or the time of a message does
-// not continue the current sequence, the message is accepted only after kConfirmations consecutive
-// messages of this kind. If the message goes back in time or belongs to an earlier run, the current
-// sequence must also have had no message for kLostUs.
+// A forged message must not disable the pose input permanently. Therefore, if the run or the time
+// of a message does not continue the current sequence, the message is accepted only after
+// kConfirmations consecutive messages of this kind. If the message goes back in time or belongs to
+// an earlier run, the current sequence must also have had no message for kLostUs.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@
 
 namespace iog::pose {
 
-// The pose at a time, or the reason why the pose is not available.
+// The pose at a time, or the reason why there is none.
 struct Placed {
   Cause cause = Cause::kLost;
   // The pose and its standard deviations are valid if the cause is kNone. Otherwise, the pose is
@@ -46,8 +46,8 @@ struct Tally {
 
 class History {
  public:
-  // `depends_on_arrival` is true if packets get their times from the offset of the clocks. If
-  // `depends_on_arrival` is true, the offset must not grow faster than clocks drift.
+  // `depends_on_arrival` is true if packets get their times from the offset of the clocks. In this
+  // case, the offset must not grow faster than clocks drift.
   explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
 
   // Adds a valid message with its arrival time on the target's clock. Returns kUsed if the message
@@ -56,49 +56,50 @@ class History {
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
   // Reports the current time on the clock of the source. The caller passes the end of the newest
-  // slice, or the source_time() of the current time. The call detects that the source is lost.
-  // Without a call of pass(), the loss would be detected only when the source's next message
+  // slice, or the source_time() of the current time. The function detects that the source is lost.
+  // Without calls to pass(), the loss would be detected only when the source's next message
   // arrives.
   void pass(std::uint64_t now_us);
 
   // Reports the current time on the target's clock. Call pass_silence() if the time since the
-  // newest message is not known from other data.
+  // newest message cannot be determined from other data.
   void pass_silence(std::uint64_t target_us);
 
-  // Reports that the registered data contradict each other, so the poses were wrong. The source may
-  // be stuck. Poses are therefore rejected until the position differs from the current position,
+  // Reports that the registered data contradict each other. The poses were therefore wrong, and the
+  // source may be stuck. Poses are then rejected until the position differs from the current one,
   // but for at most kMaxStuckUs.
   void contradict();
 
-  // Returns the pose at a time. Between two messages, the pose is interpolated linearly. Up to
-  // kLateUs after the newest message, the pose is predicted from the speed and the yaw rate. If the
+  // Returns the pose at a time. Between two messages, the pose is interpolated linearly. After the
+  // newest message, the pose is predicted from the speed and the yaw rate for up to kLateUs. If the
   // time is before the first message after a break, the result contains the cause of the break:
   // kLost, kJump, kRestart, kContradicted or kDrifting. If no break has occurred, the returned
   // cause is kLost. Other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // Converts a time on the target's clock to the clock of the source, using the message with the
-  // shortest delay in the last second. The result is never ahead by more than the shortest delay of
-  // a message. Returns nothing if no message arrived in the last second.
+  // shortest delay in the last second. The result lags behind the source's clock by the delay of
+  // this message. Returns nothing if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Returns the number of breaks so far. Data registered in an earlier epoch has lost its position.
+  // Returns the number of breaks so far. Data registered in an earlier epoch no longer has a known
+  // position.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Returns true if the position or heading of a message of this run differs from that of the run's
-  // first message by at least a jump.
+  // Returns true if, in this run, the position or heading of a message has differed from that of
+  // the first message by at least a jump.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
   // Returns how often each break occurred, and when it last occurred. The times of `kLost` and
   // `kContradicted` are those of the last message before the break. The times of `kJump`,
   // `kRestart` and `kDrifting` are those of the first message after the break. All other causes
-  // apply to slices.
+  // concern slices, not breaks.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // Returns the newest message, even if it is too old to register any data. Returns nothing before
-  // the first message.
+  // Returns the newest message, even if it is too old to register any data with it. Returns nothing
+  // before the first message.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
   }
@@ -127,7 +128,7 @@ class History {
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
-  // Returns the entry with the given age. The newest entry has the age 0. `age` must be below
+  // Returns the entry with the given age. The newest entry has an age of 0. `age` must be below
   // count_.
   [[nodiscard]] const Entry& entry(std::size_t age) const {
     return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];

@@ -1,5 +1,5 @@
-// Defines the valid values of poses, how long a pose is used, and when a pose is rejected
-// (docs/spec.md, section 5).
+// Defines the valid values of poses, the time for which a pose is used, and the conditions under
+// which a pose is rejected (docs/spec.md, section 5).
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
 inline constexpr std::uint32_t kMaxAgeUs = 200'000;
-// The maximum clock value is 146,000 years. The limit ensures that sums and differences of clock
-// values and of the target's time do not wrap around.
+// The maximum clock value corresponds to 146,000 years. The limit ensures that sums and differences
+// of clock values and of the target's time do not wrap around.
 inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 
 // The maximum time between a slice and a message. A pose is predicted for at most kLateUs after a
@@ -34,24 +34,24 @@ inline constexpr std::uint64_t kMinSpacingUs = 8'000;
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
-// Another run or another clock is accepted after kConfirmations consecutive messages of that run or
-// clock.
+// If messages come from another run or another clock, this run or clock is accepted after
+// kConfirmations consecutive messages.
 inline constexpr std::size_t kConfirmations = 3;
 
-// Slices are not registered with a pose whose standard deviation exceeds 150 mm. For the heading,
-// the limit is the angle that corresponds to 150 mm at kReachMm.
+// If the standard deviation of a pose exceeds 150 mm, no slices are registered with it. For the
+// heading, the limit is the angle that corresponds to 150 mm at kReachMm.
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 
-// After a contradiction by the sensors, the source is rejected for kMaxStuckUs, or until its pose
-// has changed by at least a jump.
+// After a contradiction by the sensors, the source is rejected until its pose has changed by at
+// least a jump, but for at most kMaxStuckUs.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 
 // No clock drifts faster than kMaxDriftPpm. If the clock offset grows by more than
 // kMaxDelayGrowthUs beyond this drift, the delay is considered to be growing.
 inline constexpr std::uint64_t kMaxDriftPpm = 200;
 inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
-// The source is accepted again if the delay has not grown for kSettledUs. The value is twice the
+// The source is accepted again if the delay has not grown for kSettledUs. This time is twice the
 // time span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 

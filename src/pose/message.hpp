@@ -2,7 +2,7 @@
 // (protection/protected_message.hpp), followed by 72 bytes of content in big-endian byte order.
 // Each byte is described in docs/spec.md, section 5.1.
 //
-// Sender and target share this file, so both use the same format.
+// The sender and the target both use this file, so they use the same format.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct Message {
 // Encodes and numbers the messages of a sender.
 class Encoder {
  public:
-  // Returns the complete message. The encoder does not check the fields, because the decoder checks
+  // Returns the complete message. The encoder does not check the fields because the decoder checks
   // them.
   [[nodiscard]] std::array<std::byte, kMessageBytes> encode(const Message& message);
 
@@ -72,7 +72,8 @@ struct Decoded {
   Message message{};            // only if the message is valid
 };
 
-// Decodes any bytes. The outcome is kUsed or one of kTooShort to kTooOld.
+// Decodes a message. The datagram may contain any bytes. The outcome is kUsed or one of the values
+// from kTooShort to kTooOld.
 [[nodiscard]] Decoded decode(std::span<const std::byte> datagram);
 
 }  // namespace iog::pose

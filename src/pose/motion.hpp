@@ -13,17 +13,17 @@ struct Motion {
   std::int32_t yaw_urad_per_s = 0;
 };
 
-// Returns the pose after continuing the motion for elapsed_us <= 10^6, along the chord of the
-// circle. The direction of the chord is the heading after half the time. Requires |x|, |y| <= 10^9
-// mm. The angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to half
-// a millimetre. The length of the arc is used as the length of the chord. At 0.5 rad/s and 100 ms,
-// the chord is therefore too long by one part in ten thousand.
+// Returns the pose after the motion has continued for elapsed_us <= 10^6, along the chord of the
+// circle. The direction of the chord is the heading after half of this time. Requires |x|, |y| <=
+// 10^9 mm. The angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to
+// half a millimetre. The length of the arc is used as the length of the chord. For example, at 0.5
+// rad/s and 100 ms, the chord is too long by one part in ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
-// Interpolates linearly between two poses at elapsed_us of span_us. The heading turns the shorter
-// way. If both ways are equally long, the heading turns clockwise. Requires 0 <= elapsed_us <=
-// span_us, 0 < span_us <= 10^6 and |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest
-// integer, with ties rounded up.
+// Interpolates linearly between two poses at elapsed_us of span_us. The heading turns in the
+// shorter direction. If both directions are equally long, the heading turns clockwise. Requires 0
+// <= elapsed_us <= span_us, 0 < span_us <= 10^6 and |x|, |y| <= 10^9 mm. Coordinates are rounded to
+// the nearest integer, and ties are rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 

@@ -1,5 +1,5 @@
-// The pose of the vehicle frame in the local frame. The local frame is a plane in which the pose
-// source avoids jumps.
+// The pose of the vehicle frame in the local frame. The local frame is a plane in which the poses
+// of the source do not jump.
 #pragma once
 
 #include <cstdint>

@@ -21,8 +21,8 @@ class RunMemory {
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // Makes `run` the current run. The new run must differ from the current run, but it may be an
-  // earlier run.
+  // Makes `run` the current run. The new run must differ from the previous current run, but it may
+  // be an earlier run.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;

@@ -1,8 +1,8 @@
 // Receives poses, checks their senders, decodes each datagram, and looks up a pose for each slice.
 // All rejections are counted by cause.
 //
-// The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
-// send from the configured address can change the vehicle's pose.
+// The CRC detects transmission errors, but it does not authenticate the sender. Anyone who can send
+// from the configured address can change the vehicle's pose.
 #pragma once
 
 #include <array>
@@ -25,15 +25,16 @@ struct CauseCounts {
   std::array<std::uint32_t, kCauseCount> slices{};  // see Source::slices()
   std::array<Tally, kCauseCount> began{};           // see Source::tally()
 
-  // Returns the causes that occurred since `before`, with one bit for each cause. The result has no
-  // bit for kNone.
+  // Returns the causes that occurred since `before`, with one bit for each cause. There is no bit
+  // for kNone.
   [[nodiscard]] std::uint8_t since(const CauseCounts& before) const;
 };
 
 class Source {
  public:
   // `description.is_valid()` must be true. `replayer_ipv4` is the address of a replayer that may
-  // send on behalf of the source, or 0 if no replayer is used. For depends_on_arrival, see History.
+  // send on behalf of the source, or 0 if no replayer is used. For `depends_on_arrival`, see
+  // History.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
                   bool depends_on_arrival = false);
 
@@ -60,7 +61,7 @@ class Source {
   // Returns the slice that contains a time on the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
-  // See History. The call does not count causes.
+  // See History. This function does not count causes.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
   // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call
@@ -69,12 +70,12 @@ class Source {
 
   // Returns the number of datagrams with each outcome since start-up.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Returns the number of slices since start-up, for each reason why a slice has no pose. The entry
+  // Returns the number of slices since start-up for each reason why a slice has no pose. The entry
   // kNone counts the slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // Returns how often each cause began, and when it last began. For kLate and kImprecise, the time
-  // is the middle of the first slice in a series of slices without a pose. For the other causes,
-  // see History.
+  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this is
+  // the middle of the first slice in a series of slices without a pose. For the other causes, see
+  // History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

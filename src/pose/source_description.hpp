@@ -1,4 +1,4 @@
-// The description of the pose source in the description of a vehicle.
+// Describes the pose source, as a part of a vehicle's description.
 #pragma once
 
 #include <cstdint>

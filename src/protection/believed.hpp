@@ -1,5 +1,5 @@
-// Decides whether a message is accepted. The source of the message must be allow-listed, and its
-// headers must be valid.
+// Decides whether a message is accepted. The source of the message must be allow-listed, and the
+// headers of the message must be valid.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace iog::protection {
 
 // Returns true if the source address `ipv4` may send. `described_ipv4` is the sender's address in
-// the car file, or 0 if any address may send. The replayer may send on behalf of every sender. If
-// no replayer is used, replayer_ipv4 is 0.
+// the car file. `described_ipv4` is 0 if any address may send. The replayer may send on behalf of
+// any sender. If there is no replayer, replayer_ipv4 is 0.
 [[nodiscard]] constexpr bool may_send(std::uint32_t ipv4, std::uint32_t described_ipv4,
                                       std::uint32_t replayer_ipv4) {
   return described_ipv4 == 0 || described_ipv4 == ipv4 ||

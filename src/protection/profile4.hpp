@@ -6,8 +6,8 @@
 //    4  u32 data id: unique in the vehicle, reveals misrouted messages
 //    8  u32 CRC-32/P4 over all data except these four bytes
 //
-// The counter starts at 0, because receivers expect 0 in the first message. A receiver that joins
-// later reports a wrong sequence once.
+// The counter starts at 0 because receivers expect 0 in the first message. If a receiver joins
+// later, it reports a wrong sequence once.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ enum class CheckStatus : std::uint8_t {
 }
 
 // The CRC remainder of the last Crc32P4::kPartBytes bytes of the data, if the caller already knows
-// this remainder. If the remainder is known, the last kPartBytes bytes are not read again.
+// it. In this case, these bytes are not read again.
 using TailRemainder = std::optional<std::uint32_t>;
 
 class Profile4Protector {
@@ -63,13 +63,13 @@ class Profile4Checker {
  public:
   constexpr explicit Profile4Checker(const Profile4& profile) : profile_{profile} {}
 
-  // Checks any bytes. As in the standard, every valid message updates the counter. The next message
-  // after a wrong sequence is therefore accepted again. For this reason, the caller must also
-  // detect old messages by their content.
+  // Checks a message, which may contain any bytes. As in the standard, every valid message updates
+  // the counter. After a wrong sequence, the next message is therefore accepted again. For this
+  // reason, the caller must also detect old messages by their content.
   [[nodiscard]] CheckStatus check(std::span<const std::byte> data);
 
   // Returns the counter step between the last two valid messages. The number of lost messages is
-  // the counter step minus 1.
+  // this step minus 1.
   [[nodiscard]] std::uint16_t delta_counter() const { return delta_counter_; }
 
  private:

@@ -9,7 +9,7 @@
 //   14  u8 message type: 0x02 notification
 //   15  u8 return code: 0
 //
-// A sender numbers its notifications with session IDs from 1 to 0xFFFF and then starts again at 1.
+// A sender numbers its notifications with session IDs from 1 to 0xFFFF, and then starts again at 1.
 // A session ID of 0 would mean that the sender does not use session handling.
 #pragma once
 
@@ -48,8 +48,8 @@ void write_some_ip_header(const Event& event, std::uint16_t session_id,
 [[nodiscard]] SomeIpStatus check_some_ip_header(const Event& event,
                                                 std::span<const std::byte> datagram);
 
-// Returns the interface version in the SOME/IP header of a datagram, or 0 if the datagram is too
-// short.
+// Returns the interface version in the SOME/IP header of a datagram. Returns 0 if the datagram is
+// too short.
 [[nodiscard]] std::uint8_t interface_version_of(std::span<const std::byte> datagram);
 
 [[nodiscard]] constexpr std::uint16_t session_after(std::uint16_t session_id) {

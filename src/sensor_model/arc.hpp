@@ -1,17 +1,17 @@
 // The inverse sensor model across a wide beam, such as a radar beam. The model determines the
-// occupancy indexes that a detection gives to the cells on both sides of the detection.
+// occupancy indexes that a detection gives to the cells on both sides of it.
 //
-// Along the beam, single_target.hpp applies. If the target is in the direction of the beam, its 1D
-// cell k is occupied with probability P(o_k | z). The direction of the target has a Gaussian
-// distribution. Directions are divided into angular cells, just as the beam is divided into 1D
-// cells. The width of an angular cell equals the standard deviation, and the detection is at the
-// centre of angular cell 0. The target is in angular cell a with weight
+// Along the beam, the model of single_target.hpp applies. If the target is in the direction of the
+// beam, its 1D cell k is occupied with probability P(o_k | z). The direction of the target has a
+// Gaussian distribution. Directions are divided into angular cells, just as the beam is divided
+// into 1D cells. The width of an angular cell equals the standard deviation of this distribution,
+// and the detection is at the centre of angular cell 0. The target is in angular cell a with weight
 //
 //   w_a = exp(-a^2 / 2) / sum_b exp(-b^2 / 2).
 //
 // With weight 1 - w_a, the target is elsewhere, and nothing is known about cell a:
 //
-//   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2
+//   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2.
 //
 // Cells in front of and behind the target get no index. A radar detects objects behind other
 // objects and around corners, and it does not report every object (docs/model.md, section 10).
@@ -37,13 +37,13 @@
 
 namespace iog::sensor_model {
 
-// With the smallest epsilon of a car, 0.01, cell 3 would need a weight of 0.01 to get an index, but
-// its weight is only 0.004.
+// Even with the smallest epsilon of a car (0.01), cell 3 gets no index. The cell would need a
+// weight of 0.01, but its weight is only 0.004.
 inline constexpr std::size_t kMaxArcCells = 3;
 
-// The detection probability h of an ultrasonic sensor. The sensor often misses cloth, foam, thin
-// poles, and planes that reflect the sound away. The value is deliberately low, so that a detection
-// outweighs a missing echo.
+// The detection probability h of an ultrasonic sensor. Such a sensor often misses cloth, foam, thin
+// poles, and planes that reflect the sound away from it. The value is deliberately low, so that a
+// detection outweighs a missing echo.
 inline constexpr double kHeard = 0.2;
 
 struct Arc {
@@ -57,13 +57,14 @@ struct Arc {
   // Returns true if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // Returns the maximum offset from the detection's azimuth that is inside one of the angular
-  // cells, in whole ticks.
+  // Returns the maximum offset from the detection's azimuth, in whole ticks, that is inside one of
+  // the angular cells.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
   // Returns the index at the offset `off_ticks` from the detection's azimuth. The magnitude of the
-  // offset must be at most reach_ticks(). An offset on a border belongs to the outer cell.
+  // offset must be at most reach_ticks(). An offset on the border between two cells belongs to the
+  // outer one.
   [[nodiscard]] constexpr index::OccupancyIndex at(std::int32_t off_ticks) const {
     const std::int32_t off = off_ticks < 0 ? -off_ticks : off_ticks;
     return marks[static_cast<std::size_t>((2 * off + cell_ticks) / (2 * std::int32_t{cell_ticks}))];
@@ -80,7 +81,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-// Computes an arc. If even cell 0 cannot get an index, the count of the result is 0.
+// Computes an arc. If not even cell 0 can be given an index, the result's count is 0.
 constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   const double hit = SingleTarget{config.sigma_m, config.cell_length_m}.probability(0);
   const index::RecursiveSet set(config.epsilon);
@@ -102,8 +103,8 @@ constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   return arc;
 }
 
-// Returns the index of a cell from which an ultrasonic sensor received no echo. If even the weakest
-// index of the set would be too strong, the result is 0.
+// Returns the index of a cell from which an ultrasonic sensor received no echo. Returns 0 if even
+// the weakest index of the set would be too strong.
 constexpr index::OccupancyIndex unheard(const ProfileConfig& config) {
   const index::RecursiveSet set(config.epsilon);
   return static_cast<index::OccupancyIndex>(

@@ -25,7 +25,7 @@ struct ProfileConfig {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
 };
 
-// The maximum number of cells on one side of the scan point whose index is neither the free index
+// The maximum number of cells, on one side of the scan point, whose index is neither the free index
 // nor 0.
 inline constexpr std::size_t kMaxNearCells = 8;
 
@@ -50,10 +50,10 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // Returns true if a frame can be fused with the profile. A valid profile carves before the scan
-  // point, marks at the scan point, and clears nothing behind it. A 1D cell much shorter than sigma
-  // cannot be marked (thesis section 4.2.1.2, figure 4.6d). If the profile is invalid for this
-  // reason, the sensor needs longer 1D cells.
+  // Returns true if a frame can be fused with this profile. A valid profile carves before the scan
+  // point, marks at the scan point, and clears nothing behind it. If a 1D cell is much shorter than
+  // sigma, it cannot be marked (thesis section 4.2.1.2, figure 4.6d). In this case, the sensor
+  // needs longer 1D cells.
   [[nodiscard]] constexpr bool is_valid() const {
     bool valid = free < 0 && hit > 0;
     for (std::size_t j = 0; j < kMaxNearCells; ++j) {
@@ -100,11 +100,11 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// The function is not constexpr and has no definition. A call therefore stops the compilation with
-// an error message that contains the function's name.
+// The function is not constexpr and has no definition. If the function is called, the compilation
+// therefore stops with an error message that contains the function's name.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// Returns the same result as profile_of() for a profile that is known to fit. If the profile does
+// Returns the same result as profile_of(), for a profile that is known to fit. If the profile does
 // not fit, the code does not compile.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {

@@ -5,9 +5,9 @@
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
 // p(z|d) is a Gaussian with standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent. Equation 4.1 omits the factor 1/2, but Table 4.3 needs it (docs/model.md section 4).
-// Distances are measured to the centres of cells, and z is the centre of its own cell k. Therefore,
-// only i - k and the ratio of cell length to sigma matter, unless k is within a few cells of an end
+// exponent. Equation 4.1 omits this factor, but Table 4.3 needs it (docs/model.md section 4).
+// Distances are measured to the centres of cells, and z is the centre of its own cell k. Only i - k
+// and the ratio of cell length to sigma therefore matter, unless k is within a few cells of an end
 // of the grid.
 #pragma once
 

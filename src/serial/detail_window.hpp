@@ -16,11 +16,11 @@ namespace iog::serial {
 
 class DetailWindow {
  public:
-  // At 115200 baud the link transmits 460 bytes per frame, and a known tile takes more than 14
+  // At 115200 baud, the link transmits 460 bytes per frame, and a known tile takes more than 14
   // bytes.
   static constexpr std::size_t kTiles = 32;
 
-  // Empties the window. Tiles below `first_tile` are ignored from then on.
+  // Empties the window. From then on, tiles below `first_tile` are ignored.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
@@ -41,12 +41,12 @@ class DetailWindow {
     ++count_;
   }
 
-  // Returns the number after the last tile that the window covers. If the window covers a tile but
-  // find() does not find it, the tile is unknown.
+  // Returns one past the number of the last tile that the window covers. If the window covers a
+  // tile but find() does not find it, the tile is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
-  // Returns the position of the first known tile whose number is at least `tile`, or count() if no
-  // such tile exists.
+  // Returns the position of the first known tile whose number is at least `tile`. If there is none,
+  // returns count().
   [[nodiscard]] std::size_t find(std::size_t tile) const {
     const auto numbers = std::span(numbers_).first(count_);
     return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());

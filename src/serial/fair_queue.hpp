@@ -1,7 +1,7 @@
 // Selects the flow that sends next on a link that is too slow for all flows. The queue selects the
 // flow that has received the least service relative to its weight (start-time fair queueing by
-// Goyal, Vin and Cheng, IEEE/ACM Transactions on Networking 5, 1997). A flow gains or loses nothing
-// by being idle.
+// Goyal, Vin and Cheng, IEEE/ACM Transactions on Networking 5, 1997). A flow neither gains nor
+// loses service by being idle.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ class FairQueue {
       : weights_{weights} {}
 
   // Selects one of the waiting flows. If several waiting flows have received the same service, the
-  // queue selects the first of them. The service of each idle flow is raised to the service of the
-  // selected flow, so an idle flow cannot accumulate credit.
+  // queue selects the first one. The service of each idle flow is raised to that of the selected
+  // flow, so that an idle flow cannot accumulate credit.
   [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
     std::optional<std::size_t> chosen;
     for (std::size_t flow = 0; flow < kFlows; ++flow) {
@@ -38,7 +38,7 @@ class FairQueue {
     return chosen;
   }
 
-  // Charges the flow for `bytes` sent bytes.
+  // Charges the flow for `bytes` bytes sent.
   void charge(std::size_t flow, std::size_t bytes) {
     service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
     const std::uint32_t least = *std::ranges::min_element(service_);

@@ -4,12 +4,13 @@
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
 // Three flows share the link: the coarsest grid (*rough*, 3.2 m cells), the medium grid (*fine*,
-// 0.8 m cells), and the full-resolution cells. Each flow sends the tiles of its grid in rounds. A
-// flow sends at most one round per frame. In the next frame, the flow continues where it stopped.
-// Each message covers a range of tiles and contains the cells of every known tile in this range.
-// All other tiles in the range are unknown. A receiver's tiles are therefore at most one round old.
-// If no sensor contributed to a frame, the frame has no known cells. For a frame without known
-// cells, the sender transmits only an empty message of the coarsest grid as a heartbeat.
+// 0.8 m cells), and the full-resolution cells. Each flow sends the tiles of its grid in rounds,
+// with at most one round per frame. If a round is not complete when the frame ends, the flow
+// resumes it in the next frame. Each message covers a range of tiles and contains the cells of
+// every known tile in this range. All other tiles in the range are unknown. The tiles of a receiver
+// are therefore at most one round old. If no sensor contributed to a frame, the frame has no known
+// cells. In this case, the sender transmits only an empty message of the coarsest grid as a
+// heartbeat.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +32,7 @@
 
 namespace iog::serial {
 
-// Make the object static, because it takes up 64 KB.
+// The object must be static because it takes up 64 KB.
 class GridSender {
  public:
   // The maximum number of tiles that one call of pump() encodes.
@@ -45,16 +46,17 @@ class GridSender {
   // grid on this link is as large as the memory. Cells outside the car's grid are unknown.
   void describe(const geometry::Grid& grid) { grid_ = grid; }
 
-  // Call the following functions for each complete frame: first for its header, then for its known
-  // tiles in ascending order, then for its end. The functions read each cell once and copy at most
-  // DetailWindow::kTiles tiles. Do not call pump() between these calls.
+  // For each complete frame, call the following functions: first the one for its header, then the
+  // one for its known tiles in ascending order, and then the one for its end. The functions read
+  // each cell once and copy at most DetailWindow::kTiles tiles. Do not call pump() between these
+  // calls.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles and protects
-  // and frames at most one message. Each call passes at most 40 ms worth of bytes to the port.
-  // `now_us` must not decrease.
+  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles. Each call
+  // protects and frames at most one message. Each call passes at most as many bytes to the port as
+  // the link transmits in 40 ms. `now_us` must not decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
     bucket_.refill(now_us, port.bytes_per_second());
@@ -82,8 +84,8 @@ class GridSender {
     std::size_t left = 0;  // number of remaining tiles from `next` on, modulo the grid
   };
 
-  // Continues to compose a message while the link sends the previous message, which takes about 40
-  // ms. Returns true if the message is complete and stored in frame_left_.
+  // Continues to compose a message while the link sends the previous one, which takes about 40 ms.
+  // Returns true if the message is complete and stored in frame_left_.
   [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
   // Returns false if the message is complete.
@@ -109,7 +111,7 @@ class GridSender {
   std::array<Round, kFlows> rounds_{};
   FairQueue<kFlows> queue_{kWeights};
 
-  // The flow, next tile and end of the message being composed.
+  // The flow, the next tile and the end of the message that is being composed.
   bool is_composing_ = false;
   std::size_t flow_ = kRough;
   std::size_t tile_ = 0;
@@ -122,7 +124,7 @@ class GridSender {
   std::uint32_t sequence_ = 0;
   protection::Sender sender_{stream::kSerialChannel};
 
-  // The message being sent, and its unsent bytes.
+  // The message that is being sent, and its unsent bytes.
   std::array<std::byte, framing::max_framed_bytes(protection::kMaxMessageBytes)> frame_{};
   std::span<const std::byte> frame_left_;
   TokenBucket bucket_;

@@ -1,10 +1,9 @@
-// Limits the rate of bytes passed to the serial port with a token bucket. One token represents one
-// byte.
+// Uses a token bucket to limit the rate at which bytes are passed to the serial port. One token
+// represents one byte.
 //
-// The port's ring buffer holds far more bytes than the link can send in time. Bytes become stale
-// while they wait in the ring buffer. Bytes are therefore passed to the port at the link's data
-// rate, with at most a short burst ahead of it. On an emulated link, the token bucket is the only
-// rate limit.
+// The port's ring buffer holds far more bytes than the link can send in time, and bytes become
+// stale while they wait in it. Bytes are therefore passed to the port at the link's data rate, with
+// at most a short burst ahead of it. On an emulated link, the token bucket is the only rate limit.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +14,8 @@ namespace iog::serial {
 
 class TokenBucket {
  public:
-  // The time in which an empty bucket fills. The link stays busy as long as no loop iteration, and
-  // no composition of a message, takes longer than kBurstUs.
+  // The time in which an empty bucket fills. The link stays busy as long as neither a loop
+  // iteration nor the composition of a message takes longer than kBurstUs.
   static constexpr std::uint32_t kBurstUs = 40'000;
 
   // Returns the size of the burst in bytes.
@@ -34,7 +33,7 @@ class TokenBucket {
     level_ += std::min(elapsed_us * bytes_per_second, most - level_);
   }
 
-  // Returns the number of tokens in the bucket. This number of bytes may be passed to the port now.
+  // Returns the number of tokens in the bucket. That many bytes may be passed to the port now.
   [[nodiscard]] std::size_t tokens() const { return level_ / kToken; }
 
   // Requires tokens <= this->tokens().

@@ -1,5 +1,5 @@
-// The message of a target that refuses the car in its image. A target without a valid car sends no
-// grid (docs/spec.md 3.11).
+// The message that a target sends if it rejects the car in its image. A target without a valid car
+// sends no grid (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>

@@ -28,7 +28,7 @@ struct SliceRecord {
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// The number of slices since start-up that could not be placed because of one cause.
+// The number of slices since start-up that could not be placed for one particular cause.
 struct CauseRecord {
   std::uint32_t slices = 0;  // for the cause kNone, the number of slices placed
   pose::Tally began{};       // how often the cause began, and the last time at which it began

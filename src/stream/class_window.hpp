@@ -1,6 +1,6 @@
-// The header of the world-aligned window in class tile messages (docs/spec.md 3.9). The header
-// contains the window's position, the last pose of the vehicle, and the reasons why slices were not
-// placed.
+// The header of class tile messages, which describes the world-aligned window (docs/spec.md 3.9).
+// The header contains the window's position, the last pose of the vehicle, and the reasons why
+// slices were not placed.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +44,8 @@ struct ClassWindow {
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// Returns the area of the window. Messages number the tiles of the window by slot. The slot of a
-// tile does not change when the window moves.
+// Returns the area of the window. In messages, the tiles of the window are numbered by slot. A tile
+// keeps its slot when the window moves.
 [[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes) {
   return window::Area({.a = classes.corner_a, .b = classes.corner_b});
 }

@@ -1,9 +1,9 @@
-// The content of grid messages without the surrounding protection (stream/channel.hpp). All values
-// are big endian. Each byte is documented in docs/spec.md.
+// Defines the content of grid messages without the surrounding protection (stream/channel.hpp). All
+// values are big endian. The meaning of each byte is documented in docs/spec.md.
 //
-// Every message starts with the same header, which contains the header length and the message type.
-// A receiver skips header bytes that it does not know, and drops messages with unknown types,
-// encodings or storages. New fields and encodings can therefore be added later. Tile messages are
+// Every message starts with the same header, which contains its own length and the message type. A
+// receiver skips header bytes that it does not know, and drops messages with unknown types,
+// encodings or storages. Later versions can therefore add fields and encodings. Tile messages are
 // defined in stream/tiles.hpp.
 #pragma once
 
@@ -62,7 +62,7 @@ struct Header {
   [[nodiscard]] constexpr bool has_evidence() const {
     return (complete_sensors | partial_sensors) != 0;
   }
-  // The following functions report which grids the frame has.
+  // The following functions return true if the frame has the given grid.
   [[nodiscard]] constexpr bool has_classes() const { return (flags & kFlagClasses) != 0; }
   [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
   // Returns true if the frame has an object list, which may be empty.
@@ -114,8 +114,8 @@ template <typename Counts>
 // The result of reading a message.
 enum class ReadStatus : std::uint8_t { kOk, kTooShort, kInconsistent };
 
-// Each of these functions writes one part of a message. The functions return the number of bytes
-// written, or 0 if the buffer is too small.
+// Each of these functions writes one part of a message, and returns the number of bytes written, or
+// 0 if the buffer is too small.
 std::size_t write_header(const Header& header, std::span<std::byte> buffer);
 std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
                             std::span<std::byte> buffer);
@@ -129,11 +129,11 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
 // Replaces the sequence number in a header that has already been written.
 void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence);
 
-// Reads the header and sets `body` to the bytes after the header. Returns kOk or kTooShort.
+// Reads the header, and sets `body` to the bytes after it. Returns kOk or kTooShort.
 [[nodiscard]] ReadStatus read_header(std::span<const std::byte> content, Header& header,
                                      std::span<const std::byte>& body);
 
-// Returns kOk, kTooShort, or kInconsistent if a count is invalid.
+// Returns kOk or kTooShort, or returns kInconsistent if a count is invalid.
 [[nodiscard]] ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_count,
                                         FrameEnd& end);
 

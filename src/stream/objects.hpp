@@ -28,7 +28,7 @@ inline constexpr std::uint16_t kNotBelieved = 65535;  // as a velocity's deviati
 inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
 // An object's box on the ground, and its motion. Positions and velocities are in the local frame.
-// "Along" means in the direction of the heading. "Across" means to the left of the heading.
+// The heading defines the direction "along", and "across" is to its left.
 struct ObjectRecord {
   std::uint32_t id = 0;  // never 0 and never reused within a run
   ObjectState state = ObjectState::kYoung;
@@ -91,7 +91,7 @@ struct ObjectList {
   }
 };
 
-// Returns the number of messages for the list. An empty list takes one message.
+// Returns the number of messages for the list. Even an empty list is sent as one message.
 [[nodiscard]] constexpr std::size_t parts_of(const ObjectList& list) {
   return list.count == 0 ? 1 : (list.count + kMaxObjectsOfAPart - 1) / kMaxObjectsOfAPart;
 }

@@ -22,16 +22,16 @@ struct Reception {
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// Returns the CRC-32 of the first and last 64 bytes of a payload, or of the entire payload if it is
-// shorter. The datagrams of a sensor differ in their first or last bytes, because these bytes
+// Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload is shorter, the
+// CRC covers all of it. The datagrams of a sensor differ in their first or last bytes, which
 // contain a timestamp, a sequence number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// The maximum number of receptions, which exceeds the number of packets and poses stored for a
-// frame.
+// The maximum number of receptions. This maximum exceeds the number of packets and poses stored for
+// a frame.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
 // The fields that are the same in all parts of a list.
@@ -42,7 +42,7 @@ struct ReceptionsHeader {
   friend constexpr bool operator==(const ReceptionsHeader&, const ReceptionsHeader&) = default;
 };
 
-// Returns the number of messages for a list of this length.
+// Returns the number of messages needed for a list of this length.
 [[nodiscard]] constexpr std::size_t reception_parts_of(std::size_t receptions) {
   return receptions == 0 ? 1 : (receptions + kMaxReceptionsOfAPart - 1) / kMaxReceptionsOfAPart;
 }

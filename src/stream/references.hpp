@@ -24,22 +24,25 @@ inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
 class References {
  public:
-  // Stores a tile that is sent self-contained. `payload_bytes` is the length of the tile's payload.
+  // Stores a tile that was sent as a self-contained tile. `payload_bytes` is the length of the
+  // tile's payload.
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // Records the payload length of a tile that was sent as a difference from its reference. If the
-  // payload length exceeds seven eighths of the self-contained length, the tile is sent
-  // self-contained the next time, which makes the following frames shorter.
+  // Records the payload length of a tile that was sent as a difference from its reference. If this
+  // length exceeds seven eighths of the self-contained length, the tile is self-contained the next
+  // time it is sent. Sending it in this way makes the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
-  // Returns the stored reference of a tile, or nothing if the tile was never sent self-contained.
+  // Returns the stored reference of a tile. Returns nothing if no self-contained version of the
+  // tile was ever sent.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
   // Returns the reference that a sender may use for a tile in a frame. Returns nothing if the
-  // reference is too old or the tile has changed too much since the reference was sent. In
-  // addition, each tile is sent self-contained once every kMaxReferenceAge + 1 frames. The tile
-  // number determines the frame, so self-contained tiles are spread evenly over the frames.
+  // reference is too old, or if the tile has changed too much since the reference was sent. In
+  // addition, each tile is sent as a self-contained tile once every kMaxReferenceAge + 1 frames.
+  // The tile number determines in which frame this happens, so self-contained tiles are spread
+  // evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

@@ -25,7 +25,7 @@ struct Counter {
   return Group::kNet <= counter.group && counter.group <= Group::kCommand;
 }
 
-// All counters of the table, in the order of the table.
+// Lists all counters of the table, in the order of the table.
 inline constexpr auto kCounters = [] {
   constexpr std::string_view kBetween = ", ";
   constexpr std::size_t kCount = [=] {
@@ -125,7 +125,7 @@ template <typename Counts>
   return places;
 }
 
-// Returns true if each link counter belongs to exactly one of these structs, and no spare word
+// Returns true if each link counter belongs to exactly one of these structs and no spare word
 // belongs to any of them.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. Returns nothing unless all these counters are among the first
-// `sent` link counters.
+// Reads the counters in `Counts`. Returns nothing unless all counters in `Counts` are among the
+// first `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

@@ -1,5 +1,5 @@
 // The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
-// covers and the content of the known tiles in this range. If a covered tile has no content, the
+// covers, and the content of the known tiles in this range. If a covered tile has no content, the
 // tile is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
@@ -34,8 +34,8 @@ struct Geometry {
   std::uint16_t width = 0;   // in cells; a multiple of the tile's side
   std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner with the lowest x and y in the vehicle frame. The corner is 0 for classes, because
-  // their position is in the window header.
+  // The corner of the grid with the lowest x and y in the vehicle frame. For classes, the corner is
+  // 0 because their position is in the window header.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -87,8 +87,7 @@ struct Geometry {
   return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
-// Returns the geometry of the firmware's window. The window has as many cells as the memory of the
-// grid.
+// Returns the geometry of the firmware's window. The window has as many cells as the grid.
 [[nodiscard]] constexpr Geometry geometry_of_classes(std::uint16_t cell_mm = geometry::kCellMm) {
   Geometry geometry = geometry_of_level(0, {.cell_mm = cell_mm});
   geometry.storage = Storage::kClass;
@@ -112,8 +111,7 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
                   kClassTileRecordBytes + tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes tile messages, one message at a time. Each message starts with free space for the
-// protection header.
+// Composes tile messages one at a time, with free space for the protection header at the start.
 class TilesWriter {
  public:
   // Starts a grid and its first message at tile 0. `header` is the header of the frame. The type
@@ -122,7 +120,7 @@ class TilesWriter {
   // Starts a class grid. Tiles are numbered by window::slot_of().
   void begin_classes(const Header& header, const ClassWindow& window,
                      std::uint16_t cell_mm = geometry::kCellMm);
-  // Discards the tiles of the current message and restarts the message at another tile.
+  // Discards the tiles of the current message, and restarts the message at another tile.
   void begin_message(std::size_t first_tile);
 
   // Appends a tile. Tile numbers must be in ascending order. If the tile does not fit, returns
@@ -134,8 +132,8 @@ class TilesWriter {
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding, std::uint8_t age_frames,
                             std::span<const std::byte> payload);
 
-  // Ends the message, which then covers the tiles below `end_tile`, and starts the next message at
-  // `end_tile`. The returned bytes are valid until the next call of append() or of a begin
+  // Ends the message and starts the next one at `end_tile`. The ended message covers all tiles
+  // before `end_tile`. The returned bytes are valid until the next call to append() or to a begin
   // function.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 

@@ -9,8 +9,8 @@
 
 namespace iog::tile_coding {
 
-// The buffer must be large enough for all written bits. The caller computes the required size
-// beforehand.
+// The buffer must be large enough for all written bits. The caller computes the required size in
+// advance.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)
@@ -48,7 +48,8 @@ class BitWriter {
   unsigned free_ = 32;      // number of free bits in word_
 };
 
-// A read beyond the end returns bits with the value 0, and ok() is false from then on.
+// If a read extends beyond the end, it returns bits with the value 0, and ok() is false from then
+// on.
 class BitReader {
  public:
   explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}

@@ -1,7 +1,7 @@
 // Encodes the cells of a tile for sending.
 //
 // A payload never exceeds the 1024 bytes of the raw encoding. Encoding takes a few passes over the
-// cells and two passes over the runs, so the encoding time is bounded for any content.
+// cells and two passes over the runs, so its time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct EncodedTile {
 // much of the stack.
 class Encoder {
  public:
-  // Encodes a tile. Writes kRunStartsSince if a reference is given, and otherwise kRunStarts. If
+  // Encodes a tile. Writes kRunStartsSince if a reference is given, and kRunStarts otherwise. If
   // the result could be longer than the raw encoding, writes kRaw instead. The reference is at most
   // 255 frames old. No cell may have the value -128.
   [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,

@@ -1,7 +1,7 @@
 // Packs symbols with n alternatives into large numbers.
 //
 // A symbol contains log2 n bits, which is rarely an integer. Several symbols are therefore combined
-// as the digits of one number in base n, with the most significant digit first. The number of
+// as the digits of one number in base n, with the most significant digit first. The number of these
 // symbols is the largest multiple of four that fits. Each number is stored with as many bits as its
 // largest possible value needs. The last number of a tile contains the remaining symbols, padded
 // with zeros to a multiple of four. The last number needs no more bits than its groups of four
@@ -34,8 +34,8 @@ struct Packing {
   }
 };
 
-// The table is indexed by the number of alternatives. A single alternative contains no information
-// and takes no bits.
+// The table is indexed by the number of alternatives. If there is a single alternative, it contains
+// no information and takes no bits.
 inline constexpr std::size_t kPackingCount = 216;
 static_assert(kPackingCount == kMostAlternatives + 1);
 

@@ -1,5 +1,6 @@
 // The line of a beam on the grid, computed in integers. A Line computes the points at which the
-// line crosses cell borders, and the number of borders crossed after any fraction of its length.
+// line crosses cell borders. A Line also computes the number of borders crossed up to any fraction
+// of its length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -13,10 +14,10 @@
 // the line actually enters.
 //
 // Ranges: let w = |E - S| for each axis, in subcells. If (w_x + w_y) * r < 2^31, the error term of
-// the walk stays within 32 bits. The condition is asserted for the longest beam of a car. S and E
+// the walk stays within 32 bits. This condition is asserted for the longest beam of a car. S and E
 // are within +-2^29.
-//   * through() and before(): the fraction of the line is num / den with 0 <= num, 0 < den and
-//     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
+//   * For through() and before(), the fraction of the line is num / den with 0 <= num, 0 < den
+//     and f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
 //   * All dividends are non-negative, and all results are rounded down.
 #pragma once
 
@@ -50,8 +51,7 @@ struct Share {
   std::uint64_t denominator = 1;
 };
 
-// The length of a beam's line in millimetres, from 1 to 2^18 - 1, together with the reciprocal of
-// the length.
+// The length of a beam's line in millimetres, from 1 to 2^18 - 1, together with its reciprocal.
 class LineLength {
  public:
   constexpr LineLength() = default;
@@ -60,7 +60,7 @@ class LineLength {
   [[nodiscard]] constexpr std::uint32_t mm() const { return length_mm_; }
   [[nodiscard]] constexpr const numeric::Reciprocal& reciprocal() const { return reciprocal_; }
 
-  // The inverse is floor(2^(32 + exponent) / mm), limited to 32 bits. The exponent satisfies mm / 2
+  // The inverse is floor(2^(32 + exponent) / mm), clamped to 32 bits. The exponent satisfies mm / 2
   // < 2^exponent <= mm.
   [[nodiscard]] constexpr std::uint32_t inverse() const { return inverse_; }
   [[nodiscard]] constexpr int exponent() const { return exponent_; }
@@ -84,8 +84,8 @@ class Axis {
   constexpr Axis(std::int32_t start, std::int32_t end)
       : start_cell_(numeric::div_floor(start, kResolution)),
         step_(end < start ? -1 : 1),
-        // Folding mirrors the axis. After mirroring, a start on a border is at the far end of its
-        // cell, so its offset is r and not 0.
+        // Folding mirrors the axis. If the start is on a border, mirroring moves it to the far end
+        // of its cell, so its offset is r and not 0.
         offset_(static_cast<std::uint16_t>(end < start ? (start_cell_ + 1) * kResolution - start
                                                        : start - start_cell_ * kResolution)),
         length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
@@ -110,16 +110,15 @@ class Axis {
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // Returns the number of borders crossed strictly before the end of the line. The function needs
-  // no division.
+  // Returns the number of borders crossed strictly before the end of the line, without a division.
   [[nodiscard]] constexpr std::uint32_t before_end() const {
     const std::uint32_t reached = offset_ + length_;
     return reached == 0 ? 0 : (reached - 1) / kSide;
   }
 
-  // Computes through() for the fraction distance / length, without a division by the length.
-  // Requires distance < 2^20 mm. The quotient of the division by r is at most length + distance * w
-  // / r. The quotient is below 2^31 for lines of up to 2,000 cells.
+  // Computes through() for the fraction distance / length without dividing by the length. Requires
+  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r. The
+  // quotient is below 2^31 for lines of up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -166,11 +165,11 @@ class Line {
   [[nodiscard]] constexpr Cell cell(Position at) const { return {x_.cell(at.x), y_.cell(at.y)}; }
 
   // Returns the cell that contains the point at this fraction of the line. If the point is on a
-  // border, the result is the later cell.
+  // border, returns the later cell.
   [[nodiscard]] constexpr Position through(Share share) const {
     return {x_.through(share), y_.through(share)};
   }
-  // The function is not inlined, because a ruler calls it only about once per 2^12 distances.
+  // The function is not inlined because a ruler calls it only about once per 2^12 distances.
   [[nodiscard, gnu::noinline]] constexpr Position through(std::uint32_t distance_mm,
                                                           const LineLength& length) const {
     return {x_.through(distance_mm, length), y_.through(distance_mm, length)};
@@ -230,7 +229,7 @@ class Line {
     return true;
   }
 
-  // The limit is more than the number of borders that any line crosses, but small enough that
+  // The limit is larger than the number of borders that any line crosses, but small enough that
   // adding one does not overflow.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 

@@ -1,6 +1,6 @@
-// Counts the borders that a line has crossed after a given distance. Counting takes one
-// multiplication per axis. A beam needs such counts for its scan point and for the start of each
-// zone of its profile.
+// Counts the borders that a line has crossed up to a given distance, with one multiplication per
+// axis. These counts are needed for the scan point of a beam and for the start of each zone of its
+// profile.
 //
 // Exact result: At distance z, the line has crossed floor(T) borders of one axis, where
 //     T = (f L + z w) / (r L),
@@ -10,26 +10,26 @@
 // Estimate: The ruler estimates T as base + z slope, in units of 2^-32 borders, where
 //     base  = floor(f 2^32 / r), but at most 2^32 - 1
 //     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
-// q and e are the inverse and the exponent of LineLength. All values are rounded down, so the
+// Here, q and e are the inverse and the exponent of LineLength. All values are rounded down, so the
 // estimate is never too large.
 //
-// Error: base is too small by at most 1. The error of slope has two parts. The rounding of slope
-// itself contributes less than 1, and the rounding of q contributes less than w / (r 2^e). A cell
-// is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total, the
-// estimate is too small by at most 1 + 2 z. For z < 2^18, the error of the estimate is below kSlack
-// = 2^20.
+// Error: base is too small by at most 1. The error of slope has two parts. The rounding of the
+// slope itself contributes less than 1, and the rounding of q contributes less than w / (r 2^e). A
+// cell is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In
+// total, the estimate is too small by at most 1 + 2 z. For z < 2^18, the error of the estimate is
+// below kSlack = 2^20.
 //
 // The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
 // next integer. Otherwise, Line::through() computes the result. Line::through() is needed about
 // once per 2^12 distances, and whenever a distance ends on a border.
 //
-// A fraction of the length is converted to a distance in units of 2^-14 mm, rounded down. Only the
-// upper word of the product of distance and slope is used, so the result for each axis is in units
-// of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14
-// borders. The values of base and of the product are each too small by at most one unit. The value
-// of slope is too small by less than 2 units of 2^-32 borders per millimetre. Over the entire
-// distance, the error of slope adds up to less than 2^19 units of 2^-32 borders, or 2 units of
-// 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
+// For MeasuredShare, a fraction of the length is converted to a distance in units of 2^-14 mm,
+// rounded down. Only the upper word of the product of distance and slope is used, so the result for
+// each axis is in units of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is
+// less than 2^-14 borders. The values of base and of the product are each too small by at most one
+// unit. The value of slope is too small by less than 2 units of 2^-32 borders per millimetre. Over
+// the entire distance, the slope error accumulates to less than 2^19 units of 2^-32 borders, that
+// is, 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
 // Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses fewer than 2^17
 // borders of an axis.
@@ -44,15 +44,14 @@
 
 namespace iog::traversal {
 
-// A fraction of a line's length, at most 1, together with the corresponding distance on every line
+// A fraction (at most 1) of a line's length, together with the corresponding distance on every line
 // of that length.
 class MeasuredShare {
  public:
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // `denominator` is the divisor for the denominator of the fraction. The denominator must be below
-  // 2^32.
+  // `denominator` is the fraction's denominator as a precomputed divisor. It must be below 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),
@@ -82,8 +81,9 @@ class AxisRuler {
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
-  // Estimates the number of borders crossed up to and including distance_mm (< 2^18). The number is
-  // in the upper word. If is_exact() is false, the number may be too small by one.
+  // Estimates the number of borders crossed up to and including distance_mm (< 2^18). The integer
+  // part of the number is in the upper word. If is_exact() is false, the number may be too small by
+  // one.
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }

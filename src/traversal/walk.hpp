@@ -1,11 +1,11 @@
 // Walks along a line cell by cell in integers. This loop is the innermost loop of the entire
-// computation.
+// computation (docs/model.md section 5).
 //
-// See docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border
-// (c_x), a row border (c_y), or both at a corner (c_xy). The code differs from the printed
-// algorithms in two ways. First, the error term starts with the value that algorithm 4 intended.
-// Second, the walk ends after a number of borders that is known before the first step. The printed
-// walk ends at the end cell, but a line that ends on a corner never enters that cell.
+// As in appendix B.3 of the thesis, a step crosses a column border (c_x), a row border (c_y), or
+// both at a corner (c_xy). The code differs from the algorithms in the thesis in two ways. First,
+// the error term starts with the value that algorithm 4 intended. Second, the walk ends after a
+// number of borders that is known before the first step. The walk in the thesis ends when it
+// reaches the end cell, but a line that ends on a corner never enters that cell.
 //
 // Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, and a row step subtracts r * w_x. The line passes through the
@@ -35,8 +35,8 @@ class Walk {
         offset_(line.cell(from).y * stride + line.cell(from).x) {}
 
   // Visits the current cell and the following cells while fewer than `end` borders are crossed. The
-  // next call continues at the cell after the last visited cell. `visit` receives the offset of
-  // each cell.
+  // next call continues at the cell after the last one that was visited. `visit` receives the
+  // offset of each cell.
   template <typename Visit>
   void until(std::uint32_t end, Visit&& visit) {
     while (crossed_ < end) {

@@ -1,5 +1,5 @@
-// Computes the beam of a scan point. The result includes the point's outcome, the beam's line on
-// the grid, and the part of the line that carves (docs/model.md sections 5 and 6).
+// Computes the beam of a scan point. The result contains the point's outcome, the beam's line on
+// the grid, and the part of the line that the beam carves (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 namespace iog::vehicle {
 
 // The outcome of a scan point. Each point has exactly one outcome. If several outcomes apply, the
-// first in this order is reported: no return, flagged as dirt or rain, too near, flagged as ground,
-// too far, outside the height band or the ground limits, later echo, used. The values are sent on
-// the wire (docs/spec.md).
+// first one in this order is reported: no return, flagged as dirt or rain, too near, flagged as
+// ground, too far, outside the height band or the ground limits, later echo, used. The values are
+// sent on the wire (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and adds a hit
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
@@ -27,7 +27,7 @@ enum class Fate : std::uint8_t {
   kStale,              // dropped because its packet is a duplicate or late
   kNotTaken,           // dropped because its packet was shed by a target that is too slow
   // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. For each
-  // of these outcomes, the part of the beam between the ground limits carves.
+  // of these outcomes, the beam carves where it is between the ground limits.
   kGround,
   kOverhang,     // high enough above the ground to drive under it
   kUnderGround,  // a mirror image, a hole or a drop
@@ -35,7 +35,7 @@ enum class Fate : std::uint8_t {
 inline constexpr std::size_t kFateCount = 13;
 
 // A part of a line. `from` and `to` are fractions of the line's length, measured from its start.
-// `to` is at most 1, unless the part is the entire line.
+// Unless the part is the entire line, `to` is at most 1.
 struct BandPart {
   bool is_whole = true;
   bool is_empty = false;
@@ -54,7 +54,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, including both ends. The interval may be empty.
+// An interval of ranges in mm, including both ends. It may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -65,9 +65,9 @@ struct Ranges {
   friend constexpr bool operator==(const Ranges&, const Ranges&) = default;
 };
 
-// The ranges at which a point of the beam is on the car or in the height band. `on_car` applies to
-// the measured range, and `in_band` applies to the horizontal range along the line. Both regions
-// are convex, so each of them is described by one interval.
+// The ranges at which a point of the beam is on the car or in the height band. The interval
+// `on_car` applies to the measured range, and `in_band` applies to the horizontal range along the
+// line. Both regions are convex, so a single interval describes each of them.
 struct BeamRanges {
   Ranges on_car;   // at least the sensor's minimum range
   Ranges in_band;  // at most L
@@ -113,7 +113,7 @@ struct Classification {
   Evidence evidence;
 };
 
-// A point with evidence carves unless it is a later echo, because the first echo already carves
+// A point with evidence carves unless it is a later echo, because the first echo has already carved
 // that beam. Used points and later echoes add a hit.
 [[nodiscard]] constexpr Classification classified(Fate fate, bool is_evidence,
                                                   bool is_whole_in_band = false) {
@@ -130,20 +130,19 @@ struct Classification {
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// Returns the beam at the step nearest to an azimuth. Requires layer < sensor.layer_count.
+// Returns the beam at the step that is nearest to an azimuth. Requires layer < sensor.layer_count.
 // `azimuth_ticks` must be less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// Returns the ranges at which a point of the line is within the given limits on one axis. Only
-// ranges between from_mm and to_mm are returned. `extent` is the extent of the line along the axis.
-// The result is exact.
+// Returns the ranges between from_mm and to_mm at which a point of the line is within the given
+// limits on one axis. `extent` is the extent of the line along the axis. The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 
 // These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// Returns the ranges in the band at which a return is tall according to Sensor::moved.
+// Returns the ranges in the band at which a return is tall, as defined by Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
@@ -158,8 +157,8 @@ struct Height {
 // Classifies a point. `on_car` contains the ranges at which the point's beam is on the car.
 // `along_mm` is the point's horizontal range, Layer::along_line_mm(). `kNoReturn` and `kTooNear`
 // depend on the measured range. All other outcomes depend on along_mm. `height_at(reach_mm)`
-// returns the Height at along_mm, or at L if the point lies beyond L. The function is always
-// inlined because it is called for every point.
+// returns the Height at along_mm. If the point lies beyond L, height_at() returns the Height at L.
+// The function is always inlined because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,
@@ -191,7 +190,7 @@ template <typename HeightAt>
 }
 
 // Classifies a point by the vehicle's height band. A beam is straight, so it is inside the band if
-// both of its ends are inside.
+// both of its ends are.
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const BeamRanges& ranges,
                                                                     const lidar::ScanPoint& point,
@@ -212,8 +211,8 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// Returns the part of a beam from its origin to reach_mm <= L that is inside a height band. `end_z`
-// is the height of the beam's end. The band includes its limits.
+// Returns the part of a beam that is inside a height band, between the beam's origin and reach_mm
+// <= L. `end_z` is the height of the beam's end. The band includes its limits.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 

@@ -1,4 +1,4 @@
-// The type used for the line of a beam on the grid.
+// Defines the type that is used for the line of a beam on the grid.
 #pragma once
 
 #include "geometry/sizes.hpp"

@@ -1,7 +1,7 @@
-// Derives members of a sensor from the sensor's other members. The loops use the derived members.
-// The derived members are reciprocals, sines, and the extents of the car and the height band along
-// the sensor's lines. The code uses only integers. The code runs on the PC for a car file, and on
-// the target for the car in its image.
+// Derives some members of a sensor from its other members. The loops use the derived members, which
+// are reciprocals, sines, and the extents of the car and the height band along the sensor's lines.
+// The code uses only integers. The code runs on the PC for a car file, and on the target for the
+// car in its image.
 #pragma once
 
 #include <algorithm>
@@ -61,9 +61,9 @@ constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origi
 
 }  // namespace derived_detail
 
-// A sensor with fixed azimuths uses its ticks as steps. A rotating sensor never repeats an azimuth
-// exactly, so its azimuths are rounded to steps. The number of steps per turn is a power of two
-// from 256 to 16384.
+// If a sensor has fixed azimuths, its ticks are used as steps. A rotating sensor never repeats an
+// azimuth exactly, so its azimuths are rounded to steps. The number of steps per turn is a power of
+// two from 256 to 16384.
 template <typename Decoder>
 constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   if constexpr (Decoder::kTurns) {
@@ -75,8 +75,8 @@ constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   }
 }
 
-// The footprint and the height band are those of the car, in subcells. Sensor::grid must be the
-// car's grid.
+// The arguments are the footprint and the height band of the car, in subcells. Sensor::grid must be
+// the car's grid.
 constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std::int32_t z_max,
                              Sensor& sensor) {
   using derived_detail::range_products;
@@ -93,8 +93,9 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// such a sensor is mounted above its limit for low beams. Extends the range of tall hits if a
-// sensor with a limit for tall returns follows the ground. Converts lengths to cells.
+// one of these sensors is mounted above its limit for low beams. If a sensor with a limit for tall
+// returns follows the ground, increases the distance within which a hit needs a tall return.
+// Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {
   rules.is_opened_from_below =

@@ -1,4 +1,4 @@
-// A fault of a car file, with the field and its allowed values.
+// A fault in a car file, with the field and its allowed values.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Fault {
   std::uint64_t sum = 0;      // sum of several fields if their sum is too large, else 0
 };
 
-// Reports faults to a listener. The listener is any callable that takes a Fault and outlives the
+// Reports faults to a listener. A listener is any callable that takes a Fault and outlives the
 // check.
 class Tell {
  public:
@@ -33,7 +33,7 @@ class Tell {
   void (*call_)(void* listener, const Fault& fault);
 };
 
-// NaN is outside every interval.
+// If the value is NaN, it is outside every interval.
 template <typename Number>
 constexpr bool is_within(Number value, Number least, Number most) {
   return value >= least && value <= most;

@@ -1,5 +1,5 @@
-// The representation of a vehicle on the target, which contains only integers. The PC computes the
-// vehicle from a car file (tools/car). The target reads the vehicle from the block in its image
+// Describes a vehicle on the target, using only integers. The PC computes this description from a
+// car file (tools/car). The target reads the description from the block in its image
 // (src/car_block).
 #pragma once
 
@@ -34,16 +34,16 @@ inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the 
 inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies another
 
 // The maximum number of cached lines of all level rotating sensors of a vehicle. Each azimuth step
-// has one line. A line takes about 0.7 KB.
+// has one line, which takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
 // The coefficients of a beam's end have this many fraction bits below one subcell. The maximum is
-// 10, because a line of 2^20 subcells times 2^10 is 2^30. The product with a sine of 2^30 is 2^60,
-// and the sum of three such terms stays below 2^62. Before rounding, the end is within 0.002
-// subcells of the exact end.
+// 10, because a line of 2^20 subcells, times 2^10, is 2^30. Multiplied by a sine of at most 2^30, a
+// coefficient stays within 2^60, so the sum of three such terms is below 2^62. Before rounding, the
+// end is within 0.002 subcells of the exact end.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of a layer's beams, as a function of the beam's azimuth a:
+// One coordinate of the end of a layer's beams, as a function of the azimuth `a` of the beam:
 //   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
@@ -52,9 +52,9 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// Returns the horizontal range. It is range_mm times the share, rounded down. The share is in units
-// of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is the upper word of
-// one 32 x 32-bit product.
+// Returns the horizontal range. The horizontal range is range_mm times the share, rounded down. The
+// share is in units of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is
+// the upper word of one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
@@ -69,8 +69,7 @@ struct Layer {
   // layers with opposite elevations share their lines.
   std::uint8_t line = 0;
   // The ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share
-  // the line of elevation 0, the ratio is the cosine of the layer's elevation. Otherwise, the ratio
-  // is 1.
+  // the line of elevation 0, this ratio is the cosine of the layer's elevation. Otherwise, it is 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
@@ -85,9 +84,9 @@ struct RangeProducts {
   std::int64_t high = 0;
 };
 
-// The heights above the ground between which a return is an obstacle (docs/ground.md). Both limits
-// are included. If the limits are not set, the sensor uses its vehicle's height band instead of
-// following the ground.
+// A return is an obstacle if its height above the ground is between these limits (docs/ground.md).
+// Both limits are included. If the limits are not set, the sensor does not follow the ground and
+// uses its vehicle's height band.
 struct GroundLimits {
   std::uint16_t low_mm = 0;
   std::uint16_t top_mm = 0;
@@ -95,13 +94,13 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
-// The limits of free-space gating by low beams (perception/opening.hpp). A beam below low_mm opens
-// ground. A return above tall_mm may come from a moving object. Heights are measured from the local
-// ground if the sensor follows it, and otherwise from the car's plane. By default, every beam is
-// low and every return is tall.
+// The limits of free-space gating by low beams (perception/opening.hpp). If a beam is below low_mm,
+// it opens ground. If a return is above tall_mm, it may come from a moving object. Heights are
+// measured from the local ground if the sensor follows the ground, and from the car's plane
+// otherwise. By default, every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
-  // If the sensor follows the ground, a beam below this height opens nothing because it may pass
+  // If the sensor follows the ground, a beam below this height opens no cells because it may pass
   // under a stationary car.
   static constexpr std::uint16_t kUnderCarsMm = 300;
 
@@ -111,7 +110,7 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// The limits of the height above the car's plane in subcells. Both limits are included.
+// The limits of the height above the car's plane, in subcells. Both limits are included.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -137,10 +136,10 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // For a beam that ends on the ground, the fraction of its length in which the beam is above the
-  // height band's lower limit. The fraction is in units of 2^-30. Heights are measured from a
-  // straight line between the ground below the sensor and the end of the beam. The value is 1 if
-  // the sensor is below the band's lower limit or looks over objects.
+  // For a beam that ends on the ground, the fraction of its length in which it is above the height
+  // band's lower limit. The fraction is in units of 2^-30. Heights are measured from a straight
+  // line between the ground below the sensor and the end of the beam. The fraction is 1 if the
+  // sensor is below the band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;
@@ -156,7 +155,7 @@ struct Sensor {
   RangeProducts in_band;  // inside the height band
   RangeProducts tall;     // inside the part of the band with tall returns
   geometry::Grid grid;    // that of the car
-  // Large members come last in order to keep the other members close together.
+  // Large members come last to keep the other members close together.
   std::array<Layer, kMaxLayers> layers{};
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
   std::array<std::int32_t, kMaxLayers> elevations{};  // only for a sensor that sends points
@@ -215,8 +214,8 @@ struct Vehicle {
   map::SourceDescription maps{};
   perception::Rules window{};
 
-  // Returns true if the classes depend on packet arrival times, because at least one sensor's clock
-  // is not the pose source's clock.
+  // Returns true if the classes depend on packet arrival times. This is the case if at least one
+  // sensor's clock is not the pose source's clock.
   [[nodiscard]] constexpr bool depends_on_arrival() const {
     return have_classes(grids) && !std::ranges::all_of(sensors, &Sensor::is_synchronised);
   }

@@ -1,10 +1,10 @@
 // The position of the window. The window is a square of 32 by 32 tiles of the local frame.
 //
-// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
-// b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile
-// (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
-// data is moved when the window moves. Coordinates of the local frame are int32 millimetres. For
-// cells of 0.1 m, tile numbers are therefore within +-671,089. For cells of 0.2 m and 0.5 m, tile
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of the cell size. Tile
+// (a, b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of
+// tile (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window,
+// so no data is moved when the window moves. Coordinates of the local frame are int32 millimetres.
+// If cells are 0.1 m, tile numbers are therefore within +-671,089. If cells are larger, tile
 // numbers are closer to 0.
 #pragma once
 
@@ -59,9 +59,9 @@ class Area {
   }
 
   // Returns the area after it has followed a cell. The area has a one-tile square in its middle. On
-  // each axis, the area moves if the cell is more than half a tile outside the middle square. With
-  // cells of 0.1 m, at least 48 m therefore remain on each side, and noise at a tile border does
-  // not move the area.
+  // each axis, the area moves if the cell is more than half a tile outside this square. If cells
+  // are 0.1 m, at least 48 m therefore remain on each side, and noise at a tile border does not
+  // move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell).corner_;
     return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
@@ -78,8 +78,8 @@ class Area {
     return contains(window_tile(cell));
   }
 
-  // Returns the tile of the area at a slot. The tile number wraps around if the area would exceed
-  // 32 bits.
+  // Returns the tile of the area in a slot. If the area exceeds the range of 32 bits, the tile
+  // number wraps around.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;
     const auto column = static_cast<std::uint32_t>(slot);

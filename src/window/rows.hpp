@@ -1,9 +1,9 @@
 // Stores the bit rows of a tile with a margin from its eight neighbours. Neighbourhood operations
-// process 32 cells at once.
+// process 32 cells at once. Each word represents a row.
 //
-// Each word represents a row. Bit 16 is cell 0 of the tile. On each side, a row contains 16 cells
-// of the neighbours. Eight additional rows are below the tile, and eight are above it. An operation
-// on squares of radius r invalidates r cells and r rows at the border. The tile's own bits are
+// Bit 16 is cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
+// neighbours. There are eight additional rows below the tile and eight above it. An operation on
+// squares of radius r invalidates r cells and r rows at the border. The tile's own bits are
 // therefore correct as long as the sum of the radii is at most 8.
 #pragma once
 
@@ -22,15 +22,15 @@ inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;
 inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 
-// The planes of a tile and its neighbours, row by row from the lowest row. The tile's own plane is
-// in the middle, at index 4. The pointers are never null.
+// The planes of a tile and its neighbours, row by row from the lowest row. The plane of the tile
+// itself is in the middle, at index 4. The pointers are never null.
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {
   std::array<std::uint64_t, kRowCount> words;  // written completely by each producer
 };
 
-// Returns the rows of a tile and kMargin rows below and above it. Requires kMargin <= kRowMargin.
+// Returns the rows of a tile, and kMargin rows below and above it. Requires kMargin <= kRowMargin.
 // All other rows are zero.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
@@ -81,8 +81,8 @@ inline Rows joined(const Rows& a, const Rows& b) {
   return out;
 }
 
-// Combines each cell with kRadius cells on each side in its row. Runs of two cells and then of four
-// cells are combined first, so seven cells need three steps.
+// Combines each cell with the kRadius cells on each side of it in its row. Runs of two cells, and
+// then of four cells, are combined first, so that seven cells need only three steps.
 template <typename Join, int kRadius>
 inline RowPair over_runs(RowPair one) {
   constexpr int kSide = 2 * kRadius + 1;
@@ -92,7 +92,7 @@ inline RowPair over_runs(RowPair one) {
   return Join::of(most, most.template down<kSide - kMost>()).template up<kRadius>();
 }
 
-// Combines each cell with all cells of the surrounding square with side length 2 kRadius + 1.
+// Combines each cell with all cells of the surrounding square, whose side length is 2 kRadius + 1.
 // `kRadius` is from 1 to 3. The outermost kRadius rows are set to zero.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
@@ -128,7 +128,8 @@ inline Rows eroded(const Rows& in) {
   return over_squares<And, kRadius>(in);
 }
 
-// The following overloads take a radius from 1 to 3 that depends on the size of the cells.
+// The following overloads take a radius from 1 to 3 as an argument because it depends on the size
+// of the cells.
 inline Rows dilated(const Rows& in, int radius) {
   return radius == 1 ? dilated<1>(in) : radius == 2 ? dilated<2>(in) : dilated<3>(in);
 }

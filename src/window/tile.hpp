@@ -1,8 +1,8 @@
 // One tile of the window in memory, with 32 by 32 cells aligned to the local frame.
 //
 // An unknown tile contains only zeros, with two exceptions. First, the masses of groups that were
-// never aged are undefined. Clearing a tile therefore does not need to write the masses. Second,
-// the map content is kept.
+// never aged are undefined. A tile can therefore be cleared without writing the masses. Second, the
+// map content is kept.
 #pragma once
 
 #include <array>
@@ -34,12 +34,12 @@ static_assert(geometry::kTileSide == 32);
   return bits == 0;
 }
 
-// The map classes ruled out in a tile, row by row from the lowest y.
+// The classes that the map rules out in a tile, row by row from the lowest y.
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
-// Cell properties for later neighbourhood tests, computed when the cell's group was last
-// classified.
+// Cell properties for later neighbourhood tests. These properties are computed whenever the cell's
+// group is classified.
 struct Found {
   Plane freed{};   // free mass above one half
   Plane seen{};    // free according to evidence of the same frame
@@ -47,7 +47,7 @@ struct Found {
   Plane taken{};   // occupied mass above one quarter
 };
 
-// The memory of the ground, which is independent of objects that are currently on the ground.
+// The memory of the ground. This memory is independent of objects that are currently on the ground.
 struct Ground {
   Plane open{};       // the ground was free, with a margin
   Plane dense{};      // all surrounding cells were seen as free in one frame
@@ -64,8 +64,8 @@ struct Tile {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // Returns the map classes ruled out in a group. If the target has no map, this function avoids
-  // reading a kilobyte of zeros.
+  // Returns the classes that the map rules out in a group. If the target has no map, this function
+  // avoids reading a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
       return kNothingRuledOut;
@@ -76,15 +76,15 @@ struct Tile {
   // Masses are stored row by row from the lowest y, like all arrays that are indexed by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // The class bytes are stored separately from the masses, because only the class bytes are read to
-  // send the classes.
+  // The class bytes are stored separately from the masses because only they are read to send the
+  // classes.
   std::array<decision::Decided, kGroupsPerTile> decided{};
-  // The map classes ruled out, even for unknown cells. The value is 0 where the map has no
+  // The classes that the map rules out, even for unknown cells. The value is 0 where the map has no
   // information.
   TileRuledOut ruled_out{};
-  // For each group, the clock slots of the group's last ageing and of its last evidence
-  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. The slot of the last
-  // evidence is also kNever if this evidence is too old.
+  // For each group, the clock slots of its last ageing and of its last evidence (ageing/clock.hpp).
+  // Both slots are kNever if the group is unknown. If the last evidence is too old, its slot is
+  // also kNever.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
   // True if the group is known and all values of its `taken` are 0.
@@ -93,7 +93,7 @@ struct Tile {
   Ground ground{};
   // True if `ruled_out` has any non-zero value.
   bool has_ruled_out = false;
-  // The bit of a cell is set if a low beam has freed the cell since the tile became known, and no
+  // The bit of a cell is set if a low beam has freed it since the tile became known, and if no
   // stationary object has been in the cell since then.
   Plane from_below{};
 };
@@ -128,7 +128,7 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// Returns cell i of a group in the tile at a slot.
+// Returns cell i of a group in the tile of a slot.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

@@ -1,8 +1,9 @@
-// The world-aligned window, with 32 by 32 tiles of the local frame around the vehicle.
+// The world-aligned window. The window consists of 32 by 32 tiles of the local frame around the
+// vehicle.
 //
-// A tile that enters the window is only flagged as unknown. The memory of the tile is cleared just
+// When a tile enters the window, it is only marked as unknown. The memory of a tile is cleared just
 // before the first write to the tile, and the memory of each group is cleared just before the first
-// write to the group. Moving the window therefore only costs one flag per tile.
+// write to the group. Moving the window therefore costs only one flag per tile.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@ namespace iog::window {
 
 class Window {
  public:
-  // Moves the window if the vehicle is too far from the window's middle (Area::following). A window
-  // without content is centred on the vehicle.
+  // Moves the window if the vehicle is too far from its middle (Area::following). A window without
+  // content is centred on the vehicle.
   void follow(geometry::Cell vehicle);
 
   // Sets all tiles to unknown.
@@ -28,35 +29,36 @@ class Window {
   [[nodiscard]] bool is_centred() const { return is_centred_; }
   [[nodiscard]] const Area& area() const { return area_; }
 
-  // Returns true if the tile at this slot has ever been known.
+  // Returns true if the tile in this slot has ever been known.
   [[nodiscard]] bool is_known(std::size_t slot) const { return is_known_[slot]; }
 
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return tiles_[slot]; }
 
-  // Returns the tile at a slot for writing. An unknown tile is cleared first.
+  // Returns the tile in a slot for writing. If the tile is unknown, it is cleared first.
   Tile& open(std::size_t slot);
 
-  // Returns the ground memory of the tile at a slot for writing. The tile must be known.
+  // Returns the ground memory of the tile in a slot for writing. The tile must be known.
   Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
 
-  // Returns the number of changes to the tile at a slot. Changes to the tile's ground are not
-  // counted. While the version stays the same, the classes of the tile's cells stay the same. The
+  // Returns the number of changes to the tile in a slot. Changes to the tile's ground are not
+  // counted. As long as the version stays the same, so do the classes of the tile's cells. The
   // number is never reset.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
 
-  // Sets the tile at a slot to unknown.
+  // Sets the tile in a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the map classes ruled out in the tile at a slot. The ruled-out classes apply until the
-  // next call. The tile may be unknown. The call reclassifies the tile's cells with the masses of
-  // their last classification, and changes nothing else.
+  // Sets the classes that the map rules out in the tile of a slot. The ruled-out classes apply
+  // until the next call. The tile may be unknown. The call reclassifies the tile's cells with the
+  // masses of their last classification. It changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // Restores the classes that a group had after its last classification, using the group's masses.
+  // Restores the classes that a group had after its last classification. The classes are computed
+  // from the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // Returns the planes that `plane_of` returns for the tile at a slot and its neighbours. For tiles
-  // outside the window, and for tiles for which is_there(slot) is false, no bit is set.
+  // Returns the results of `plane_of` for the tile in a slot and for its neighbours. For tiles
+  // outside the window, and for tiles for which is_there(slot) is false, no bits are set.
   template <typename IsThere, typename PlaneOf>
   [[nodiscard]] NinePlanes around(std::size_t slot, IsThere&& is_there, PlaneOf&& plane_of) const {
     const TileNumber middle = area_.tile_at(slot);

@@ -28,25 +28,26 @@ class WindowView {
   // Returns the tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Returns true if the tile at a slot has ever been known. Otherwise, all cells of the tile are
+  // Returns true if the tile in a slot has ever been known. If not, all cells of the tile are
   // unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
-  // Returns the tile at a slot. If the tile is unknown, only its map content is valid.
+  // Returns the tile in a slot. If the tile is unknown, only its map content is valid.
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return window_->tile(slot); }
 
   using ClassBytes = std::span<const std::byte, geometry::kTileCells>;
 
-  // Returns the class bytes of the tile at a slot, row by row from the tile's lowest y. Returns
+  // Returns the class bytes of the tile in a slot, row by row from the tile's lowest y. Returns
   // nothing if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
   // Returns the class bytes of any tile that has ever been known, even if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
-  // Copies the class bytes. If no cell has a class, all bytes are set to 0 and the result is false.
+  // Copies the class bytes. If no cell has a class, sets all bytes to 0 and returns false.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
-  // Returns the class byte of a cell of the local frame, or 0 for a cell outside the window.
+  // Returns the class byte of a cell of the local frame. If the cell is outside the window, returns
+  // 0.
   [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot)
@@ -59,12 +60,11 @@ class WindowView {
     return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
   }
 
-  // Returns the classes of the 3 by 3 cells around and including a cell. Bit i is set if class i
-  // occurs.
+  // Returns the classes of a cell and its eight neighbours. Bit i is set if class i occurs.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
-  // Returns the version of the tile at a slot. While the version stays the same, the tile's classes
-  // stay the same (window/window.hpp).
+  // Returns the version of the tile in a slot. As long as the version stays the same, so do the
+  // tile's classes (window/window.hpp).
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return window_->version(slot); }
 
   // Returns the age of the tile's oldest classification, in frames. The tile must be known.

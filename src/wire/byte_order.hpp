@@ -2,8 +2,9 @@
 //
 // The parameter of each function has exactly the size of the integer:
 //     load_be16(frame.subspan<12, 2>())
-// A shorter span of static extent does not compile. A caller that converts a dynamic span to a
-// fixed span must know that the bytes exist. ByteReader and ByteWriter check that the bytes exist.
+// If a span of static extent is shorter, the code does not compile. A caller that converts a
+// dynamic span to a fixed span must know that the bytes exist. ByteReader and ByteWriter check
+// this.
 //
 // ARMv7 supports unaligned access to normal memory, so GCC merges the bytewise expressions into one
 // ldr/str and one rev. No function requires alignment.

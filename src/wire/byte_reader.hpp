@@ -1,8 +1,8 @@
 // Reads wire bytes sequentially and never past the end.
 //
-// A read beyond the end returns 0 or an empty span, and so do all later reads. From then on, ok()
-// is false. A decoder can therefore read a complete header and then check ok() once before it uses
-// any value.
+// If a read extends beyond the end, it returns 0 or an empty span, and so do all later reads. From
+// then on, ok() is false. A decoder can therefore read a complete header and then check ok() once
+// before it uses any value.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace iog::wire {
 
 class ByteReader {
-  // The function is defined before its callers, because clang 14 otherwise cannot evaluate them at
+  // The function is defined before its callers because clang 14 otherwise cannot evaluate them at
   // compile time. Emptying the rest makes the failure permanent without slowing down successful
   // reads.
   constexpr void fail() {

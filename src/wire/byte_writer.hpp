@@ -15,7 +15,7 @@
 namespace iog::wire {
 
 class ByteWriter {
-  // The function is defined before its callers, because clang 14 otherwise cannot evaluate them at
+  // The function is defined before its callers because clang 14 otherwise cannot evaluate them at
   // compile time. Setting the end of the buffer here makes the failure permanent without slowing
   // down successful writes.
   constexpr void fail() {

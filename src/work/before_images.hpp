@@ -2,13 +2,14 @@
 // repeated.
 //
 // Each helper has one image. The helper copies the data that its item is about to change into the
-// image, records the number of the item, and only then changes the data. Before core 0 repeats an
-// item of a lost core, core 0 restores the image that belongs to the item. If no image belongs to
-// the item, no data was changed yet. Core 0 needs no image, because its items are never repeated.
+// image. The helper then records the number of the item, and only then changes the data. Before
+// core 0 repeats an item of a lost core, it restores the image that belongs to the item. If no
+// image belongs to the item, no data has been changed yet. Core 0 needs no image because its items
+// are never repeated.
 //
-// Core 0 reads a helper's image only after the helper has ended. The end of the helper has the
-// effect of a signal. If a later store of the helper is visible, its earlier stores are also
-// visible. Therefore, a compiler barrier between the stores is enough.
+// Core 0 reads a helper's image only after the helper has ended. The end of the helper acts as a
+// signal: if a later store of the helper is visible, so are its earlier stores. A compiler barrier
+// between the stores is therefore enough.
 #pragma once
 
 #include <array>
@@ -21,11 +22,11 @@
 
 namespace iog::work {
 
-// A compiler barrier between two stores of the current core. If core 0 sees any store after the
-// barrier when this core has ended, core 0 also sees all stores before the barrier.
+// A compiler barrier between two stores of the current core. When this core has ended, core 0 may
+// see a store after the barrier. In this case, core 0 also sees all stores before the barrier.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
-// The object must be in static memory if the image is large.
+// If the image is large, the object must be in static memory.
 template <typename Image>
 class BeforeImages {
  public:
@@ -36,8 +37,8 @@ class BeforeImages {
     }
   }
 
-  // Returns the image that a core fills in after it has claimed an item, or null if the core needs
-  // no image.
+  // Returns the image that a core fills in after it has claimed an item. Returns null if the core
+  // needs no image.
   [[nodiscard]] Image* of(std::size_t core) {
     return core == 0 ? nullptr : &places_[core - 1].image;
   }
@@ -51,8 +52,8 @@ class BeforeImages {
     keep_order();
   }
 
-  // Returns the image of the core that was lost while it ran this item, or null if no data was
-  // changed. Core 0 calls of_lost() before it repeats an item.
+  // If a core was lost while it ran this item, returns the image that this core saved. Returns null
+  // if the item had not changed any data. Core 0 calls of_lost() before it repeats an item.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {

@@ -1,6 +1,6 @@
-// The executor of a round's tasks, which is a team, a platform with a team, or core 0 alone.
+// The executor of a round's tasks. The executor is a team, a platform with a team, or core 0 alone.
 //
-// A crew is only a reference. Code that splits its work therefore does not depend on the executor.
+// A crew is only a reference, so code that splits its work does not depend on the executor.
 #pragma once
 
 #include <concepts>
@@ -35,8 +35,8 @@ class Crew {
   [[nodiscard]] std::size_t cores() const { return sharer_ == nullptr ? 1 : cores_(sharer_); }
   [[nodiscard]] bool is_one() const { return cores() == 1; }
 
-  // Calls do_item(item, core) for every item. `items` is at most Round::kMaxItems. The function
-  // returns when all items are done.
+  // Calls do_item(item, core) for every item. `items` is at most Round::kMaxItems. Returns when all
+  // items are done.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});

@@ -4,13 +4,12 @@
 // One word, the ticket, contains the number of the round and the number of remaining items. A core
 // claims an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and
 // sets the item's flag. Core 0 opens a round only after the flags of all items of the previous
-// round have been set. The data of a round therefore does not change from the time at which an item
-// is claimed until its flag is set. The memory order is described in docs/cores.md.
+// round have been set. After an item has been claimed, the data of the round therefore does not
+// change until the item's flag is set. The memory order is described in docs/cores.md.
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
-// reads or writes. A core may also be stopped while it runs an item. Core 0 then repeats the item
-// from its start. An item must therefore read its own output only after it has written this output
-// in the same run.
+// reads or writes. If a core is stopped while it runs an item, core 0 repeats the item from the
+// start. An item may therefore read its own output only after writing it in the same run.
 #pragma once
 
 #include <array>
@@ -28,8 +27,7 @@ struct Work {
 };
 
 // A task that core 0 runs once, before it claims items. The task must not write data that an item
-// reads, and must not read data that an item writes. The task is never repeated, because core 0 is
-// never lost.
+// reads or read data that an item writes. The task is never repeated because core 0 is never lost.
 struct Beside {
   void (*run)(void* context) = nullptr;
   void* context = nullptr;
@@ -63,9 +61,9 @@ template <typename Callable>
   return {.run = [](void* context) { (*static_cast<Callable*>(context))(); }, .context = &callable};
 }
 
-// Adds to a counter that only one core writes and other cores may read. A load and a store are
-// enough, because no other core writes in between. The function also avoids an exclusive access,
-// which could follow a store to a device.
+// Adds to a counter that only one core writes. Other cores may read the counter. A load and a store
+// are enough because no other core writes in between. A load and a store also avoid an exclusive
+// access, which could follow a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -86,7 +84,7 @@ class Round {
   void open(std::size_t items, Work work);
 
   // Any core may call these functions. `look()` returns the current ticket. `claim()` claims an
-  // item if the ticket has not changed and an item is left. Otherwise, claim() sets `seen` to the
+  // item if the ticket has not changed and items remain. Otherwise, claim() sets `seen` to the
   // current ticket.
   [[nodiscard]] Ticket look() const { return {ticket_.load(std::memory_order_acquire)}; }
   [[nodiscard]] std::optional<std::size_t> claim(Ticket& seen);
@@ -94,21 +92,22 @@ class Round {
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
-  // Runs items on this core until no item is left, and returns the last ticket. Adds the number of
+  // Runs items on this core until none remain, and returns the last ticket. Adds the number of
   // completed items to `done`, which only this core may write.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
-  // Returns true if the flags of all items are set. If the result is true, all stores of the items
-  // are visible. Only core 0 may call is_done().
+  // Returns true if the flags of all items are set. In this case, all stores of the items are
+  // visible. Only core 0 may call is_done().
   [[nodiscard]] bool is_done();
 
   // Runs the items whose flag is not set, and returns the number of these items. Core 0 calls
-  // redo() when no other core runs items.
+  // redo() when no other core is running items.
   std::size_t redo();
 
  private:
-  // The ticket and the work share a cache line, because a core that claims an item needs the work
-  // next. Only core 0 writes the members after the ticket, and only while no item is left.
+  // The ticket and the work share a cache line because a core that claims an item needs the work
+  // next. The members declared after `ticket_` are written only by core 0, and only when no items
+  // remain.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
   std::size_t checked_ = 0;  // for core 0: the flags of all items below this one are set

@@ -1,10 +1,10 @@
-// The worker pool consists of core 0, which opens rounds, and the helpers.
+// The worker pool. The worker pool consists of core 0, which opens rounds, and the helpers.
 //
 // Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
-// faults or hangs while it runs an item, the helper is stopped and never used again, and core 0
-// runs the item. A helper that does not answer a wake-up has not claimed an item, and may answer
-// later. Losing a core therefore only costs time. No wait is longer than patience_us, unless an
-// item takes longer.
+// faults or hangs while it runs an item, it is stopped and never used again, and core 0 repeats the
+// item. If a helper does not answer a wake-up, it has not claimed an item, and it may answer later.
+// The loss of a core therefore only costs time. No wait is longer than patience_us, unless an item
+// takes longer.
 #pragma once
 
 #include <algorithm>
@@ -45,9 +45,9 @@ struct TeamCounts {
 template <hal::Cores C>
 class Team {
  public:
-  // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. After all
-  // other helpers have finished, a helper must also finish its item within `patience_us`.
-  // `patience_us` must be longer than any item takes.
+  // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. When all
+  // other helpers have finished, a helper must also finish its item within `patience_us`. Every
+  // item must take less than `patience_us`.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
@@ -55,7 +55,7 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  // Starts helpers until `wanted` cores work, including core 0, or until the machine has no more
+  // Starts helpers until `wanted` cores (including core 0) are working or the machine has no more
   // cores. Returns the number of working cores. Call start() once.
   std::size_t start(std::size_t wanted) {
     const std::size_t count = std::min(wanted, cores_->count());
@@ -84,14 +84,14 @@ class Team {
     redone_ += static_cast<std::uint32_t>(round_.redo());
   }
 
-  // Wakes every available helper without giving it work, so that comes() shows which helpers are
-  // alive. Use call() between rounds.
+  // Wakes every available helper without giving it work. Afterwards, comes() shows which helpers
+  // are alive. Use call() between rounds.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
   }
 
-  // Returns the number of cores that work or may still answer, including core 0.
+  // Returns the number of cores that are working or may still answer, including core 0.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
     for (std::size_t core = 0; core < loss_.size(); ++core) {
@@ -104,19 +104,19 @@ class Team {
     return cores_->last_word(core);
   }
 
-  // Returns true if a helper should answer a wake-up. A helper should answer if it has started and
-  // is not known to be lost.
+  // Returns true if a helper should answer a wake-up, that is, if it has started and is not known
+  // to be lost.
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // Returns the number of times that a helper has answered a wake-up and gone idle again, since
+  // Returns the number of times that a helper has answered a wake-up and become idle again, since
   // start-up and modulo 2^32.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
   // `items()` returns the number of items that a core has completed. `redone()` returns the number
-  // of items of lost cores that core 0 completed. Both numbers are counted since start-up, modulo
+  // of items that core 0 completed for lost cores. Both numbers are counted since start-up, modulo
   // 2^32.
   [[nodiscard]] std::uint32_t items(std::size_t core) const {
     return seats_[core].items.load(std::memory_order_relaxed);
@@ -128,15 +128,15 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Returns the number of times that a core was lost or failed to answer for the first time.
+  // Returns how many times a core was lost, plus how many times a core first failed to answer.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // The value kInside differs from every round number. The value indicates that the helper is
-  // looking for items.
+  // The value kInside, which differs from every round number, indicates that the helper is looking
+  // for items.
   static constexpr std::uint32_t kInside = 1U << 16;
 
-  // Only the seat's own core writes these members. Each seat has its own cache line.
+  // Each seat has its own cache line. Only the core of a seat writes these members.
   struct alignas(64) Seat {
     std::atomic<std::uint32_t> place{0};  // kInside, or the round in which the core found no more
                                           // items
@@ -147,7 +147,7 @@ class Team {
   static void help_from(void* context, std::size_t core) {
     Team& team = *static_cast<Team*>(context);
     Seat& seat = team.seats_[core];
-    // Claiming the first item releases this store.
+    // The claim of the first item releases this store.
     seat.place.store(kInside, std::memory_order_relaxed);
     const Round::Ticket last = team.round_.help(core, seat.items);
     count_up(seat.comes, 1);
@@ -164,7 +164,7 @@ class Team {
   }
 
   // Updates the state of each helper. A helper that has ended is lost. A helper that did not answer
-  // its wake-up in time is silent. A helper that has answered will be woken again.
+  // its wake-up in time is silent. If a helper has answered, it will be woken again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
@@ -190,7 +190,7 @@ class Team {
   }
 
   // Waits until every item is done or no helper is running an item. All items have already been
-  // claimed, and the `place` of a helper that has an item is kInside.
+  // claimed. If a helper has an item, its `place` is kInside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -210,7 +210,7 @@ class Team {
   }
 
   // Stops helpers that hang. If a core cannot be stopped, it could overwrite the output of the
-  // repeated item, so the run ends.
+  // repeated item. The run therefore ends.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {
