@@ -69,7 +69,8 @@ class FrameEvidence {
   // Whether a cell of the tile at this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // The joined bytes of the tile at a slot, stored row by row from the lowest y.
+  // The joined bytes of the tile at a slot, stored row by row from the lowest y. Valid only if the
+  // tile is touched.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
   // The cells of the tile with a tall return. Valid only if the tile is touched.
@@ -110,7 +111,7 @@ class FrameEvidence {
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // The undo log of a region. If a tile was not touched, all its cells were 0 and are not stored.
+  // The undo log of a region. The cells of untouched tiles are not stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -150,6 +151,7 @@ class FrameEvidence {
   void pull(const Adding& adding, const Region& region);
   void push(const Adding& adding, const Region& region);
   void push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte);
+  void touch(std::size_t slot);
 
   alignas(32) std::array<TileIndexes, window::kSlotCount> cells_{};
   std::array<window::Plane, window::kSlotCount> tall_{};
