@@ -5,6 +5,7 @@
 // write to the group. Moving the window therefore only costs one flag per tile.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +55,19 @@ class Window {
   // Restores the classes that a group had after its last classification, using the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
+  // Records which planes of Found are empty in the tile at a slot, until the tile is opened again.
+  void note_found(std::size_t slot);
+
+  // Whether the tile at a slot may have a bit set in a plane of Found.
+  [[nodiscard]] bool may_have(std::size_t slot, Plane Found::*plane) const {
+    return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
+  }
+
+  // Whether around() returned no plane that may have a bit set.
+  [[nodiscard]] static bool are_empty(const NinePlanes& nine) {
+    return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
+  }
+
   // Returns the planes that `plane_of` returns for the tile at a slot and its neighbours. For tiles
   // outside the window, and tiles for which is_there(slot) is false, no bit is set.
   template <typename IsThere, typename PlaneOf>
@@ -70,15 +84,22 @@ class Window {
     return nine;
   }
 
-  // Same as above, for a plane of Found.
+  // Same as above, for a plane of Found. Planes that are known to be empty are not read.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
-        slot, [this](std::size_t at) { return is_known_[at]; },
+        slot, [this, plane](std::size_t at) { return may_have(at, plane); },
         [this, plane](std::size_t at) -> const Plane& { return tiles_[at].found.*plane; });
   }
 
  private:
   static constexpr Plane kNothing{};
+  static constexpr std::array kFoundPlanes{&Found::freed, &Found::seen, &Found::stands,
+                                           &Found::taken};
+
+  static constexpr std::uint8_t bit_of(Plane Found::*plane) {
+    return static_cast<std::uint8_t>(
+        1U << (std::ranges::find(kFoundPlanes, plane) - kFoundPlanes.begin()));
+  }
 
   static void rename(Tile& tile, const TileRuledOut& ruled_out);
 
@@ -86,6 +107,7 @@ class Window {
   bool is_centred_ = false;
   std::array<bool, kSlotCount> is_known_{};
   std::array<std::uint32_t, kSlotCount> versions_{};
+  std::array<std::uint8_t, kSlotCount> empty_planes_{};  // one bit per plane of Found
   std::array<Tile, kSlotCount> tiles_{};
 };
 
