@@ -36,14 +36,19 @@ FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
   return {.freed = bits.freed, .seen = bits.seen};
 }
 
-std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups) {
-  std::array<FreeBits, 2> bits;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Crossed& group = groups[i];
-    evidence::fuse_free(*group.free, *group.fading, *group.indexes, *group.gains);
-    bits[i] = decide_free(*group.free, *group.ruled_out, *group.indexes, *group.decided);
+template <std::size_t kGroups>
+std::uint64_t cross_free(const Crossed& groups) {
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < kGroups; ++i) {
+    evidence::Free& free = groups.free[i];
+    evidence::fuse_free(free, *groups.fading, groups.indexes[i], *groups.gains);
+    const FreeBits bits =
+        decide_free(free, groups.ruled_out[i], groups.indexes[i], groups.decided[i]);
+    all |= (std::uint64_t{bits.freed} | std::uint64_t{bits.seen} << 32) << (8 * i);
   }
-  return bits;
+  return all;
 }
+template std::uint64_t cross_free<2>(const Crossed& groups);
+template std::uint64_t cross_free<4>(const Crossed& groups);
 
 }  // namespace iog::decision

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "evidence/assignment.hpp"
@@ -71,7 +72,9 @@ struct alignas(2) FreeBits {
 FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
 
-// The arguments of evidence::fuse_free() and decide_free() for one group.
+// The arguments of evidence::fuse_free() and decide_free() for consecutive groups. Each pointer
+// refers to the first group. The groups were last aged in the same frame, and last had evidence in
+// the same frame.
 struct Crossed {
   evidence::Free* free;
   const evidence::Fading* fading;
@@ -81,8 +84,11 @@ struct Crossed {
   Decided* decided;
 };
 
-// Fuses and classifies two groups at once. While instructions of one group wait for results,
-// instructions of the other one are executed.
-std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups);
+// Fuses and classifies two or four groups at once. Instructions of one group fill the time in which
+// another group waits for results. Returns `freed` of group i in byte i, and `seen` in byte 4 + i.
+template <std::size_t kGroups>
+[[nodiscard]] std::uint64_t cross_free(const Crossed& groups);
+extern template std::uint64_t cross_free<2>(const Crossed& groups);
+extern template std::uint64_t cross_free<4>(const Crossed& groups);
 
 }  // namespace iog::decision

@@ -102,18 +102,15 @@ void store(uint8x8_t bytes, Decided& decided) {
 }
 
 // Sign bits of cells that are free and were crossed in this frame.
-uint8x8_t seen_of(int16x8_t free, const evidence::Indexes& of_this_frame) {
-  return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(vld1_s8(of_this_frame.data())));
+uint8x8_t seen_of(int16x8_t free, int8x8_t of_this_frame) {
+  return vand_u8(above(free, kSeenAbove), vreinterpret_u8_s8(of_this_frame));
 }
 
-// Decides a group without occupied mass. Returns four bytes whose sum is `freed`, and four whose
-// sum is `seen`.
-inline uint8x8_t named_free(int16x8_t free, const RuledOut& ruled_out,
-                            const evidence::Indexes& of_this_frame, Decided& decided) {
+// The class bytes of a group without occupied mass.
+inline uint8x8_t named_free(int16x8_t free, const RuledOut& ruled_out) {
   const uint8x8_t score = upper_byte(free);
   const uint8x8_t base = vtbl1_u8(vcreate_u8(base_by_mask(kFreeClasses)), masks_of(ruled_out));
-  store(vand_u8(vsra_n_u8(base, score, 3), is_half(score)), decided);
-  return signs_of(above(free, kFreedAbove), seen_of(free, of_this_frame));
+  return vand_u8(vsra_n_u8(base, score, 3), is_half(score));
 }
 
 }  // namespace
@@ -131,36 +128,52 @@ Bits decide(const evidence::Free& free_masses, const evidence::Taken& taken_mass
   store(bytes_of(free, moving, taken, masks), decided);
 
   const int16x8_t any = vorrq_s16(taken, persistence);
-  return bits_of(above(free, kFreedAbove), seen_of(free, of_this_frame),
+  return bits_of(above(free, kFreedAbove), seen_of(free, vld1_s8(of_this_frame.data())),
                  above(persistence, kStandsAbove), above(taken, kTakenAbove),
                  vmovn_u16(vtstq_s16(any, any)));
 }
 
 FreeBits decide_free(const evidence::Free& free_masses, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided) {
+  const int16x8_t free = evidence::load(free_masses);
+  store(named_free(free, ruled_out), decided);
   const uint8x8_t fours =
-      named_free(evidence::load(free_masses), ruled_out, of_this_frame, decided);
+      signs_of(above(free, kFreedAbove), seen_of(free, vld1_s8(of_this_frame.data())));
   const uint8x8_t twos = vpadd_u8(fours, fours);
   const uint8x8_t bytes = vpadd_u8(twos, twos);
   const std::uint16_t word = vget_lane_u16(vreinterpret_u16_u8(bytes), 0);
   return __builtin_bit_cast(FreeBits, word);
 }
 
-std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups) {
-  const auto& [one, other] = groups;
-  const int16x8_t free_of_one =
-      evidence::free_after(evidence::load(*one.free), *one.fading, *one.indexes, *one.gains);
-  const int16x8_t free_of_other = evidence::free_after(evidence::load(*other.free), *other.fading,
-                                                       *other.indexes, *other.gains);
-  evidence::store(free_of_one, *one.free);
-  evidence::store(free_of_other, *other.free);
-  const uint8x8_t fours_of_one =
-      named_free(free_of_one, *one.ruled_out, *one.indexes, *one.decided);
-  const uint8x8_t fours_of_other =
-      named_free(free_of_other, *other.ruled_out, *other.indexes, *other.decided);
-  const uint8x8_t twos = vpadd_u8(fours_of_one, fours_of_other);
-  const std::uint32_t word = vget_lane_u32(vreinterpret_u32_u8(vpadd_u8(twos, twos)), 0);
-  return __builtin_bit_cast(std::array<FreeBits, 2>, word);
+template <std::size_t kGroups>
+std::uint64_t cross_free(const Crossed& groups) {
+  // Copies, because a store of class bytes might alias the pointers.
+  const auto [masses, fading, indexes, gains, ruled_out, decided] = groups;
+  const int16x8_t factor = vld1q_dup_s16(&fading->free);
+  const int16x8_t free_mass = vld1q_dup_s16(&gains->free_mass);
+  uint8x8_t freed = vdup_n_u8(0);
+  uint8x8_t seen = vdup_n_u8(0);
+  uint8x8_t freed_of_last = freed;
+  uint8x8_t seen_of_last = seen;
+#pragma GCC unroll 2
+  for (std::size_t i = 0; i < kGroups; i += 2) {
+    const int8x8_t of_one = vld1_s8(indexes[i].data());
+    const int8x8_t of_other = vld1_s8(indexes[i + 1].data());
+    const int16x8_t one =
+        evidence::free_after(evidence::load(masses[i]), factor, of_one, free_mass);
+    const int16x8_t other =
+        evidence::free_after(evidence::load(masses[i + 1]), factor, of_other, free_mass);
+    evidence::store(one, masses[i]);
+    evidence::store(other, masses[i + 1]);
+    store(named_free(one, ruled_out[i]), decided[i]);
+    store(named_free(other, ruled_out[i + 1]), decided[i + 1]);
+    (i == 0 ? freed : freed_of_last) = signs_of(above(one, kFreedAbove), above(other, kFreedAbove));
+    (i == 0 ? seen : seen_of_last) = signs_of(seen_of(one, of_one), seen_of(other, of_other));
+  }
+  const uint8x8_t bytes = vpadd_u8(vpadd_u8(freed, freed_of_last), vpadd_u8(seen, seen_of_last));
+  return vget_lane_u64(vreinterpret_u64_u8(bytes), 0);
 }
+template std::uint64_t cross_free<2>(const Crossed& groups);
+template std::uint64_t cross_free<4>(const Crossed& groups);
 
 }  // namespace iog::decision

@@ -43,14 +43,12 @@ inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15)
 
 // Returns the free mass after a frame without hits, for a group without occupied mass. In this
 // case, o, c, x and P are 0, so F' = F.~0 + W.f with W = ~F.
-inline int16x8_t free_after(int16x8_t free, const Fading& fading, const Indexes& indexes,
-                            const Gains& gains) {
-  const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));
-  const int16x8_t crossed = vandq_s16(vld1q_dup_s16(&gains.free_mass), is_crossed(wide));
-  const int16x8_t before = left_of<0>(free, vget_low_s16(factors_of(fading)));
+inline int16x8_t free_after(int16x8_t free, int16x8_t factor, int8x8_t indexes,
+                            int16x8_t free_mass) {
+  const int16x8_t before = vabsq_s16(product(free, factor));
   const int16x8_t after =
-      vaddq_s16(product(before, vdupq_n_s16(kCertain)), product(complement(before), crossed));
-  return choose(vceqq_s16(wide, vdupq_n_s16(0)), before, after);
+      vaddq_s16(product(before, vdupq_n_s16(kCertain)), product(complement(before), free_mass));
+  return choose(vreinterpretq_u16_s16(is_crossed(vmovl_s8(indexes))), after, before);
 }
 
 }  // namespace iog::evidence

@@ -136,7 +136,9 @@ void age_free(Free& free, const Fading& fading) {
 }
 
 void fuse_free(Free& free, const Fading& fading, const Indexes& indexes, const Gains& gains) {
-  store(free_after(load(free), fading, indexes, gains), free);
+  store(free_after(load(free), vld1q_dup_s16(&fading.free), vld1_s8(indexes.data()),
+                   vld1q_dup_s16(&gains.free_mass)),
+        free);
 }
 
 }  // namespace iog::evidence

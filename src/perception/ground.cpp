@@ -13,8 +13,11 @@ bool is_lacking(const window::Plane& plane, const window::Plane& beside) {
 }
 
 window::Plane cells_beside(const window::Window& window, std::size_t slot, const Around& around) {
-  return window::middle_of(window::dilated(
-      window::gather<1>(window.around(slot, &window::Found::stands)), around.beside));
+  const window::NinePlanes stands = window.around(slot, &window::Found::stands);
+  if (window::Window::are_empty(stands)) {
+    return window::Plane{};
+  }
+  return window::middle_of(window::dilated(window::gather<1>(stands), around.beside));
 }
 
 // A tile without a seen cell has no dense cell. A tile without a freed cell has no free space: each
@@ -22,7 +25,8 @@ window::Plane cells_beside(const window::Window& window, std::size_t slot, const
 // fill an empty square.
 window::Plane cells_seen_around(const window::Window& window, std::size_t slot,
                                 const Around& around) {
-  if (window::is_empty(window.tile(slot).found.seen)) {
+  if (!window.may_have(slot, &window::Found::seen) ||
+      window::is_empty(window.tile(slot).found.seen)) {
     return window::Plane{};
   }
   return window::middle_of(
@@ -31,15 +35,19 @@ window::Plane cells_seen_around(const window::Window& window, std::size_t slot,
 
 window::Plane cells_open_around(const window::Window& window, std::size_t slot,
                                 const Around& around) {
-  if (window::is_empty(window.tile(slot).found.freed)) {
+  if (!window.may_have(slot, &window::Found::freed) ||
+      window::is_empty(window.tile(slot).found.freed)) {
     return window::Plane{};
   }
   const window::Rows closed = window::eroded(
       window::dilated(window::gather<7>(window.around(slot, &window::Found::freed)), around.gaps),
       around.gaps);
-  const window::Rows taken = window::gather<3>(window.around(slot, &window::Found::taken));
+  const window::NinePlanes taken = window.around(slot, &window::Found::taken);
   return window::middle_of(
-      window::eroded(window::joined<window::AndNot>(closed, taken), around.open));
+      window::eroded(window::Window::are_empty(taken)
+                         ? closed
+                         : window::joined<window::AndNot>(closed, window::gather<3>(taken)),
+                     around.open));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
 using Budget = std::optional<GroupBudget>;
 
 // The number of groups for which data is prefetched in advance.
-inline constexpr std::size_t kGroupsAhead = 2;
+inline constexpr std::size_t kGroupsAhead = 4;
 
 // Lists the groups of a tile that will be fused, in ascending order, and counts the groups with
 // evidence that are over budget. The last entry is repeated so that prefetching may read beyond the
@@ -141,26 +141,46 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   }
   bring_rows(tile, groups[0] / window::kGroupsPerRow,
              groups[groups.count() - 1] / window::kGroupsPerRow);
-  const auto is_crossed = [&](std::size_t group) {
-    return update.needs_no_taken(tile, group) &&
-           !(has_hit && eight_at(indexes, group).has_positive());
+  const auto is_hit = [&](std::size_t group) {
+    return has_hit && eight_at(indexes, group).has_positive();
   };
-  for (std::size_t i = 0; i < groups.count(); ++i) {
+  // Crosses consecutive groups from the list's entry i on, if they may be crossed at once.
+  const auto cross = [&]<std::size_t kGroups>(std::size_t i) {
+    const std::size_t group = groups[i];
+    if (group % kGroups != 0 || groups[i + kGroups - 1] != group + kGroups - 1 ||
+        i + kGroups > groups.count() || !update.template may_be_joint<kGroups>(tile, group)) {
+      return false;
+    }
+    for (std::size_t each = group; each < group + kGroups; ++each) {
+      if (is_hit(each)) {
+        return false;
+      }
+    }
+    for (std::size_t each = group; each < group + kGroups; ++each) {
+      (before.keep(tile, each), ...);
+    }
+    update.template cross<kGroups>(tile, group, indexes_of(indexes, group));
+    return true;
+  };
+  for (std::size_t i = 0; i < groups.count();) {
     const std::size_t group = groups[i];
     prefetch(tile, groups[i + kGroupsAhead]);
+    if (cross.template operator()<4>(i)) {
+      prefetch(tile, groups[i + 4]);
+      i += 4;
+      continue;
+    }
+    if (cross.template operator()<2>(i)) {
+      i += 2;
+      continue;
+    }
     (before.keep(tile, group), ...);
-    if (!is_crossed(group)) {
+    if (update.needs_no_taken(tile, group) && !is_hit(group)) {
+      update.cross(tile, group, indexes_of(indexes, group));
+    } else {
       update.fuse(tile, group, indexes_of(indexes, group),
                   moved == nullptr ? std::uint8_t{0xFF} : eight_of(*moved, group));
-      continue;
     }
-    const std::size_t next = groups[i + 1];
-    if (i + 1 == groups.count() || !is_crossed(next)) {
-      update.cross(tile, group, indexes_of(indexes, group));
-      continue;
-    }
-    (before.keep(tile, next), ...);
-    update.cross(tile, {group, next}, {&indexes_of(indexes, group), &indexes_of(indexes, next)});
     ++i;
   }
 }
@@ -170,12 +190,24 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
 template <typename... Before>
 std::size_t refresh_groups(const TileUpdate& update, window::Tile& tile, Before&... before) {
   std::size_t refreshed = 0;
-  for (std::size_t group = 0; group < window::kGroupsPerTile; ++group) {
-    prefetch(tile, std::min(group + kGroupsAhead, window::kGroupsPerTile - 1));
-    if (update.is_old(tile, group)) {
-      (before.keep(tile, group), ...);
-      update.refresh(tile, group);
-      ++refreshed;
+  const auto keep = [&]([[maybe_unused]] std::size_t group) {
+    (before.keep(tile, group), ...);
+    ++refreshed;
+  };
+  for (std::size_t row = 0; row < window::kGroupsPerTile; row += window::kGroupsPerRow) {
+    prefetch(tile, std::min(row + window::kGroupsPerRow, window::kGroupsPerTile - 1));
+    if (update.is_old(tile, row) && update.may_be_joint<window::kGroupsPerRow>(tile, row)) {
+      for (std::size_t group = row; group < row + window::kGroupsPerRow; ++group) {
+        keep(group);
+      }
+      update.refresh_row(tile, row);
+      continue;
+    }
+    for (std::size_t group = row; group < row + window::kGroupsPerRow; ++group) {
+      if (update.is_old(tile, group)) {
+        keep(group);
+        update.refresh(tile, group);
+      }
     }
   }
   return refreshed;

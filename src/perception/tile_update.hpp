@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "ageing/clock.hpp"
 #include "decision/decision.hpp"
@@ -29,6 +30,27 @@ inline constexpr unsigned kLongAgoFrames = 32;
 inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits) {
   static_assert(std::endian::native == std::endian::little, "the first group is the lowest byte");
   std::as_writable_bytes(std::span(plane))[group] = std::byte{bits};
+}
+
+// The values of two or four consecutive groups of a row in one word, with one byte per group.
+template <std::size_t kGroups>
+using Joint = std::conditional_t<kGroups == 4, std::uint32_t, std::uint16_t>;
+
+// `bytes` has one byte per group of a tile. The first group is a multiple of kGroups.
+template <std::size_t kGroups, typename Bytes>
+[[nodiscard]] inline Joint<kGroups> joint(const Bytes& bytes, std::size_t group) {
+  Joint<kGroups> word = 0;
+  __builtin_memcpy(
+      &word, __builtin_assume_aligned(std::as_bytes(std::span(bytes)).data() + group, sizeof(word)),
+      sizeof(word));
+  return word;
+}
+template <std::size_t kGroups, typename Bytes>
+inline void set_joint(Bytes& bytes, std::size_t group, std::uint32_t value) {
+  const auto word = static_cast<Joint<kGroups>>(value);
+  __builtin_memcpy(__builtin_assume_aligned(std::as_writable_bytes(std::span(bytes)).data() + group,
+                                            sizeof(word)),
+                   &word, sizeof(word));
 }
 
 class TileUpdate {
@@ -74,30 +96,37 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // Has the same effect as the function above, for two groups at once.
-  void cross(window::Tile& tile, std::array<std::size_t, 2> groups,
-             std::array<const evidence::Indexes*, 2> indexes) const {
-    const auto crossed = [&](std::size_t i) -> decision::Crossed {
-      const std::size_t group = groups[i];
-      return {.free = &tile.free[group],
-              .fading = &clock_->since(tile.aged_at[group]),
-              .indexes = indexes[i],
-              .gains = gains_[tile.evidence_at[group]],
-              .ruled_out = &tile.ruled_out_in(group),
-              .decided = &tile.decided[group]};
-    };
-    const std::array<decision::FreeBits, 2> bits = decision::cross_free({crossed(0), crossed(1)});
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      tile.aged_at[groups[i]] = now_;
-      tile.evidence_at[groups[i]] = now_;
-      set_eight(tile.found.freed, groups[i], bits[i].freed);
-      set_eight(tile.found.seen, groups[i], bits[i].seen);
-    }
+  // Returns true if needs_no_taken() is true for all of two or four consecutive groups, and the
+  // groups have the same past.
+  template <std::size_t kGroups>
+  [[nodiscard]] bool may_be_joint(const window::Tile& tile, std::size_t group) const {
+    const auto are_equal = [](Joint<kGroups> bytes) { return std::rotr(bytes, 8) == bytes; };
+    return joint<kGroups>(tile.is_free_alone, group) == static_cast<Joint<kGroups>>(kOnes) &&
+           are_equal(joint<kGroups>(tile.aged_at, group)) &&
+           are_equal(joint<kGroups>(tile.evidence_at, group)) && assignment_ == nullptr;
+  }
+
+  // Has the same effect as the function above, for consecutive groups at once. may_be_joint() must
+  // be true. `indexes` are the indexes of the first group.
+  template <std::size_t kGroups>
+  void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
+    cross_joint<kGroups>(tile, group, indexes);
+    set_joint<kGroups>(tile.evidence_at, group, now_ * kOnes);
   }
 
   // Returns true if the group is known and was not fused in this frame.
   [[nodiscard]] bool is_old(const window::Tile& tile, std::size_t group) const {
     return tile.is_known(group) && tile.aged_at[group] != now_;
+  }
+
+  // Same as refresh() for an old row of groups if may_be_joint() is true.
+  void refresh_row(window::Tile& tile, std::size_t group) const {
+    static constexpr std::array<evidence::Indexes, window::kGroupsPerRow> kNone{};
+    const std::uint8_t evidence_at = tile.evidence_at[group];
+    cross_joint<window::kGroupsPerRow>(tile, group, kNone.front());
+    if (is_long_ago(evidence_at)) {
+      set_joint<window::kGroupsPerRow>(tile.evidence_at, group, ageing::Clock::kNever * kOnes);
+    }
   }
 
   // Ages and classifies an old group without evidence.
@@ -117,6 +146,22 @@ class TileUpdate {
   }
 
  private:
+  static constexpr std::uint32_t kOnes = 0x0101'0101;
+
+  template <std::size_t kGroups>
+  void cross_joint(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
+    const std::uint64_t bits =
+        decision::cross_free<kGroups>({.free = &tile.free[group],
+                                       .fading = &clock_->since(tile.aged_at[group]),
+                                       .indexes = &indexes,
+                                       .gains = gains_[tile.evidence_at[group]],
+                                       .ruled_out = &tile.ruled_out_in(group),
+                                       .decided = &tile.decided[group]});
+    set_joint<kGroups>(tile.aged_at, group, now_ * kOnes);
+    set_joint<kGroups>(tile.found.freed, group, static_cast<std::uint32_t>(bits));
+    set_joint<kGroups>(tile.found.seen, group, static_cast<std::uint32_t>(bits >> 32));
+  }
+
   static void decide(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::Bits bits =
         decision::decide(tile.free[group], tile.taken[group], tile.ruled_out_in(group), indexes,

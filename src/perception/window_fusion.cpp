@@ -93,7 +93,8 @@ void WindowFusion::find_arrivals(const work::Crew& crew) {
 void WindowFusion::look_at(std::size_t slot) {
   slot_counts_[slot] = {};
   const bool is_known = window_.is_known(slot);
-  const bool is_standing = is_known && has_standing_inside(window_.tile(slot));
+  const bool is_standing =
+      window_.may_have(slot, &window::Found::stands) && has_standing_inside(window_.tile(slot));
   const bool is_hit = is_known && evidence_.has_hit(slot);
   if (!is_standing && !is_hit && !rules_.is_opened_from_below) {
     arrivals_.find_none(slot);
@@ -233,6 +234,9 @@ void WindowFusion::update_tile(const TileUpdate& update, std::size_t slot, Budge
   }
   if (rules_.is_opened_from_below && window_.is_known(slot)) {
     opening_.remember(window_.open(slot), evidence_.is_touched(slot), slot);
+  }
+  if (window_.is_known(slot)) {
+    window_.note_found(slot);
   }
   note_names(slot);
 }

@@ -42,13 +42,15 @@ void FrameEvidence::clear() {
 }
 
 void FrameEvidence::clear(std::size_t slot) {
-  if (is_touched_[slot]) {
-    cells_[slot].fill(0);
-    tall_[slot].fill(0);
-    has_hit_[slot] = false;
-    work::keep_order();
-    is_touched_[slot] = false;
-  }
+  is_touched_[slot] = false;
+  has_hit_[slot] = false;
+}
+
+// Stale evidence is overwritten here, not in clear(), because the tile is about to be in the cache.
+void FrameEvidence::touch(std::size_t slot) {
+  cells_[slot].fill(0);
+  tall_[slot].fill(0);
+  is_touched_[slot] = true;
 }
 
 void FrameEvidence::leave_out(std::size_t slot, const window::Plane& cells) {
@@ -123,8 +125,10 @@ void FrameEvidence::put_back(const window::Area& area, const Region& region, con
     const std::size_t slot = slot_in(area, region.tile(i));
     is_touched_[slot] = before.is_touched[i];
     has_hit_[slot] = before.has_hit[i];
-    cells_[slot] = before.is_touched[i] ? before.cells[i] : TileIndexes{};
-    tall_[slot] = before.is_touched[i] ? before.tall[i] : window::Plane{};
+    if (before.is_touched[i]) {
+      cells_[slot] = before.cells[i];
+      tall_[slot] = before.tall[i];
+    }
   }
 }
 
@@ -141,8 +145,12 @@ void FrameEvidence::pull(const Adding& adding, const Region& region) {
       const geometry::Cell high = reach.high(first);
       if (is_known_between(*adding.slice, low, high)) {
         const std::size_t slot = adding.slot_at({region.low.a + a, region.low.b + b});
+        const bool was_touched = is_touched_[slot];
+        if (!was_touched) {
+          touch(slot);
+        }
         const bool is_known = pull_tile(*adding.slice, first, adding.steps, cells_[slot]);
-        is_touched_[slot] = is_touched_[slot] || is_known;
+        is_touched_[slot] = was_touched || is_known;
       }
     }
   }
@@ -165,7 +173,9 @@ void FrameEvidence::push_hit(const Adding& adding, geometry::Cell cell, std::int
   constexpr std::uint32_t kInTile = window::kTileSide - 1;
   const auto x = static_cast<std::uint32_t>(cell.x) & kInTile;
   const auto y = static_cast<std::uint32_t>(cell.y) & kInTile;
-  is_touched_[slot] = true;
+  if (!is_touched_[slot]) {
+    touch(slot);
+  }
   has_hit_[slot] = true;
   join_hit(index_of(byte), cells_[slot][y * geometry::kTileSide + x]);
   tall_[slot][y] |= (is_tall(byte) ? 1U : 0U) << x;

@@ -69,7 +69,8 @@ class FrameEvidence {
   // Returns true if any cell of the tile in this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // Returns the joined bytes of the tile in a slot, row by row from the lowest y.
+  // Returns the joined bytes of the tile in a slot, row by row from the lowest y. The result is
+  // valid only if the tile is touched.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
   // Returns the tile's cells with a tall return. The result is valid only if the tile is touched.
@@ -110,8 +111,7 @@ class FrameEvidence {
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // The undo log of a region. If a tile was not touched, all of its cells were 0, so they are not
-  // stored.
+  // The undo log of a region. The cells of untouched tiles are not stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -151,6 +151,7 @@ class FrameEvidence {
   void pull(const Adding& adding, const Region& region);
   void push(const Adding& adding, const Region& region);
   void push_hit(const Adding& adding, geometry::Cell cell, std::int8_t byte);
+  void touch(std::size_t slot);
 
   alignas(32) std::array<TileIndexes, window::kSlotCount> cells_{};
   std::array<window::Plane, window::kSlotCount> tall_{};

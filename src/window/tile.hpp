@@ -36,7 +36,7 @@ static_assert(geometry::kTileSide == 32);
 
 // The classes that the map rules out in a tile, row by row from the lowest y.
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
-alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
+alignas(8) inline constexpr std::array<decision::RuledOut, kGroupsPerRow> kNothingRuledOut{};
 
 // Cell properties for later neighbourhood tests. These properties are computed whenever the cell's
 // group is classified.
@@ -64,11 +64,11 @@ struct Tile {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // Returns the classes that the map rules out in a group. If the target has no map, this function
-  // avoids reading a kilobyte of zeros.
+  // Returns the classes that the map rules out in a group. The other groups of its row follow in
+  // memory. If the target has no map, this function avoids reading a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
-      return kNothingRuledOut;
+      return kNothingRuledOut[group % kGroupsPerRow];
     }
     return ruled_out[group];
   }

@@ -53,6 +53,14 @@ void Window::rename(Tile& tile, const TileRuledOut& ruled_out) {
   }
 }
 
+void Window::note_found(std::size_t slot) {
+  std::uint32_t empty = 0;
+  for (std::size_t i = 0; i < kFoundPlanes.size(); ++i) {
+    empty |= std::uint32_t{is_empty(tiles_[slot].found.*kFoundPlanes[i])} << i;
+  }
+  empty_planes_[slot] = static_cast<std::uint8_t>(empty);
+}
+
 void Window::name_anew(std::size_t slot, std::size_t group) {
   if (is_known_[slot] && tiles_[slot].is_known(group)) {
     ++versions_[slot];
@@ -63,6 +71,7 @@ void Window::name_anew(std::size_t slot, std::size_t group) {
 Tile& Window::open(std::size_t slot) {
   Tile& tile = tiles_[slot];
   ++versions_[slot];
+  empty_planes_[slot] = 0;
   if (!is_known_[slot]) {
     tile.clear();
     work::keep_order();

@@ -6,6 +6,7 @@
 // write to the group. Moving the window therefore costs only one flag per tile.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,20 @@ class Window {
   // from the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
+  // Records which planes of Found are empty in the tile in a slot. The record is valid until the
+  // tile is opened again.
+  void note_found(std::size_t slot);
+
+  // Returns true if the tile in a slot may have a bit set in a plane of Found.
+  [[nodiscard]] bool may_have(std::size_t slot, Plane Found::*plane) const {
+    return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
+  }
+
+  // Returns true if around() has returned no plane that may have a bit set.
+  [[nodiscard]] static bool are_empty(const NinePlanes& nine) {
+    return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
+  }
+
   // Returns the results of `plane_of` for the tile in a slot and for its neighbours. For tiles
   // outside the window, and for tiles for which is_there(slot) is false, no bits are set.
   template <typename IsThere, typename PlaneOf>
@@ -73,15 +88,23 @@ class Window {
     return nine;
   }
 
-  // Has the same effect as the function above, for a plane of Found.
+  // Has the same effect as the function above, for a plane of Found. Planes that are known to be
+  // empty are not read.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
-        slot, [this](std::size_t at) { return is_known_[at]; },
+        slot, [this, plane](std::size_t at) { return may_have(at, plane); },
         [this, plane](std::size_t at) -> const Plane& { return tiles_[at].found.*plane; });
   }
 
  private:
   static constexpr Plane kNothing{};
+  static constexpr std::array kFoundPlanes{&Found::freed, &Found::seen, &Found::stands,
+                                           &Found::taken};
+
+  static constexpr std::uint8_t bit_of(Plane Found::*plane) {
+    return static_cast<std::uint8_t>(
+        1U << (std::ranges::find(kFoundPlanes, plane) - kFoundPlanes.begin()));
+  }
 
   static void rename(Tile& tile, const TileRuledOut& ruled_out);
 
@@ -89,6 +112,7 @@ class Window {
   bool is_centred_ = false;
   std::array<bool, kSlotCount> is_known_{};
   std::array<std::uint32_t, kSlotCount> versions_{};
+  std::array<std::uint8_t, kSlotCount> empty_planes_{};  // one bit per plane of Found
   std::array<Tile, kSlotCount> tiles_{};
 };
 

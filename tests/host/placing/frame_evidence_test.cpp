@@ -41,15 +41,17 @@ class Evidence {
     const window::TileNumber tile{numeric::div_floor(cell.x, window::kTileSide),
                                   numeric::div_floor(cell.y, window::kTileSide)};
     const Cell in_tile{cell.x - tile.a * window::kTileSide, cell.y - tile.b * window::kTileSide};
-    return evidence_->tile(window::slot_of(
-        tile))[static_cast<std::uint32_t>(in_tile.y * window::kTileSide + in_tile.x)];
+    const std::size_t slot = window::slot_of(tile);
+    const auto place = static_cast<std::uint32_t>(in_tile.y * window::kTileSide + in_tile.x);
+    return evidence_->is_touched(slot) ? evidence_->tile(slot)[place] : 0;
   }
   [[nodiscard]] bool is_tall(Cell cell) const {
     const window::TileNumber tile{numeric::div_floor(cell.x, window::kTileSide),
                                   numeric::div_floor(cell.y, window::kTileSide)};
-    const std::uint32_t row = evidence_->tall(
-        window::slot_of(tile))[static_cast<std::uint32_t>(cell.y - tile.b * window::kTileSide)];
-    return (row >> (cell.x - tile.a * window::kTileSide) & 1U) != 0;
+    const std::size_t slot = window::slot_of(tile);
+    const std::uint32_t row =
+        evidence_->tall(slot)[static_cast<std::uint32_t>(cell.y - tile.b * window::kTileSide)];
+    return evidence_->is_touched(slot) && (row >> (cell.x - tile.a * window::kTileSide) & 1U) != 0;
   }
 
   // '.' free, '#' hit, ' ' nothing.
@@ -71,8 +73,10 @@ class Evidence {
   [[nodiscard]] int sum(Of&& of) const {
     int sum = 0;
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
-      for (const std::int8_t index : evidence_->tile(slot)) {
-        sum += of(int{index});
+      if (evidence_->is_touched(slot)) {
+        for (const std::int8_t index : evidence_->tile(slot)) {
+          sum += of(int{index});
+        }
       }
     }
     return sum;
@@ -80,7 +84,8 @@ class Evidence {
 
   friend bool operator==(const Evidence& a, const Evidence& b) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
-      if (a.evidence_->tile(slot) != b.evidence_->tile(slot) ||
+      if (a.evidence_->is_touched(slot) != b.evidence_->is_touched(slot) ||
+          (a.evidence_->is_touched(slot) && a.evidence_->tile(slot) != b.evidence_->tile(slot)) ||
           (a.evidence_->has_hit(slot) && a.evidence_->tall(slot) != b.evidence_->tall(slot))) {
         return false;
       }
