@@ -1,5 +1,5 @@
-// Hardware interface for a text console. A call blocks only as long as it takes to transmit its
-// bytes.
+// Hardware interface for a text console. A call blocks only as long as the transmission of its
+// bytes takes.
 #pragma once
 
 #include <concepts>

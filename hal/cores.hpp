@@ -26,20 +26,18 @@ enum class CoreState : std::uint8_t {
   kStopped,  // ended by stop(); writes no more memory
 };
 
-// count():           number of cores of the machine, including core 0: 1 to kMaxCores.
-// start(core, job):  starts helper `core`, 1 to count() - 1, and waits at most 100 ms until it is
-//                    running. Returns false if it is not running by then. The job and its context
-//                    must outlive the helper.
-// state(core):       the state of the helper. If the helper has ended, core 0 sees everything that
-//                    the helper wrote before it ended.
-// wake(core):        makes the helper run its job at least once, starting after this call. The
-//                    helper sees everything that core 0 wrote before this call.
-// stop(core):        ends a helper at any point, and waits at most 100 ms until it has ended.
-//                    Returns false if it has not ended; in that case it may still write memory.
-// last_word(core):   the reason and the location at which a helper ended, as human-readable text.
-//                    Empty if the helper has not ended.
-// now_us():          the clock that bounds all waits.
-// pause():           a short pause for a loop that waits for another core.
+// `count()` returns the number of cores of the machine, 1 to kMaxCores, including core 0.
+// `start(core, job)` starts helper `core`, 1 to count() - 1, and waits at most 100 ms until the
+// helper is running. `start()` returns false if the helper is not running by then. The job and its
+// context must outlive the helper. `state(core)` returns the state of the helper. If the helper has
+// ended, core 0 sees all stores that the helper made before it ended. `wake(core)` makes the helper
+// run its job at least once, starting after this call. The helper sees all stores that core 0 made
+// before this call. `stop(core)` ends a helper at any point, and waits at most 100 ms until the
+// helper has ended. `stop()` returns false if the helper has not ended. In this case, the helper
+// may still write memory. `last_word(core)` returns the reason and the location at which a helper
+// ended, as human-readable text. The text is empty if the helper has not ended. `now_us()` returns
+// the time of the clock that bounds all waits. `pause()` makes a short pause in a loop that waits
+// for another core.
 template <typename T>
 concept Cores = requires(T& cores, const T& view, std::size_t core, CoreJob job) {
   { view.count() } -> std::same_as<std::size_t>;

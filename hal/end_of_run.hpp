@@ -8,7 +8,7 @@
 
 namespace iog::hal {
 
-// How a run ended. The values are used on the wire (docs/spec.md 3.7).
+// The cause of the end of a run. The values are used on the wire (docs/spec.md 3.7).
 enum class EndCause : std::uint32_t {
   kPowerUp = 0,       // unknown: there was no previous run, or its record is lost
   kWithoutAWord = 1,  // reset while the run seemed alive: by the watchdog or the reset button
@@ -29,15 +29,15 @@ struct RunBefore {
   std::uint32_t starts = 1;  // number of starts since power-up, including this one
   End end{};
 
-  // Names of the counters in the stream (stream/target_table.hpp).
+  // The names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"starts since power-up", "end of the run before", "detail of that end"});
   friend constexpr bool operator==(const RunBefore&, const RunBefore&) = default;
 };
 
-// end_run(end, words):  ends the run and does not return on a machine. Stores `end` for the next
-//                       run and displays `words`, at most 200 characters, to the user.
-// run_before():         how the previous run ended; constant during a run.
+// `end_run(end, words)` ends the run, and does not return on a machine. `end_run()` stores `end`
+// for the next run, and displays `words`, at most 200 characters, to the user. `run_before()`
+// returns the end of the previous run, which is constant during a run.
 template <typename T>
 concept EndsRuns = requires(T& machine, const T& view, End end, std::string_view words) {
   { machine.end_run(end, words) } -> std::same_as<void>;

@@ -1,4 +1,4 @@
-// Hardware interface for an Ethernet port: sends and receives whole frames and never blocks.
+// Hardware interface for an Ethernet port, which sends and receives whole frames and never blocks.
 //
 // A frame consists of destination, source, type and payload, without preamble and FCS.
 #pragma once
@@ -12,7 +12,8 @@
 
 namespace iog::hal {
 
-// Counts the frames received, sent and lost since the port was opened. Every counter wraps.
+// The numbers of frames received, sent and lost since the port was opened. Every counter wraps
+// around.
 struct PortCounters {
   std::uint32_t received = 0;        // good frames handed to the caller
   std::uint32_t receive_errors = 0;  // bad frames according to the controller: CRC, length, overrun
@@ -24,7 +25,7 @@ struct PortCounters {
   std::uint32_t lost_received = 0;      // buffers of received frames lost in restarts
   std::uint32_t lost_unsent = 0;        // sent or queued frames lost in restarts
 
-  // Names of the counters in the stream (stream/target_table.hpp).
+  // The names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
       std::to_array<std::string_view>({"port received", "receive errors", "oversized", "port sent",
                                        "port refused", "port without room", "port restarts",
@@ -37,15 +38,15 @@ struct PortLife {
   bool is_excused = true;   // there is no link, or the port can receive and has nothing to send
 };
 
-// receive():  the oldest received frame, or empty. The frame remains valid and unchanged until
-//             release().
-// release():  frees the frame returned by receive(). Call it only after a non-empty receive().
-// acquire():  a free transmit buffer of at least 1514 bytes, or empty if the ring is full, which is
-//             counted. A second call before commit() returns the same buffer.
-// room():     the minimum number of buffers that acquire() can return now.
-// commit(n):  queues the first n bytes of the acquired buffer, 14 <= n <= 1514.
-// pump():     passes a bounded number of queued frames to the controller. Call it once per loop
-//             iteration. It may restart a stopped controller, but not while a buffer is acquired.
+// `receive()` returns the oldest received frame, or an empty span. The frame remains valid and
+// unchanged until release(). `release()` frees the frame that receive() returned. Call this
+// function only after receive() has returned a frame. `acquire()` returns a free transmit buffer of
+// at least 1514 bytes. If the ring is full, acquire() returns an empty span and counts the failure.
+// A second call before commit() returns the same buffer. `room()` returns the minimum number of
+// buffers that acquire() can return now. `commit(n)` queues the first n bytes of the acquired
+// buffer, 14 <= n <= 1514. `pump()` passes a bounded number of queued frames to the controller.
+// Call this function once per pass of the loop. `pump()` may restart a stopped controller, but not
+// while a buffer is acquired.
 template <typename Port>
 concept EthernetPort = requires(Port& port, const Port& view, std::size_t frame_bytes) {
   { port.receive() } -> std::same_as<std::span<const std::byte>>;

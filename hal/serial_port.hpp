@@ -8,11 +8,12 @@
 
 namespace iog::hal {
 
-// bytes_per_second():  the data rate of the link.
-// free_bytes():        the number of bytes that write() accepts now.
-// write(bytes):        queues at most free_bytes() bytes.
-// pump():              passes bytes to the transmitter until it is full; their number is bounded.
-//                      Call it often enough that the link does not run idle. write() also calls it.
+// `bytes_per_second()` returns the data rate of the link.
+// `free_bytes()` returns the number of bytes that write() accepts now.
+// `write(bytes)` queues at most free_bytes() bytes.
+// `pump()` passes a bounded number of bytes to the transmitter, until the transmitter is full. Call
+// this function often enough that the link does not run idle. Each call of write() also calls
+// pump().
 template <typename Port>
 concept SerialPort = requires(Port& port, const Port& view, std::span<const std::byte> bytes) {
   { view.bytes_per_second() } -> std::same_as<std::uint32_t>;

@@ -1,4 +1,4 @@
-// The map that the image was built with (baked_map.S.in).
+// The map that the build has included in the image (baked_map.S.in).
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ extern "C" const std::uint32_t baked_map_bytes;
 
 namespace iog::board {
 
-// Empty if the image has no map. The map has not been checked yet.
+// Returns the unchecked map, or an empty span if the image has no map.
 [[nodiscard]] inline std::span<const std::uint8_t> map_of_image() {
   return std::span(baked_map).first(baked_map_bytes);
 }

@@ -1,5 +1,5 @@
-// The car block of the image (car_block.S.in). Its bytes may be invalid. Code that converts it to a
-// car_block::Block checks its size.
+// The car block of the image (car_block.S.in). The bytes of the car block may be invalid. Code that
+// converts these bytes to a car_block::Block checks their size.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The memory that must not change while the firmware runs, for the memory check: the image sealed
-// by the build, constants set at start-up, and guards around writable memory.
+// Lists the memory that must not change while the firmware runs, for the memory check. This memory
+// consists of the image sealed by the build, constants set at start-up, and guards around writable
+// memory.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@
 
 namespace iog::board {
 
-// One of the ranges of linker/<board>.ld, with the CRC-32 that seal_image has written for its
-// bytes.
+// One of the ranges of linker/<board>.ld, with the CRC-32 that seal_image has written for the bytes
+// of the range.
 struct ImageSeal {
   std::uint32_t begin;
   std::uint32_t end;
@@ -23,7 +24,7 @@ struct ImageSeal {
 
 class ConstantMemory {
  public:
-  // Adds the image, these translation tables and the guards of these rings. docs/spec.md 3.7 lists
+  // Adds the image, the translation tables and the guards of the rings. `docs/spec.md` 3.7 lists
   // the numbers of the regions.
   ConstantMemory(std::span<const std::byte> translation_tables,
                  std::span<health::Guard* const> ring_guards);

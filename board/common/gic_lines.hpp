@@ -8,11 +8,11 @@
 
 namespace iog::board {
 
-// Any priority that is more urgent than the mask 0xff.
+// The priority of all interrupts, which only has to be more urgent than the mask 0xff.
 inline constexpr std::uint8_t kInterruptPriority = 0xa0;
 
-// Switches the GIC off, disables all lines and makes them level-sensitive. A boot loader may have
-// left lines enabled and edges pending.
+// Switches the GIC off, disables all lines, and makes all lines level-sensitive. A boot loader may
+// have left lines enabled and edges pending.
 template <typename Distributor>
 void clear_lines(Distributor& distributor, GicCpuRegisters& cpu) {
   distributor.ctlr.write(0);

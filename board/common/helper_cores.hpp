@@ -1,5 +1,6 @@
-// Controls cores 1 to 3 from core 0: the part of hal::Cores that all boards share. A board adds
-// count() and start(). Software-generated interrupts: ARM IHI 0048, GICD_SGIR.
+// Controls cores 1 to 3 from core 0. HelperCores is the part of hal::Cores that all boards share.
+// Each board adds count() and start(). ARM IHI 0048, GICD_SGIR, describes the software-generated
+// interrupts.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 
 namespace iog::board {
 
-// Distributor: the registers of the board's GIC. Clock: hal::Clock.
+// Distributor contains the registers of the board's GIC. Clock is a hal::Clock.
 template <typename Distributor, typename Clock>
 class HelperCores {
  public:
@@ -41,14 +42,14 @@ class HelperCores {
   std::uint64_t now_us() { return clock_.now_us(); }
   void pause() { machine::yield(); }
 
-  // The reason and the location at which a helper ended.
+  // Returns the reason why a helper ended, and the location at which it ended.
   std::string_view last_word(std::size_t core) const { return helpers_[core - 1].last_word.view(); }
 
  protected:
   HelperCores(Distributor& distributor, Clock& clock, Helpers& helpers)
       : distributor_(distributor), clock_(clock), helpers_(helpers) {}
 
-  // Call it before the board switches the core on.
+  // Call this function before the board switches the core on.
   void prepare(std::size_t core, hal::CoreJob job) {
     Helper& helper = helpers_[core - 1];
     helper.job = job;
@@ -56,8 +57,8 @@ class HelperCores {
     helper.state.store(hal::CoreState::kOff, std::memory_order_relaxed);
   }
 
-  // Call it after the board has switched the core on. Returns whether the core has started in time.
-  // A core that starts later sleeps and is never woken.
+  // Returns true if the core has started in time. Call this function after the board has switched
+  // the core on. A core that starts later sleeps and is never woken.
   bool comes_up(std::size_t core) {
     const std::uint64_t begin_us = now_us();
     while (state(core) != hal::CoreState::kRunning) {
@@ -70,7 +71,8 @@ class HelperCores {
   }
 
  private:
-  // A core starts in well under a millisecond, or in 6 to 14 ms in QEMU on an idle PC.
+  // On hardware, a core starts in well under a millisecond. In QEMU on an idle PC, a core starts in
+  // 6 to 14 ms.
   static constexpr std::uint32_t kMaxStartUs = 100'000;
   // A core takes an interrupt within microseconds, unless it waits for a bus that never answers.
   static constexpr std::uint32_t kMaxStopUs = 100'000;

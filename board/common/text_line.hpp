@@ -1,4 +1,4 @@
-// A line of text of bounded length, built without a C library. Text that does not fit is cut off.
+// A line of text of bounded length that needs no C library. Text that does not fit is cut off.
 #pragma once
 
 #include <array>

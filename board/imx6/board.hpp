@@ -1,4 +1,4 @@
-// The SABRE Lite for the application: one started object for each interface in hal/.
+// The SABRE Lite board provides the application with one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ namespace iog::imx6 {
 
 class Board : public board::BoardRun {
  public:
-  // Starts all parts in the order of their dependencies. Takes about 15 ms, mostly for the reset of
-  // the PHY. Services the watchdog once, which is already running. The address is used if the
-  // chip's fuses contain none.
+  // Starts all parts in the order of their dependencies. Starting takes about 15 ms, mostly for the
+  // reset of the PHY. The constructor services the watchdog, which is already running, once.
+  // `address` is used if the chip's fuses contain no address.
   explicit Board(const MacAddress& address);
 
   GptClock& clock() { return clock_; }
@@ -32,23 +32,24 @@ class Board : public board::BoardRun {
   EnetPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  // Sleeps until a frame arrives, the serial link can send waiting bytes, or the tick ends, at most
-  // 1 ms. Clears the event flags before it returns, so poll every device between two calls.
+  // Sleeps for at most 1 ms, until a frame arrives, the serial link can send waiting bytes, or the
+  // tick ends. The function clears the event flags before it returns, so poll every device between
+  // two calls.
   void idle();
 
   // The interface of hal::SharedCache.
   void keep_cache(bool keep) { l2_cache_.keep(keep); }
 
-  // Data for the memory check besides the image: the MMU's translation tables, and the guards
-  // around the Ethernet controller's rings.
+  // These functions return the data for the memory check other than the image: the MMU's
+  // translation tables, and the guards around the Ethernet controller's rings.
   std::span<const std::byte> translation_tables() const;
   std::array<health::Guard*, 5> ring_guards() const;
 
   // The interface of hal::Thermometer.
   std::int16_t temperature_dc() { return thermometer_.read_dc(); }
 
-  // Version, clock rates, whether the L2 cache is on, the MAC address, the reason for this boot,
-  // and the previous run's last word, if any.
+  // Prints the version, the clock rates, the state of the L2 cache, the MAC address, the reason for
+  // this boot, and the previous run's last word, if any.
   void print_banner();
 
  private:

@@ -1,7 +1,7 @@
-// Controls cores 1 to 3 from core 0. The SRC starts them. Satisfies hal::Cores.
+// Controls cores 1 to 3 from core 0. The SRC starts these cores. The class satisfies hal::Cores.
 //
-// A helper that has ended keeps its caches on and answers the snoops of other cores. It is not put
-// back into reset, because data that only its cache holds would be lost.
+// A helper that has ended keeps its caches on and answers the snoops of other cores. The helper is
+// not put back into reset, because data that only its cache contains would be lost.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace iog::imx6 {
 
 class Cores : public board::HelperCores<GicDistributorRegisters, GptClock> {
  public:
-  // entry: bus address at which a helper starts.
+  // `entry` is the bus address at which a helper starts.
   Cores(SrcRegisters& src, const ScuRegisters& scu, GicDistributorRegisters& distributor,
         GptClock& clock, Helpers& helpers, std::uint32_t entry)
       : HelperCores(distributor, clock, helpers), src_(src), scu_(scu), entry_(entry) {}

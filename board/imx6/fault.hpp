@@ -19,7 +19,7 @@ enum class FaultKind : std::uint32_t {
   kFastInterrupt = 6,  // from the watchdog: the loop hangs (gic.hpp)
 };
 
-// The layout in which startup.S pushes it.
+// The layout of the frame that startup.S pushes.
 struct FaultFrame {
   FaultKind kind;
   std::uint32_t pc;    // the faulting instruction
@@ -28,19 +28,19 @@ struct FaultFrame {
   std::uint32_t sp;
 };
 
-// Status and address registers of the MMU: DFSR and DFAR after a data abort, IFSR and IFAR after a
-// prefetch abort. Zero for all other kinds.
+// The status and address registers of the MMU: DFSR and DFAR after a data abort, IFSR and IFAR
+// after a prefetch abort. For all other kinds, the values are zero.
 struct FaultStatus {
   std::uint32_t status = 0;
   std::uint32_t address = 0;
 };
 
-// "data abort pc=... lr=... sp=... spsr=... fsr=... far=..." and, if the address lies below a
-// stack, "(stack guard)". An "asynchronous abort" has no address, and its pc is the instruction at
-// which the core received it.
+// Returns a text such as "data abort pc=... lr=... sp=... spsr=... fsr=... far=...". If the address
+// lies below a stack, the text ends with "(stack guard)". An "asynchronous abort" has no address.
+// The pc of an asynchronous abort is the instruction at which the core received the abort.
 TextLine describe(const FaultFrame& frame, const FaultStatus& status, const mmu::MemoryMap& map);
 
-// Called by startup.S on the stack of the exception's mode.
+// startup.S calls this function on the stack of the exception's mode.
 extern "C" [[noreturn]] void report_fault(const FaultFrame* frame);
 
 }  // namespace iog::imx6

@@ -8,8 +8,8 @@
 
 namespace iog::imx6 {
 
-// Empty if the fuses are blank, as in QEMU, or contain an address that no station can have: a group
-// address or all zeros. Requires start_clocks().
+// Returns nothing if the fuses are blank, as in QEMU, or if they contain an address that no station
+// can have, that is, a group address or all zeros. Call start_clocks() first.
 std::optional<MacAddress> mac_of_fuses(const OcotpRegisters& ocotp);
 
 }  // namespace iog::imx6

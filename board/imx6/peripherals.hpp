@@ -1,4 +1,4 @@
-// The peripherals of this chip. linker/imx6_peripherals.ld gives each symbol its address and its
+// The peripherals of this chip. `linker/imx6_peripherals.ld` gives each symbol its address and its
 // chapter.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace iog::imx6 {
 
-// These symbols are never defined, so they are never initialised. clang-tidy cannot know that.
+// These symbols are never defined, so they are never initialised. Clang-tidy cannot detect this.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern "C" {
 extern ScuRegisters scu;

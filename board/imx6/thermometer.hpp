@@ -1,8 +1,8 @@
-// Reads the chip's temperature from its temperature monitor and the calibration in its fuses. Never
-// blocks.
+// Reads the chip's temperature from the temperature monitor and the calibration in the fuses. The
+// thermometer never blocks.
 //
-// In QEMU, the temperature is not known: QEMU only stores writes to the monitor, never finishes a
-// measurement and has blank fuses.
+// In QEMU, the temperature is not known, because QEMU only stores writes to the monitor, never
+// finishes a measurement, and has blank fuses.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,12 @@ class Thermometer {
   Thermometer(AnalogRegisters& analog, const OcotpRegisters& ocotp)
       : analog_(analog), ocotp_(ocotp) {}
 
-  // Starts periodic measurements. Requires start_clocks(), PLL3 and the 32 kHz clock.
+  // Starts periodic measurements, which require start_clocks(), PLL3 and the 32 kHz clock.
   void start();
 
-  // The last measurement in tenths of a degree Celsius. Returns hal::kTemperatureNotKnown if there
-  // is no calibration, no measurement yet, or no new measurement within a second of frames.
+  // Returns the last measurement in tenths of a degree Celsius. Returns hal::kTemperatureNotKnown
+  // if the fuses contain no calibration, if no measurement has finished yet, or if no new
+  // measurement has finished within a second of frames.
   std::int16_t read_dc();
 
  private:

@@ -1,7 +1,8 @@
-// The common code of this board's UARTs, and the console: UART2, 115200 baud, eight bits, no
-// parity. Satisfies hal::Console. UART1 sends the grid (serial_link.hpp).
+// Contains the common code of this board's UARTs, and the console. The console is UART2 at 115200
+// baud, with eight bits and no parity. It satisfies hal::Console. UART1 sends the grid
+// (serial_link.hpp).
 //
-// On the SABRE Lite, UART2 is the connector that U-Boot uses. In QEMU, it is the second -serial
+// On the SABRE Lite, UART2 is the connector that U-Boot uses. In QEMU, UART2 is the second -serial
 // option.
 #pragma once
 
@@ -13,13 +14,13 @@ namespace iog::imx6 {
 
 inline constexpr std::uint32_t kUartClockHz = 80'000'000;  // PLL3 / 6; clocks.cpp sets the divider
 
-// Fractional divider of the UART: baud = clock / 16 * (UBIR + 1) / (UBMR + 1).
+// The fractional divider of the UART: baud = clock / 16 * (UBIR + 1) / (UBMR + 1).
 struct BaudDivider {
   std::uint32_t ubir;
   std::uint32_t ubmr;
 };
 
-// The exact divider, or the zero divider if none fits the 16-bit registers.
+// Returns the exact divider, or the zero divider if no exact divider fits the 16-bit registers.
 consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t baud) {
   std::uint64_t numerator = 16 * baud;
   std::uint64_t denominator = clock_hz;
@@ -38,14 +39,14 @@ consteval BaudDivider exact_baud_divider(std::uint64_t clock_hz, std::uint64_t b
               : BaudDivider{0, 0};
 }
 
-// Whether this divider results in exactly this rate.
+// Returns true if the divider results in exactly this baud rate.
 consteval bool is_exact(BaudDivider divider, std::uint64_t clock_hz, std::uint64_t baud) {
   return clock_hz * (divider.ubir + 1) == baud * 16 * (divider.ubmr + 1);
 }
 
 // Sets up a UART for eight bits without parity or handshake, regardless of the boot loader's
-// settings. transmit_trigger: the bits of UFCR for the fill level below which the transmitter is
-// ready.
+// settings. `transmit_trigger` contains the bits of UFCR for the fill level below which the
+// transmitter is ready.
 void start_uart(UartRegisters& registers, const BaudDivider& divider,
                 std::uint32_t transmit_trigger);
 
@@ -57,11 +58,12 @@ class Uart {
 
   void start();
 
-  // Sends the text, with "\r\n" for each "\n". Waits while the transmitter makes progress. If it
-  // makes none, drops the rest of the text.
+  // Sends the text, with "\r\n" for each "\n". The function waits while the transmitter makes
+  // progress. If the transmitter makes no progress, the function drops the rest of the text.
   void write(std::string_view text);
 
-  // Waits until the last bit is sent, bounded like write(). Call it before a reset.
+  // Waits until the last bit is sent. The wait is bounded in the same way as in write(). Call this
+  // function before a reset.
   void flush();
 
  private:

@@ -1,4 +1,4 @@
-// The ZCU102 for the application: one started object for each interface in hal/.
+// The ZCU102 board provides the application with one started object for each interface in hal/.
 #pragma once
 
 #include <cstdint>
@@ -28,19 +28,19 @@ class Board : public board::BoardRun {
   GemPort& ethernet() { return ethernet_; }
   Cores& cores() { return cores_; }
 
-  // Sleeps until a frame arrives, at most 1 ms. Poll every device between two calls.
+  // Sleeps until a frame arrives, but for at most 1 ms. Poll every device between two calls.
   void idle();
 
-  // Data for the memory check besides the image: the MMU's translation tables, and the guards
-  // around the Ethernet controller's rings.
+  // These functions return the data for the memory check other than the image: the MMU's
+  // translation tables, and the guards around the Ethernet controller's rings.
   std::span<const std::byte> translation_tables() const;
   std::array<health::Guard*, 5> ring_guards() const { return guards_of(gem_memory); }
 
   // The interface of hal::Thermometer. The system monitor belongs to the platform firmware.
   std::int16_t temperature_dc() const { return hal::kTemperatureNotKnown; }
 
-  // Version, clock, the MAC address, the reason for this boot, and the previous run's last word, if
-  // any.
+  // Prints the version, the clock, the MAC address, the reason for this boot, and the previous
+  // run's last word, if any.
   void print_banner();
 
  private:

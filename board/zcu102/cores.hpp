@@ -1,6 +1,6 @@
-// Controls cores 1 to 3 from core 0. PSCI starts them. Satisfies hal::Cores.
+// Controls cores 1 to 3 from core 0. PSCI starts these cores. The class satisfies hal::Cores.
 //
-// A helper that has ended is not switched off, because data that only its cache holds would be
+// A helper that has ended is not switched off, because data that only its cache contains would be
 // lost.
 #pragma once
 

@@ -20,7 +20,7 @@ enum class FaultKind : std::uint64_t {
   kMisaligned = 8,   // program counter or stack pointer
 };
 
-// The layout in which startup.S stores it.
+// The layout of the frame that startup.S stores.
 struct FaultFrame {
   FaultKind kind;
   std::uint64_t pc;    // the faulting instruction
@@ -31,11 +31,12 @@ struct FaultFrame {
   std::uint64_t far;  // the address of an abort
 };
 
-// "data abort pc=... lr=... sp=... spsr=... esr=... far=..." and, if the address lies below a
-// stack, "(stack guard)". For a system error, pc is the instruction at which the core received it.
+// Returns a text such as "data abort pc=... lr=... sp=... spsr=... esr=... far=...". If the address
+// lies below a stack, the text ends with "(stack guard)". For a system error, pc is the instruction
+// at which the core received the error.
 TextLine describe(const FaultFrame& frame, bool in_stack_guard);
 
-// Called by startup.S on the stack for exceptions.
+// startup.S calls this function on the stack for exceptions.
 extern "C" [[noreturn]] void report_fault(const FaultFrame* frame);
 
 }  // namespace iog::zcu102

@@ -1,4 +1,4 @@
-// The peripherals of this chip. linker/zcu102_peripherals.ld gives each symbol its address.
+// The peripherals of this chip. `linker/zcu102_peripherals.ld` gives each symbol its address.
 #pragma once
 
 #include "registers/gem.hpp"
@@ -8,7 +8,7 @@
 
 namespace iog::zcu102 {
 
-// These symbols are never defined, so they are never initialised. clang-tidy cannot know that.
+// These symbols are never defined, so they are never initialised. Clang-tidy cannot detect this.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 extern "C" {
 extern board::GicCpuRegisters gic_cpu;

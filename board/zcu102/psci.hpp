@@ -1,4 +1,4 @@
-// Functions of the Power State Coordination Interface (ARM DEN 0022, 5.1), by SMC.
+// The functions of the Power State Coordination Interface (ARM DEN 0022, 5.1), called by SMC.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
-// The serial link that carries the grid: UART1, transmit only. Satisfies hal::SerialPort. In QEMU,
-// it is the second -serial option.
+// The serial link that carries the grid uses UART1 for transmission only. The class satisfies
+// hal::SerialPort. In QEMU, UART1 is the second -serial option.
 //
-// Bytes wait in a ring. The transmitter's FIFO holds 64 of them, which take 5.6 ms to send. The
-// loop runs every millisecond, so the link stays busy without an interrupt.
+// Bytes wait in a ring. The transmitter's FIFO holds 64 bytes, which take 5.6 ms to send. The loop
+// runs every millisecond, so the link stays busy without an interrupt.
 #pragma once
 
 #include <array>
@@ -29,13 +29,13 @@ class SerialLink {
   std::size_t free_bytes() const { return kRingBytes - (queued_ - sent_); }
   void write(std::span<const std::byte> bytes);
 
-  // Fills the FIFO, at most 64 bytes. If there is nothing to do, accesses no register.
+  // Writes at most 64 bytes to the FIFO. If no bytes wait, the function accesses no register.
   void pump();
 
  private:
   UartRegisters& registers_;
-  // Bytes since start-up. The counts wrap, which does not affect positions in the ring, because its
-  // length is a power of two.
+  // The numbers of bytes since start-up. The counts wrap, which does not affect positions in the
+  // ring, because the length of the ring is a power of two.
   std::uint32_t queued_ = 0;
   std::uint32_t sent_ = 0;
   std::array<std::byte, kRingBytes> ring_{};

@@ -1,6 +1,6 @@
-// The common code of the UARTs, and the console: UART0, 115200 baud, eight bits, no parity.
-// Satisfies hal::Console. On the ZCU102, UART0 is the first port of the USB connector J83. In QEMU,
-// it is the first -serial option.
+// Contains the common code of the UARTs, and the console. The console is UART0 at 115200 baud, with
+// eight bits and no parity. It satisfies hal::Console. On the ZCU102, UART0 is the first port of
+// the USB connector J83. In QEMU, UART0 is the first -serial option.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace iog::zcu102 {
 inline constexpr std::uint32_t kUartClockHz = 100'000'000;
 inline constexpr std::uint32_t kBaud = 115'200;
 
-// Sets up a UART, regardless of the boot loader's settings, for transmission only.
+// Sets up a UART for transmission only, regardless of the boot loader's settings.
 void start_uart(UartRegisters& registers);
 
 class Uart {
@@ -22,11 +22,12 @@ class Uart {
 
   void start() { start_uart(registers_); }
 
-  // Sends the text, with "\r\n" for each "\n". Waits while the transmitter makes progress. If it
-  // makes none, drops the rest of the text.
+  // Sends the text, with "\r\n" for each "\n". The function waits while the transmitter makes
+  // progress. If the transmitter makes no progress, the function drops the rest of the text.
   void write(std::string_view text);
 
-  // Waits until the last bit is sent, bounded like write(). Call it before a reset.
+  // Waits until the last bit is sent. The wait is bounded in the same way as in write(). Call this
+  // function before a reset.
   void flush();
 
  private:

@@ -1,8 +1,9 @@
-// The watchdog of the full-power domain, which detects that the loop has stopped. Satisfies
+// The watchdog of the full-power domain detects that the loop has stopped. The class satisfies
 // hal::Watchdog.
 //
-// When it expires, it signals the platform management unit, which resets the chip only if its
-// firmware is configured to do so (UG1085, "System Watchdog Timers"). QEMU has none.
+// When the watchdog expires, it signals the platform management unit. This unit resets the chip
+// only if the unit's firmware is configured to do so (UG1085, "System Watchdog Timers"). QEMU has
+// no such unit.
 #pragma once
 
 #include "registers/watchdog.hpp"

@@ -1,11 +1,12 @@
-// The decay of a mass after a time, computed as a product over the bits of the time.
+// Computes the decay of a mass after a time, as a product over the bits of the time.
 //
-// kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms)) for each bit j. The factors
-// of the bits that are set in t are multiplied, lowest bit first, and each product is rounded down.
-// Each factor and each product loses less than one unit of 2^-31, and all of them are below 1. The
-// computed kappa(t) is therefore at most 16 + 15 units below the true value.
+// The decay after a time t is kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms))
+// for each bit j. The factors of the bits that are set in t are multiplied, starting with the
+// lowest bit, and each product is rounded down. All factors and products are below 1, and each of
+// them loses less than one unit of 2^-31. The computed kappa(t) is therefore at most 16 + 15 units
+// below the true value.
 //
-// Range: factors are below 2^31, so the product of two factors is below 2^62.
+// Factors are below 2^31, so the product of two factors is below 2^62.
 #pragma once
 
 #include <array>
@@ -25,10 +26,10 @@ inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 // Entry j is the factor for 2^j ms, which is bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// Runs only on a PC or at compile time. Returns 1 / tau, given the fraction that is left after 100
-// ms. Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan for contextual
-// discounting, in which the rates apply to the complement of a set. The two rates are therefore
-// swapped here.
+// Returns 1 / tau, given the fraction that is left after 100 ms. This function runs only on a PC or
+// at compile time. Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan for
+// contextual discounting. In contextual discounting, the rates apply to the complement of a set, so
+// the two rates are swapped here.
 constexpr double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }
@@ -61,8 +62,9 @@ constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
 struct Decays {
   DecayTable dynamic{};
   DecayTable fixed{};
-  // kappa_dyn^(1/4) kappa_sta^(3/4): the limit of the proportional factor (Kurdej 2015, section
-  // 6.3) for small time steps. The product of finite steps would depend on the update rate.
+  // The factor kappa_dyn^(1/4) kappa_sta^(3/4), which is the limit of the proportional factor
+  // (Kurdej 2015, section 6.3) for small time steps. A product of finite steps would depend on the
+  // update rate.
   DecayTable shared{};
   friend constexpr bool operator==(const Decays&, const Decays&) = default;
 };

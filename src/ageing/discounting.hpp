@@ -1,5 +1,5 @@
-// Exponential decay of evidence (Kurdej 2015, chapter 6), with separate time constants for moving
-// and static objects.
+// The exponential decay of evidence (Kurdej 2015, chapter 6), with separate time constants for
+// moving and static objects.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,7 @@
 
 namespace iog::ageing {
 
-// The rule by which the factors of occupied sets are derived from the factors of moving and static
-// objects.
+// The rule that derives the factors of occupied sets from the factors of moving and static objects.
 enum class Discounting : std::uint8_t {
   kConservative,  // {I, M, S, U} decays with both factors
   kOptimistic,    // {I, M, S, U} does not decay
@@ -18,8 +17,8 @@ enum class Discounting : std::uint8_t {
   kProportional,  // {I, M, S, U} decays with weights of 1/4 for moving and 3/4 for static objects
 };
 
-// Returns the ageing factors after a time. There is no decay after 0 ms, and all masses are 0 after
-// more than 65,535 ms.
+// Returns the ageing factors after a time. After 0 ms, masses have not decayed. After more than
+// 65,535 ms, all masses are 0.
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting,
                             const Decays& decays = kUsualDecays);
 

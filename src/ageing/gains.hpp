@@ -1,4 +1,4 @@
-// The weights of a frame's evidence, which depend on the time since the last evidence. If a cell is
+// The weights of a frame's evidence depend on the time since the last evidence. If a cell is
 // observed twice as often, each observation has half the weight.
 #pragma once
 
@@ -16,10 +16,10 @@ namespace iog::ageing {
 
 inline constexpr std::uint32_t kLongestGainMs = 100;
 
-// Constants of Kurdej 2015, section 7.3, for an object of length L = 3 m that moves at V_min = 1
-// m/s or faster, d = 0.5 m behind another one. The accumulator is full after L / V_min (delta), and
-// empty again after d / V_min (gamma = L / d = 6). A full accumulator specialises all mass within
-// one scan at the scan rate of the thesis.
+// The constants of Kurdej 2015, section 7.3. These constants describe an object of length L = 3 m
+// that moves at V_min = 1 m/s or faster, d = 0.5 m behind another object. The accumulator is full
+// after L / V_min (delta), and empty again after d / V_min (gamma = L / d = 6). At the scan rate of
+// the thesis, a full accumulator specialises all mass within one scan.
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;
@@ -27,7 +27,7 @@ struct Accumulation {
   friend constexpr bool operator==(const Accumulation&, const Accumulation&) = default;
 };
 
-// The rule by which the free and occupied evidence of a frame is weighted.
+// The rule that determines the weights of a frame's free and occupied evidence.
 enum class Weighing : std::uint8_t {
   kByTime,    // crossing beams have a weight of 0.7 per 100 ms, at any frame rate
   kEachScan,  // every frame is a scan as in Kurdej 2015, table 7.1: 0.8 per hit, 0.7 per crossing
@@ -38,27 +38,28 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// 1 minus the mass of crossing beams in 100 ms, which is 0.7.
+// The doubt that remains after 100 ms of crossing beams, which have a mass of 0.7.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
-// The mass of crossing beams after 1 ... 100 ms. Runs only on a PC or at compile time.
+// Returns the mass of crossing beams after 1 ... 100 ms. This function runs only on a PC or at
+// compile time.
 constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_ms) {
   const double doubt = numeric::exp(numeric::log(doubt_after_100_ms) * ms / 100);
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
-// A fraction that increases linearly by numerator / denominator per millisecond. The result is in
-// units of 2^-15, rounded to nearest, and at most 32767.
+// Returns a fraction that increases linearly by numerator / denominator per millisecond. The result
+// is in units of 2^-15, rounded to nearest, and at most 32767.
 constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
   return static_cast<std::int16_t>(std::min<std::int32_t>(part, 32767));
 }
 
-// The mass of crossing beams by time in ms. The entry for 0 ms equals the entry for 1 ms.
+// The mass of crossing beams, indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
 using FreeMasses = std::array<std::int16_t, kLongestGainMs + 1>;
 
-// Runs only on a PC or at compile time.
+// This function runs only on a PC or at compile time.
 constexpr FreeMasses make_free_masses(double doubt_after_100_ms) {
   FreeMasses masses{};
   for (std::size_t ms = 0; ms < masses.size(); ++ms) {
@@ -68,7 +69,7 @@ constexpr FreeMasses make_free_masses(double doubt_after_100_ms) {
   return masses;
 }
 
-// Indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
+// The weights, indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
 using GainsTable = std::array<evidence::Gains, kLongestGainMs + 1>;
 
 constexpr GainsTable make_gains_table(const Accumulation& accumulation, const FreeMasses& free,

@@ -1,10 +1,9 @@
 // Checks whether the loop keeps up with incoming datagrams.
 //
-// A target that is too slow for its sensors never empties the receive ring. The waiting Ethernet
-// frames become outdated, and finally the controller drops new frames unread. Therefore, if the
-// loop does not empty the ring for as long as the ring can buffer traffic, the waiting datagrams
-// are shed and counted. The grids that the target sends are therefore never delayed by more than
-// this time.
+// If a target is too slow for its sensors, the loop never empties the receive ring. The waiting
+// Ethernet frames become outdated, and finally the controller drops new frames unread. Therefore,
+// if the ring has not been empty for kLongestUs, the loop sheds and counts the waiting datagrams.
+// As a result, the delay of the target's grids never exceeds kLongestUs.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +13,12 @@ namespace iog::app {
 class Backlog {
  public:
   // The maximum time without an empty ring. The receive ring can buffer 100 ms of the densest
-  // traffic for which it is designed. This limit is shorter. It equals two frames of four LUX, so
-  // that a single late frame causes no shedding.
+  // traffic for which it is designed, so the maximum is shorter than 100 ms. The maximum equals two
+  // frames of four LUX, so that a single late frame causes no shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
-  // The grace period for a frame whose deadline passed before the loop woke up. Most of this
-  // frame's datagrams may have arrived while the machine was not running. These datagrams are
-  // processed before the frame is closed.
+  // The grace period for a frame whose deadline passed before the loop woke up. Most datagrams of
+  // such a frame may have arrived while the machine was not running. The loop processes these
+  // datagrams before it closes the frame.
   static constexpr std::uint64_t kGraceUs = 40'000;
 
   // Begins a pass of the loop. Datagrams that arrived while the loop was asleep or not running are
@@ -32,9 +31,9 @@ class Backlog {
     pass_us_ = now_us;
   }
 
-  // Call it when the ring is empty.
+  // Call this function when the ring is empty.
   void clear() { is_busy_ = false; }
-  // Call it when the ring's content has been shed.
+  // Call this function when the content of the ring has been shed.
   void begin(std::uint64_t now_us) {
     is_busy_ = true;
     since_us_ = now_us;
@@ -44,7 +43,7 @@ class Backlog {
     return is_busy_ && now_us - since_us_ >= kLongestUs;
   }
 
-  // Whether fusing must stop so that a frame with packets can be closed at deadline_us.
+  // Returns true if fusing must stop so that a frame with packets can be closed at deadline_us.
   [[nodiscard]] bool must_yield(std::uint64_t deadline_us, std::uint64_t now_us) const {
     const bool was_over = has_slept_ && deadline_us <= pass_us_;
     return now_us >= deadline_us && !(was_over && now_us - pass_us_ < kGraceUs);

@@ -1,5 +1,6 @@
-// Gate for commands, that is, poses and maps. If the car has a key, only commands signed with this
-// key pass the gate, and their signatures are removed. All other datagrams pass unchanged.
+// A gate for commands, that is, for poses and maps. If the car has a key, only commands signed with
+// this key pass the gate, and the gate removes their signatures. All other datagrams pass
+// unchanged.
 //
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once
@@ -21,8 +22,8 @@
 
 namespace iog::app {
 
-// The car whose commands must be signed, and the key. The car's stream is also signed. If the car
-// file does not enable classes, the target accepts no commands.
+// The car whose commands must be signed, and the car's key. The target also signs the car's stream.
+// If the car file does not enable classes, the target accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
@@ -31,23 +32,23 @@ struct SignedCommands {
 
 class CommandGate {
  public:
-  // Without `commands`, every datagram passes the gate. `run` is the target's run number, which
+  // If `commands` is empty, every datagram passes the gate. `run` is the target's run number, which
   // signers know.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
-  // Not copyable, because the verifiers point to the key.
+  // The gate is not copyable, because the verifiers point to the key.
   CommandGate(const CommandGate&) = delete;
   CommandGate& operator=(const CommandGate&) = delete;
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // The key of an enabled gate. The reference is valid while the gate exists.
+  // Returns the key of an enabled gate. The reference is valid while the gate exists.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
-  // Returns the datagram for the pipeline, valid until the next call, or nothing if the datagram is
-  // a command that is not authentic. A command from an unknown source passes with an empty payload,
-  // and the pipeline counts it as coming from an unknown source. As a result, no MAC is computed
-  // for addresses to which the target does not listen.
+  // Returns the datagram for the pipeline, or nothing if the datagram is a command that is not
+  // authentic. The returned datagram is valid until the next call. A command from an unknown source
+  // passes with an empty payload, and the pipeline counts the unknown source. As a result, the gate
+  // computes no MAC for unknown sources.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;
@@ -83,8 +84,7 @@ class CommandGate {
   }
 
  private:
-  // The gate is disabled only by this value. A single bit flip cannot convert the other value to
-  // this value.
+  // Only kOff disables the gate. A single bit flip cannot convert kOn to kOff.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 

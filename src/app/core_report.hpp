@@ -1,5 +1,5 @@
-// Console report of the cores: the number of working cores, and the reason why each other core does
-// not work.
+// Reports the cores on the console: the number of working cores, and the reason why each of the
+// other cores does not work.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ constexpr std::string_view text_of(work::Loss loss) {
   return "unknown";
 }
 
-// Writes "cores: 3 at work", and a line for each lost core: "core 2 was stuck: stopped
-// pc=10100474".
+// Writes the number of working cores ("cores: 3 at work"), and a line for each lost core ("core 2
+// was stuck: stopped pc=10100474").
 template <hal::Console Console, hal::Cores Cores>
 void report_cores(Console& console, const work::Team<Cores>& team) {
   const auto digit = [](std::size_t number) { return std::array{static_cast<char>('0' + number)}; };

@@ -1,6 +1,6 @@
-// The senders whose fragments a target reassembles. These are the senders to which the target
-// listens, with one datagram at a time per stream. Other senders cannot occupy the reassembly
-// buffers (docs/spec.md, 1.5).
+// Lists the senders whose fragments a target reassembles. The target reassembles fragments only
+// from the senders to which it listens, one datagram at a time per stream. Other senders cannot
+// occupy the reassembly buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"
@@ -10,10 +10,10 @@ namespace iog::app {
 
 static_assert(net::FragmentSenders::kMostDatagrams >= 2 * vehicle::kMaxSensors + 2);
 
-// The replayer may send on behalf of every sensor. If a sensor has no configured address, fragments
-// from any sender are accepted, because any sender may send the sensor's packets. This does not
-// apply to poses and maps without a configured address, because they fit into a single Ethernet
-// frame.
+// The replayer may send on behalf of every sensor. If a sensor has no configured address, the
+// target accepts fragments from any sender, because any sender may send the sensor's packets. If
+// the source of poses or maps has no configured address, the target accepts no fragments from the
+// source, because poses and map chunks fit into a single Ethernet frame.
 [[nodiscard]] inline net::FragmentSenders fragment_senders(const vehicle::Vehicle& car,
                                                            net::Ipv4Address replayer) {
   net::FragmentSenders senders;

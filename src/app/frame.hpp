@@ -1,16 +1,17 @@
-// The open frame. It determines which packets belong to it and when it ends, and records the
-// packets' outcomes. Time and datagrams are passed as arguments, so the target and `iog fuse`
-// produce the same frames without a clock or a network.
+// The open frame. This class determines which packets belong to the frame and when the frame ends,
+// and records the outcomes of the packets. Callers pass time and datagrams as arguments, so the
+// target and `iog fuse` produce the same frames without a clock or a network.
 //
-// A frame opens with its first packet. It ends when every sensor has delivered its scan, when a
-// sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes first.
-// If nothing arrives, an empty frame ends every two periods, so that missing data is reported.
+// A frame opens with its first packet. The frame ends when every sensor has delivered its scan,
+// when a sensor's next scan begins, or when the vehicle's frame period has passed, whichever comes
+// first. If no packets arrive, an empty frame ends every two periods, so that missing data is
+// reported.
 //
-// One core fuses each packet on arrival. A dense lidar may send more points than one core can
-// process. With several cores, its packets are therefore buffered until there is a part for each
-// core. The parts are fused in a round while the next packets arrive, and they are joined when the
-// frame ends (fusion/shared_fusion.hpp). The resulting grid is the same. If the frame has classes,
-// all packets are buffered until the frame ends (app/perception_engine.hpp).
+// A single core fuses each packet on arrival. A dense lidar may send more points than one core can
+// process. Several cores therefore buffer the lidar's packets until each core has a part. The cores
+// fuse the parts in a round while the next packets arrive, and join the parts when the frame ends
+// (fusion/shared_fusion.hpp). The grid does not depend on the number of cores. If the frame has
+// classes, all packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
 
 #include <cstdint>
@@ -26,26 +27,27 @@
 
 namespace iog::app {
 
-// Whether several cores fuse this car's packets on arrival. This requires a dense lidar and a
-// fusion rule that can join parts of a frame. For four LUX, one core is enough, because it fuses
-// their frame faster than the frame can be split between two cores.
+// Returns true if several cores fuse this car's packets on arrival. Shared fusion requires a dense
+// lidar and a fusion rule that can join parts of a frame. For four LUX, one core is enough, because
+// fusing their frame takes less time than splitting the frame between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
-// When the points of a frame's packets are fused.
+// The time at which the points of a frame's packets are fused.
 enum class Fusing : std::uint8_t { kAsTheyCome, kAtItsEnd };
 
-// Uses 19 MB, so it must be in static memory.
+// A Frame uses 19 MB, so it must be in static memory.
 class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
 
-  // vehicle and space must outlive this object. The scans of all sensors together may mark at most
-  // grid::kMaxMarks cells. replayer_ipv4 may send on behalf of every sensor. replayer_ipv4 is 0 if
-  // there is no replayer.
+  // `vehicle` and `space` must outlive this object. The scans of all sensors together may mark at
+  // most grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of every sensor. `replayer_ipv4`
+  // is 0 if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Call it before the first datagram. Starts the measurement of the time without datagrams.
+  // Starts the measurement of the time without datagrams. Call this function before the first
+  // datagram.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
   // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was dropped. The
@@ -54,24 +56,24 @@ class Frame {
     return intake_.receive(datagram);
   }
 
-  // Whether the datagram is addressed to a sensor's port and comes from a sender that may send on
-  // behalf of the sensor.
+  // Returns true if the datagram is addressed to a sensor's port and comes from a sender that may
+  // send on behalf of the sensor.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }
 
   // Determines whether the packet belongs to the open frame. If the packet belongs to the next
-  // frame, close this frame and call classify() again. A packet that does not fit into this frame's
-  // buffer belongs to the next frame.
+  // frame, close the open frame and call classify() again. A packet that does not fit into the open
+  // frame's buffer belongs to the next frame.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     const Outcome outcome = intake_.classify(packet);
     const bool is_full = fusing_ == Fusing::kAtItsEnd && !fusion_.packets().fits(packet);
     return outcome == Outcome::kThisFrame && is_full ? Outcome::kNextFrame : outcome;
   }
 
-  // Call these functions only after classify() has returned kThisFrame. accept() counts the packet.
-  // keep() also buffers the packet with its measurement time. fuse() also fuses the packet's points
-  // on the cores of the crew, immediately or later.
+  // Call these functions only after classify() has returned kThisFrame. `accept()` counts the
+  // packet. `keep()` counts the packet and buffers it with its measurement time. `fuse()` counts
+  // the packet and fuses its points on the cores of the crew, immediately or later.
   void accept(const intake::SensorPacket& packet, std::uint64_t now_us);
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us, std::uint64_t measured_us) {
     accept(packet, now_us);
@@ -83,25 +85,25 @@ class Frame {
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
   [[nodiscard]] const fusion::SharedFusion& fusion() const { return fusion_; }
 
-  // Sheds a packet that has waited too long. The packet's points are counted as not taken.
+  // Sheds a packet that has waited too long, and counts the packet's points as not taken.
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
-  // Whether the frame has at least one packet.
+  // Returns true if the frame has at least one packet.
   [[nodiscard]] bool is_begun() const { return intake_.packets_accepted() > 0; }
 
-  // Whether every sensor has delivered its scan.
+  // Returns true if every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const { return intake_.is_complete(); }
 
-  // Whether the frame's deadline has passed.
+  // Returns true if the frame's deadline has passed.
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // The frame number, starting at 0. It wraps around.
+  // Returns the frame number, which starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // finish() completes the grid. After each stage, it calls lap(stage) with the stage's
-  // stream::StageTicks. end_fusion() is the last step of finish(), for callers that fuse the
-  // buffered packets themselves.
+  // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's
+  // stream::StageTicks. `end_fusion()` is the last step of finish(). Callers that fuse the buffered
+  // packets themselves call only end_fusion().
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {
     if (is_shared_) {
@@ -119,13 +121,13 @@ class Frame {
   // Fills in the frame's fields in the header and in the end message.
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end);
 
-  // The same as SharedFusion::release().
+  // Does the same as SharedFusion::release().
   template <typename Visit>
   void release(Visit&& visit) {
     fusion_.release(visit);
   }
 
-  // Begins the next frame. The current frame must be closed and its grid must be clear.
+  // Begins the next frame. The current frame must be closed, and the grid must be clear.
   void start_next(std::uint64_t now_us);
 
   template <typename Visit>

@@ -1,11 +1,11 @@
-// Liveness monitor. It services the watchdog only while all checkpoints report within their time
+// The liveness monitor services the watchdog only while all checkpoints report within their time
 // windows. The checkpoints are the steps of the loop, the cores, the Ethernet controller, the
 // closing of frames and the memory check. If a checkpoint is late, the run ends, and the next run
 // reports the checkpoint.
 //
-// A core that faulted or was stopped is known to be lost. It need not report, because the other
-// cores do its work (docs/cores.md). A core that should be alive but does not answer a wake-up is
-// late, even if it has no work.
+// A core that faulted or was stopped is known to be lost. A lost core need not report, because the
+// other cores do its work (docs/cores.md). A core that should be alive but does not answer a
+// wake-up is late, even if the core has no work.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace iog::app {
 
-// The numbers are bit positions on the wire (docs/spec.md 3.7).
+// The values are bit positions on the wire (docs/spec.md 3.7).
 enum class Alive : std::uint8_t {
   kDatagrams,  // the loop has taken the datagrams that had arrived
   kTime,       // it has compared the clock with the frame's deadline
@@ -38,12 +38,12 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // Longer than an emulated core may have to wait on a busy PC. Also longer than two periods of the
-  // slowest frames (2 s), after which missing data is reported.
+  // The window is longer than an emulated core may have to wait on a busy PC. The window is also
+  // longer than two periods of the slowest frames (2 s), after which missing data is reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
-  // docs/safety.md states that a complete memory check takes at most this time.
+  // `docs/safety.md` states that a complete memory check takes at most kMemoryWindowUs.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
-  // The period for waking the cores and checking the controller, 20 times per window.
+  // The period for waking the cores and checking the controller. There are 20 periods per window.
   static constexpr std::uint64_t kCallUs = 250'000;
 
   explicit Life(std::uint64_t now_us) : supervision_(kCheckpoints, now_us), called_us_(now_us) {}
@@ -52,7 +52,8 @@ class Life {
     supervision_.lives(static_cast<std::size_t>(who), now_us);
   }
 
-  // Call it once per pass, after all steps. machine and platform are the same as in app/loop.hpp.
+  // Call this function once per pass, after all steps. `machine` and platform are the same as in
+  // app/loop.hpp.
   template <typename M, typename P>
   void end_pass(M& machine, P& platform, const health::MemoryCheck& check) {
     const std::uint64_t now_us = machine.clock().now_us();

@@ -1,11 +1,11 @@
-// The main loop: everything that the firmware does after start-up.
+// The main loop contains everything that the firmware does after start-up.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
-// The loop never blocks. It processes datagrams as they arrive and puts messages into the transmit
-// ring. When nothing is left to do, the processor sleeps until the next frame or tick. If the loop
-// is too slow, datagrams are shed and counted (app/backlog.hpp).
+// The loop never blocks. The loop processes datagrams as they arrive and puts messages into the
+// transmit ring. When no work is left, the processor sleeps until the next Ethernet frame or tick.
+// If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
 
 #include <concepts>
@@ -45,7 +45,7 @@
 
 namespace iog::app {
 
-// A machine: one object for each hardware interface, and the maximum stack depth so far.
+// A machine provides one object for each hardware interface, and the maximum stack depth so far.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -62,16 +62,16 @@ concept Machine = requires(T& machine) {
   { machine.idle() } -> std::same_as<void>;
 };
 
-// The maximum number of datagrams processed in one pass. The limit ensures that the loop still runs
-// its tick and services its watchdog if it is flooded with datagrams. A frame of four LUX has 24
-// datagrams, and a full receive ring contains 256.
+// The maximum number of datagrams that the loop processes in one pass. Because of this limit, a
+// flood of datagrams cannot keep the loop from running its tick and servicing the watchdog. A frame
+// of four LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The maximum number of datagrams that a slow loop sheds at once: the content of a full receive
-// ring, and the same number of datagrams that may arrive in the meantime.
+// The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
+// ring, plus the same number of datagrams that may arrive in the meantime.
 inline constexpr int kMaxDatagramsLeft = 512;
 
-// Adapts the machine to the interface that the pipeline requires (Platform).
+// Adapts the machine to Platform, the interface that the pipeline requires.
 template <Machine M>
 class MachinePlatform {
  public:
@@ -79,8 +79,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // `cores` is the number of cores that should work, if the machine has that many. `commands` is
-  // set only if the car has a key.
+  // `cores` is the number of cores to use, if the machine has that many cores. `commands` is set
+  // only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -98,9 +98,8 @@ class MachinePlatform {
   [[nodiscard]] net::Host<Port>& host() { return host_; }
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
-  // Returns the datagram for the pipeline, valid until the next call. Returns nothing if service
-  // discovery has handled the datagram, or if the datagram was dropped because it has no valid
-  // signature.
+  // Returns the datagram for the pipeline, or nothing if service discovery has handled the datagram
+  // or if a required signature is invalid. The returned datagram is valid until the next call.
   [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
                                                       std::uint64_t now_us) {
     if (offering_.take(datagram, now_us)) {
@@ -109,7 +108,8 @@ class MachinePlatform {
     return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
   }
 
-  // Also services the serial transmitter, because a frame may have hundreds of messages.
+  // Sends a message. The function also services the serial transmitter, because a frame may have
+  // hundreds of messages.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
     const bool is_sent = offering_.send_message(message);
@@ -119,7 +119,7 @@ class MachinePlatform {
     return is_sent;
   }
 
-  // team() returns the supervised cores (app/life.hpp). frames() returns the number of closed
+  // `team()` returns the supervised cores (app/life.hpp). `frames()` returns the number of closed
   // frames, modulo 2^32.
   [[nodiscard]] Team& team() { return team_; }
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
@@ -144,15 +144,15 @@ class MachinePlatform {
     }
   }
 
-  // Writes the time statistics to the console. Call it when no work is pending.
+  // Writes the time statistics to the console. Call this function when no work is pending.
   void tell_times(std::uint64_t now_us) { times_.tell(now_us, machine_.console()); }
 
   std::uint32_t ticks() { return machine_.stopwatch().ticks(); }
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // The counters of commands and of service discovery are included only if the respective feature
-  // is enabled.
+  // The counters of commands and of service discovery are included only if their features are
+  // enabled.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -187,7 +187,7 @@ class MachinePlatform {
     }
   }
 
-  // One frame period. Encoding all tiles takes a small fraction of this time.
+  // One frame period. Encoding all tiles takes a small fraction of a frame period.
   static constexpr std::uint32_t kPatienceUs = 40'000;
 
   // Members aligned to a cache line come first.
@@ -203,24 +203,24 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. Every frame is sent to the network, with classes if they are enabled for
-// the vehicle. The serial link transmits as much of the frame's grid as its bandwidth allows.
+// The target's pipeline, which sends every frame to the network, with classes if the vehicle has
+// classes. The serial link transmits as much of the frame's grid as the bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
                        PerceptionPipeline<MachinePlatform<M>, serial::GridSender>,
                        Pipeline<MachinePlatform<M>, serial::GridSender>>;
 
-// Whether fusing must stop because the current frame is due to end.
+// Returns true if fusing must stop because the current frame is due to end.
 template <typename ItsPipeline>
 [[nodiscard]] bool must_yield(const Backlog& backlog, const ItsPipeline& pipeline,
                               std::uint64_t now_us) {
   return pipeline.is_begun() && backlog.must_yield(pipeline.deadline_us(), now_us);
 }
 
-// Processes the datagrams of one pass, at most kMaxDatagramsPerPass. Stops early if the frame is
-// due to end, so that slow processing of points cannot delay the end of the frame. Also stops early
-// if datagrams have waited too long.
+// Processes the datagrams of one pass, at most kMaxDatagramsPerPass. If the frame is due to end,
+// the function stops early, so that slow processing of points cannot delay the end of the frame.
+// The function also stops early if datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,
                     ItsPipeline& pipeline) {
@@ -262,7 +262,7 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
   backlog.begin(now_us);
 }
 
-// Runs a step of the memory check if one is due. Ends the run if a memory region has changed.
+// Runs a step of the memory check if a step is due. Ends the run if a memory region has changed.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
   if (const auto changed = check.step(machine.clock().now_us())) {
@@ -273,7 +273,7 @@ void check_memory(M& machine, health::MemoryCheck& check) {
 }
 
 // Runs one pass of the loop: processes datagrams, performs the actions that are due, and sends as
-// many messages as possible. Returns whether Ethernet frames are still waiting.
+// many messages as possible. Returns true if Ethernet frames are still waiting.
 template <Machine M, typename ItsPipeline>
 bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, Backlog& backlog,
           health::MemoryCheck& check, Life& life, ItsPipeline& pipeline) {
@@ -301,7 +301,7 @@ bool pass(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial, 
   return true;
 }
 
-// Never returns. The pipeline contains the grid and must be in static memory.
+// Runs the loop and never returns. The pipeline contains the grid and must be in static memory.
 template <Machine M, typename ItsPipeline>
 [[noreturn]] void run(M& machine, MachinePlatform<M>& platform, serial::GridSender& serial,
                       health::MemoryCheck& check, ItsPipeline& pipeline) {

@@ -1,8 +1,9 @@
-// Time statistics of the loop since start-up: the duration of each stage of a frame, the delay of
-// closing the frame, and the working time of each core per frame. Frames without packets are
-// ignored. A new maximum is written to the console: "worst publish 12345 us".
+// Collects time statistics of the loop since start-up: the duration of each stage of a frame, the
+// delay between a frame's deadline and its closing, and the working time of each core per frame.
+// Frames without packets are ignored. Each new maximum is written to the console, for example
+// "worst publish 12345 us".
 //
-// The overhead is two readings of the stopwatch per stage and a few divisions per frame
+// The statistics cost two readings of the stopwatch per stage and a few divisions per frame
 // (docs/safety.md).
 #pragma once
 
@@ -25,12 +26,12 @@ namespace iog::app {
 
 class LoopTimes {
  public:
-  // In the order of Counts::kNames.
+  // The rows have the same order as Counts::kNames.
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 
-  // Call it once per frame. ticks_hz is the frequency of the stopwatch. If it is 0, all times are
-  // 0.
+  // Call this function once per frame. `ticks_hz` is the frequency of the stopwatch. If ticks_hz is
+  // 0, all times are 0.
   void add(const FrameTimes& frame, const work::CoreTimes& cores, std::uint32_t ticks_hz) {
     const auto us = [ticks_hz](std::uint64_t ticks) {
       constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
@@ -62,7 +63,7 @@ class LoopTimes {
 
   struct Counts {
     std::array<health::Durations, kRows> rows{};
-    // Names in the stream (stream/target_table.hpp).
+    // The names in the stream (stream/target_table.hpp).
     static constexpr auto kNames =
         std::to_array<std::string_view>({"fuse", "mark", "publish", "perceive", "frame", "late",
                                          "core 0", "core 1", "core 2", "core 3"});
@@ -70,7 +71,7 @@ class LoopTimes {
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
   // Writes at most one line per second. A line fits into the transmit buffer of the serial port, so
-  // writing does not block. Call it when no work is pending.
+  // writing does not block. Call this function when no work is pending.
   template <hal::Console Console>
   void tell(std::uint64_t now_us, Console& console) {
     if (now_us - told_at_us_ < kTellEveryUs) {

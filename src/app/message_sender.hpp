@@ -17,23 +17,24 @@ namespace iog::app {
 template <Platform P>
 class MessageSender {
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   explicit MessageSender(P& platform) : platform_(&platform) {}
 
-  // The number of the next message.
+  // Returns the sequence number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
   // Sends a complete message that has room for its protection. Returns false if the network did not
-  // accept it. A lost message also uses up a sequence number, so that the receiver notices the
-  // loss.
+  // accept the message. Lost messages also use up sequence numbers, so that the receiver notices
+  // the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;
     return platform_->send_message(message);
   }
 
-  // Sends a message with a header and a body. write(buffer) writes the body and returns its length
-  // in bytes. If the message is lost, the receiver detects the loss from the next sequence number.
+  // Sends a message with a header and a body. `write(buffer)` writes the body and returns the
+  // length of the body in bytes. If the message is lost, the receiver detects the loss from the
+  // next sequence number.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

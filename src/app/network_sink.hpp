@@ -1,4 +1,4 @@
-// Network sink: converts a closed frame to messages.
+// The network sink converts a closed frame to messages.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace iog::app {
 
-// Contains 2.4 MB of sent and encoded tiles, so it must be in static memory.
+// A NetworkSink contains 2.4 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class NetworkSink {
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   NetworkSink(P& platform, Coding coding, const geometry::Grid& grid = {})
       : messages_(platform), tiles_(platform, messages_, coding, grid) {}
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  // The end message of the current frame. Fill it in before the frame begins, except for the counts
-  // of tiles.
+  // Returns the end message of the current frame. Before the frame begins, fill in all fields
+  // except the counts of tiles.
   [[nodiscard]] stream::FrameEnd& end() { return end_; }
 
   void begin_frame(const stream::Header& header) {
@@ -31,7 +31,7 @@ class NetworkSink {
     tiles_.begin(header_);
   }
 
-  // Sends a tile, counts it and adds it to the grid's CRC.
+  // Sends and counts a tile, and adds the tile to the grid's CRC.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kForTheCall);
   }
@@ -42,19 +42,19 @@ class NetworkSink {
   }
 
  protected:
-  // Encodes the waiting tiles; see TileSender::encode().
+  // Encodes the waiting tiles, as in TileSender::encode().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     tiles_.encode(do_beside);
   }
   void encode_rest() { tiles_.encode_rest(); }
 
-  // Same as above, for cells that do not change until the frame ends.
+  // Adds a tile whose cells do not change until the frame ends.
   void take_staying(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);
   }
 
-  // Call it only if all waiting tiles are encoded.
+  // Call this function only if all waiting tiles are encoded.
   void end_encoded_tiles() { end_tiles(tiles_.finish_encoded()); }
 
   void send_frame_end() {

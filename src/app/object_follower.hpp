@@ -1,5 +1,5 @@
-// Object tracking on the perception grid: passes the hits and class labels of a frame to the
-// tracker, and applies the tracker's labels to the grid (docs/objects.md).
+// Tracks objects on the perception grid. This class passes the hits and class labels of a frame to
+// the tracker, and applies the tracker's labels to the grid (docs/objects.md).
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,26 @@
 
 namespace iog::app {
 
-// Uses 2 MB, so it must be in static memory.
+// An ObjectFollower uses 2 MB, so it must be in static memory.
 class ObjectFollower {
  public:
-  // Begins a frame whose slices have been added to the window. end_us is the middle of the frame's
-  // last slice on the clock of the poses. `slices` contains the registered slices, at least one.
-  // `car` is the vehicle's position at end_us.
+  // Begins a frame whose slices have been added to the window. `end_us` is the middle of the
+  // frame's last slice, on the clock of the poses. `slices` contains at least one registered slice.
+  // `car` is the vehicle's pose at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
   // Reads the labels of the frame's hits. All cores of the crew share this work. The classes must
   // have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
-  // Updates the tracks and labels the cells of moving objects. Call it before the frame has ended.
-  // It reads only the labels of the window, and reads all of them before it changes any.
+  // Updates the tracks and labels the cells of moving objects. Call this function before the frame
+  // has ended. The function uses only the labels of the window, and reads all labels before it
+  // changes any label.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
-  // Handles a frame without slices. end_us is the end of the frame.
+  // Handles a frame without slices. `end_us` is the end of the frame.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
-  // Call it when the window has lost its position.
+  // Call this function when the window has lost its position.
   void forget() {
     tracker_.forget();
     is_begun_ = false;

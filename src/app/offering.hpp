@@ -1,9 +1,10 @@
-// The service that a target offers: service discovery on its host, and a copy of each message for
-// the subscriber. A target without this service sends the same messages only to its peer.
+// The service that a target offers. The target runs service discovery and sends a copy of each
+// message to the subscriber. A target without this service sends the same messages only to its
+// peer.
 //
-// The peer has priority. A frame has at most kMostMessages messages. A copy is sent only while
-// enough buffers remain for the peer's messages of the frame. The port's ring is enlarged to make
-// room for the copies.
+// The peer has priority over the subscriber. A frame has at most kMostMessages messages. The target
+// sends a copy only while enough buffers remain for the frame's messages to the peer. The port's
+// ring is enlarged to make room for the copies.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +23,15 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // The messages of a whole grid of raw tiles, plus other messages that may be sent at the same
-  // time.
+  // The number of messages of a complete grid of raw tiles, plus other messages that may be sent at
+  // the same time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
-  // Buffers that stay reserved for the peer if a frame has more messages than expected.
+  // The number of buffers that stay reserved for the peer if a frame has more messages than
+  // expected.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // Port and host must outlive this object. run_number is the seed of the random delay before the
-  // first offer.
+  // `port` and `host` must outlive this object. `run_number` is the seed of the random delay before
+  // the first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),
         host_(host),
@@ -44,8 +46,7 @@ class Offering {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
 
-  // Returns true if the datagram belonged to service discovery. Such a datagram is answered
-  // immediately.
+  // Answers the datagram and returns true if the datagram belongs to service discovery.
   [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
       return false;
@@ -62,8 +63,8 @@ class Offering {
     }
   }
 
-  // Withdraws the offer. Call it once, before the run ends. The message is sent immediately if the
-  // controller accepts it.
+  // Withdraws the offer. Call this function once, before the run ends. If the controller accepts
+  // the message, it is sent immediately.
   void withdraw() {
     if (is_on_) {
       send(server_.withdraw());
@@ -71,10 +72,11 @@ class Offering {
     }
   }
 
-  // The next message is the first of its frame.
+  // Declares the next message to be the first message of a frame.
   void begin_frame() { messages_ = 0; }
 
-  // Sends to the peer, then to the subscriber. Returns false if neither gets the message.
+  // Sends the message to the peer and then to the subscriber. Returns false if neither of them gets
+  // the message.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     const bool is_sent = host_.send_message(message);
     ++messages_;

@@ -1,16 +1,16 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The frame's packets are buffered until it ends. Packets measured in the same slice of a few
-// milliseconds are then fused together and added to the window with the pose of this slice. The
-// frame's own grid is joined from its slices. It is byte-for-byte identical to a grid whose packets
-// were fused on arrival.
+// The engine buffers the packets until the frame ends. Packets measured in the same slice of a few
+// milliseconds are then fused together and added to the window with the slice's pose. The frame's
+// own grid is joined from the grids of its slices. This grid is byte-for-byte identical to a grid
+// whose packets were fused on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
-// Packets without a pose are not added to the window, but they are fused into the frame's grid. If
-// the sequence of poses breaks, the whole window becomes unknown. All such events are counted.
+// Packets without a pose are fused into the frame's grid, but are not added to the window. If the
+// sequence of poses breaks, the whole window becomes unknown. The engine counts these events.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +37,8 @@
 
 namespace iog::app {
 
-// The reason why a vehicle cannot have a perception grid. The compiler of car files rejects such a
-// vehicle, but on a PC the fusion rule may be changed later.
+// The reason why a vehicle cannot have a perception grid. The car file compiler rejects such a
+// vehicle, but on a PC, the fusion rule may be changed later.
 enum class Unfit : std::uint8_t {
   kNone,
   kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
@@ -46,31 +46,31 @@ enum class Unfit : std::uint8_t {
 };
 [[nodiscard]] Unfit unfit_for_perception(const vehicle::Vehicle& vehicle);
 
-// Uses 32 MB, so it must be in static memory.
+// A PerceptionEngine uses 32 MB, so it must be in static memory.
 class PerceptionEngine {
  public:
   // All arguments must outlive the engine. The frame must be constructed with Fusing::kAtItsEnd,
-  // and the vehicle must be able to have a perception grid. The replayer may also send poses and
-  // maps.
+  // and unfit_for_perception() must return kNone for the vehicle. The replayer may also send poses
+  // and maps.
   PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4);
 
-  // Sets the map that is available from the start. Call it before the first datagram. The map must
-  // outlive the engine.
+  // Sets the map that is available from the start. Call this function before the first datagram.
+  // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call it before the first datagram. The age of the window is measured relative to now_us.
+  // Call this function before the first datagram. The window's age is measured relative to now_us.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // Returns true if the datagram was a pose or part of a map. Logs the datagrams that the frame
-  // receives.
+  // Returns true if the datagram was a pose or part of a map. The function also logs the datagrams
+  // that the frame receives.
   [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
-  // Records that the last packet was shed because it had waited too long.
+  // Records that the last packet was shed because the packet had waited too long.
   void note_left() { receptions_.note_left(); }
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // Closes the frame. finish() completes the grid and the classes on all cores of the crew. After
-  // each stage, it calls lap(stage) with the stage's stream::StageTicks.
+  // Closes the frame, and completes the grid and the classes on all cores of the crew. After each
+  // stage, finish() calls lap(stage) with the stage's stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -78,11 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // The three steps of finish(), for callers that run other tasks at the same time. decide()
-  // completes the grid and all classes except the classes of moving objects. follow_objects() adds
-  // the classes of moving objects on core 0. Other cores may read the grid while follow_objects()
-  // runs. end() stores the ground. While end() runs, core 0 runs do_beside(), which may read the
-  // classes.
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(), for callers that
+  // run other tasks at the same time. `decide()` completes the grid and all classes except those of
+  // moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other cores
+  // may read the grid while follow_objects() runs. `end()` stores the ground. While end() runs,
+  // core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -104,28 +104,28 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // Fills in the engine's fields of the frame's header and of the end message of the classes. Also
-  // lists the tracked objects.
+  // `describe()` fills in the engine's fields of the frame's header or of the classes' end message.
+  // `list_objects()` lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // slices() returns the registered slices. stamp_us() returns the frame's end on the clock of the
-  // poses. This is the end of the frame's last slice, or the time of the newest pose if the frame
-  // has no packets. It advances from frame to frame even if the clock of the poses restarts or is
-  // unknown. is_forgotten() returns whether the earlier content of the window has lost its
-  // position.
+  // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
+  // the poses. A frame ends at the end of its last slice or, without packets, at the time of the
+  // newest pose. The value of stamp_us() increases from frame to frame even if the clock of the
+  // poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
+  // window has lost its position.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
-  // The classes. Valid until the next finish().
+  // Returns the classes, which are valid until the next finish().
   [[nodiscard]] window::WindowView classes() const { return window_.view(); }
-  // The tracked objects, valid until the next finish(). There are none if object tracking is
-  // disabled in the car file.
+  // Returns the tracked objects, which are valid until the next finish(). If the car file disables
+  // object tracking, there are no tracked objects.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
-  // The frame's receptions, valid until the next finish(). They are recorded only for a vehicle
-  // whose classes depend on arrival times.
+  // Returns the frame's receptions, which are valid until the next finish(). Receptions are
+  // recorded only if the vehicle's classes depend on arrival times.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   void start_next() { receptions_.clear(); }
 
@@ -145,7 +145,7 @@ class PerceptionEngine {
   }
 
  private:
-  // Fuses one slice after the other. Each tile is read while it is still in the cache.
+  // Fuses one slice after another. Each tile is read while the tile is still in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();
@@ -166,7 +166,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // Fuses as many slices at once as fit into memory, then adds these slices to the window.
+  // Fuses as many slices at once as fit into memory, and then adds these slices to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();

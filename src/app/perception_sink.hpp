@@ -1,5 +1,5 @@
-// Network sink for frames with classes. Between the tiles and the end message of a frame, it sends
-// the tiles of the classes, the end message of the classes, and the objects.
+// The network sink for frames with classes. Between the tiles and the end message of a frame, the
+// sink sends the tiles of the classes, the end message of the classes, and the objects.
 #pragma once
 
 #include <cstddef>
@@ -16,21 +16,21 @@
 
 namespace iog::app {
 
-// Contains 4.6 MB of sent and encoded tiles, so it must be in static memory.
+// A PerceptionSink contains 4.6 MB of sent and encoded tiles, so it must be in static memory.
 template <Platform P>
 class PerceptionSink : private NetworkSink<P> {
   using Indexes = NetworkSink<P>;
 
  public:
-  // platform must outlive this object.
+  // `platform` must outlive this object.
   PerceptionSink(P& platform, Coding coding, const geometry::Grid& grid = {})
       : Indexes(platform, coding, grid), classes_(platform, this->messages(), coding, grid) {}
 
   using Indexes::begin_frame;
   using Indexes::end;
 
-  // The end message of the classes, which must be filled in before the classes are encoded. The
-  // list of objects must be filled in before the objects are sent.
+  // Callers must fill in class_end(), the end message of the classes, before the classes are
+  // encoded. Callers must fill in objects() before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
@@ -41,9 +41,9 @@ class PerceptionSink : private NetworkSink<P> {
     }
   }
 
-  // Sends the frame in three steps. The first two steps distribute their work among the cores. At
-  // the same time, core 0 runs do_beside() in encode_tiles(), and sends the messages of the tiles
-  // in encode_classes().
+  // `encode_tiles()`, `encode_classes()` and `send_classes()` send the frame in three steps. The
+  // first two steps distribute their work among the cores. Core 0 also runs do_beside() during
+  // encode_tiles(), and sends the messages of the tiles during encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);
@@ -79,7 +79,7 @@ class PerceptionSink : private NetworkSink<P> {
     send_classes();
   }
 
-  // Call it only if the frame's header states that the frame has objects.
+  // Call this function only if the header states that the frame has objects.
   void send_objects() {
     for (std::size_t part = 0; part < stream::parts_of(objects_); ++part) {
       this->messages().send(

@@ -1,10 +1,10 @@
-// The pipeline: the path of the data from a datagram to the last message of its frame.
+// The pipeline is the path of the data from a datagram to the last message of a frame.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
 //                                                       '-> [window] classes -> tiles --^
 //
-// All access to the machine goes through app::Platform, so the target and the PC use the same code.
-// A closed frame is passed to the network sink and to any other sinks.
+// The pipeline accesses the machine only through app::Platform, so the target and the PC use the
+// same code. The pipeline passes each closed frame to the network sink and to any other sinks.
 #pragma once
 
 #include <algorithm>
@@ -49,12 +49,12 @@ struct NoPerception {
   void for_each_constant(Visit&& /*visit*/) const {}
 };
 
-// Perception is PerceptionEngine or NoPerception. Classes are passed to every ClassSink.
+// Perception is PerceptionEngine or NoPerception. Every ClassSink receives the classes.
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // vehicle, platform and sinks must outlive the pipeline. replayer_ipv4 may send on behalf of
-  // every sensor. replayer_ipv4 is 0 if there is no replayer.
+  // `vehicle`, `platform` and `sinks` must outlive the pipeline. `replayer_ipv4` may send on behalf
+  // of every sensor. `replayer_ipv4` is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -69,18 +69,20 @@ class FramePipeline {
                 Sinks&... sinks)
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
-  // Sets the map that is available from the start. Call it before the first datagram. The map must
-  // outlive the pipeline. Has no effect without classes.
+  // Sets the map that is available from the start. Call this function before the first datagram.
+  // The map must outlive the pipeline. Without classes, this function has no effect.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
-  // Call it before the first datagram, otherwise time starts at 0. The time without datagrams is
-  // measured from now on, so it does not include the time needed to set up the pipeline.
+  // Call this function before the first datagram. Otherwise, time starts at 0. The time without
+  // datagrams is measured from now_us, so it does not include the time needed to set up the
+  // pipeline.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);
   }
 
-  // Handles one datagram. May close the frame before or after the datagram is processed.
+  // Handles one datagram. The function may close the frame before or after it processes the
+  // datagram.
   void take(const intake::Datagram& datagram, std::uint64_t now_us) {
     begin_stage();
     take_packet(
@@ -118,7 +120,7 @@ class FramePipeline {
     }
   }
 
-  // is_begun() returns whether the current frame has packets. deadline_us() returns the frame's
+  // `is_begun()` returns true if the current frame has packets. `deadline_us()` returns the frame's
   // deadline.
   [[nodiscard]] bool is_begun() const { return frame_.is_begun(); }
   [[nodiscard]] std::uint64_t deadline_us() const { return frame_.deadline_us(); }
@@ -148,8 +150,8 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
-  // Stage timing. begin_stage() starts the timer. end_stage() adds the elapsed time to a stage and
-  // restarts the timer for the next stage.
+  // These functions measure the times of stages. `begin_stage()` starts the timer. `end_stage()`
+  // adds the elapsed time to a stage and restarts the timer for the next stage.
   using Stage = std::uint32_t stream::StageTicks::*;
   void begin_stage() { since_ = platform_->ticks(); }
   void end_stage(Stage stage) {
@@ -217,7 +219,7 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // Neither this function nor the next one is inlined, so that both use the same stack space.
+  // `publish()` and `publish_divided()` are not inlined, so that both use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -231,10 +233,10 @@ class FramePipeline {
     keep_cache(false);
   }
 
-  // Each tile and its reference are used once per frame. They must not evict data that the next
-  // frame uses again: the tables and the cached lines. For raw tiles, which have no reference, and
-  // for classes, which use most of their data again, keeping the cache would only cost time
-  // (lab/notes/2026-11-29-l2-lockdown.md).
+  // Each tile and its reference are used once per frame. Tiles and references must not evict the
+  // tables and the cached lines, which the next frame uses again. Keeping the cache would only cost
+  // time for raw tiles, which have no reference, and for classes, which use most of their data
+  // again (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -243,8 +245,8 @@ class FramePipeline {
     }
   }
 
-  // Core 0 tracks objects while the other cores encode tiles, sends the tiles while they encode
-  // classes, and sends the classes while they store the ground.
+  // Core 0 tracks objects while the other cores encode tiles. Core 0 then sends the tiles while the
+  // other cores encode classes, and sends the classes while the other cores store the ground.
   [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
     take_tiles(header);
     network_.encode_tiles([this] { perception_.follow_objects(); });
@@ -258,7 +260,7 @@ class FramePipeline {
     for_each_sink([](auto& sink) { sink.end_frame(); });
   }
 
-  // The grid belongs to the frame, which visits each known tile once and then clears it.
+  // The frame owns the grid, visits each known tile once, and then clears the tile.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
     frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {
@@ -277,7 +279,7 @@ class FramePipeline {
     }
   }
 
-  // Passes the classes to the other sinks. The network already has them.
+  // Passes the classes to the other sinks. The network sink already has the classes.
   void show_classes() {
     const auto show = [this](auto& sink) {
       if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {
@@ -310,8 +312,8 @@ class FramePipeline {
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// A pipeline with the classes of the window. The vehicle must be able to have a perception grid.
-// The replayer may also send poses.
+// A pipeline with the classes of the window. `unfit_for_perception()` must return kNone for the
+// vehicle. The replayer may also send poses.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 

@@ -1,4 +1,5 @@
-// The pipeline's requirements on its machine, and the sinks that receive its frames.
+// Defines the pipeline's requirements on its machine, and the sinks that receive the pipeline's
+// frames.
 #pragma once
 
 #include <array>
@@ -33,13 +34,11 @@ struct FrameTimes {
   bool has_packets = false;
 };
 
-// send_message(bytes) sends a copy of at most protection::kMaxMessageBytes bytes. Returns false if
-// the message cannot be sent.
-// ticks() and ticks_hz() form a stopwatch, like hal::Stopwatch.
-// vitals(times) is called once per frame, before the frame's first message.
-// run_number() is the same as in hal::RunNumber.
-// cores() returns the number of working cores. share(items, work, beside) runs all items, like
-// work::Team.
+// `send_message(bytes)` sends a copy of at most protection::kMaxMessageBytes bytes.
+// `send_message()` returns false if the message cannot be sent. `ticks()` and ticks_hz() form a
+// stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the frame's
+// first message. `run_number()` is the same as in hal::RunNumber. `cores()` returns the number of
+// working cores. `share(items, work, beside)` runs all items, like work::Team.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {
@@ -58,9 +57,9 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// Receives a closed frame: first the header of the frame's messages, then each tile with a known
-// cell in ascending order, then the end. The type and number in the header are ignored. The sink
-// does not own the cells, which change after the call.
+// A FrameSink receives a closed frame: first the header of the frame's messages, then each tile
+// with a known cell, in ascending order, and finally the end. The sink ignores the type and number
+// in the header. The sink does not own the cells, which change after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

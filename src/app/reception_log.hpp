@@ -19,8 +19,8 @@ class ReceptionLog {
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // Adds a datagram. Call it when the datagram is processed, and only if the datagram's sender is
-  // allowed to send it.
+  // Adds a datagram. Call this function when the datagram is processed, and only if the sender is
+  // allowed to send the datagram.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;
@@ -35,26 +35,26 @@ class ReceptionLog {
                        .before_close_us = static_cast<std::uint32_t>(now_us)};
   }
 
-  // Marks the last datagram as shed because it had waited too long.
+  // Records that the last datagram was shed because the datagram had waited too long.
   void note_left() {
     if (is_on_ && not_listed_ == 0 && count_ > 0) {
       list_[count_ - 1].was_left = true;
     }
   }
 
-  // Call it once per frame, before the log is read. A frame must be closed less than 2^32 us after
-  // any of its receptions.
+  // Call this function once per frame, before the log is read. A frame must be closed less than
+  // 2^32 us after each of its receptions.
   void close(std::uint64_t closed_us) {
     for (stream::Reception& each : std::span(list_).first(count_)) {
       each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;
     }
   }
 
-  // In order of arrival.
+  // Returns the receptions in order of arrival.
   [[nodiscard]] std::span<const stream::Reception> all() const {
     return std::span(list_).first(count_);
   }
-  // The number of datagrams that did not fit into the list.
+  // Returns the number of datagrams that did not fit into the list.
   [[nodiscard]] std::uint32_t not_listed() const { return not_listed_; }
 
   void clear() {

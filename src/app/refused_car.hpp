@@ -1,6 +1,6 @@
-// A target without a car block. Such a target computes no grid, but reports the reason. It answers
-// ARP and ping as usual, ignores datagrams, and sends one message with the reason to its peer every
-// second (docs/spec.md 3.11).
+// Runs a target without a car block. Such a target computes no grid, but reports why it has no car
+// block. The target answers ARP and ping as usual, ignores datagrams, and sends a message with the
+// reason to its peer every second (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class RefusedCar {
   RefusedCar(M& machine, MachinePlatform<M>& platform, const stream::CarRefusal& refusal)
       : machine_(&machine), platform_(&platform), messages_(platform), refusal_(refusal) {}
 
-  // Runs one pass of the loop. Returns whether Ethernet frames are still waiting.
+  // Runs one pass of the loop. Returns true if Ethernet frames are still waiting.
   bool pass() {
     leave_datagrams();
     const std::uint64_t now_us = machine_->clock().now_us();
@@ -70,7 +70,7 @@ template <Machine M>
   }
 }
 
-// Same as above, for a target that does not even know its own address. Such a target sends nothing.
+// Never returns. A target that does not know its own address calls this function and sends nothing.
 template <Machine M>
 [[noreturn]] void run_mute(M& machine) {
   for (;;) {

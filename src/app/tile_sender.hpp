@@ -1,15 +1,15 @@
 // Converts the tiles of one grid to messages. Each tile is sent in its shortest encoding, which may
 // contain only the changes since the tile was last sent.
 //
-// Several cores encode waiting tiles and compute each tile's contribution to the grid's CRC. They
-// process each tile independently of the other tiles. Messages and CRC are then generated in
+// Several cores encode waiting tiles and compute each tile's contribution to the grid's CRC. Each
+// tile is processed independently of the other tiles. Messages and CRC are then generated in
 // ascending order of tiles, so the bytes are the same for any number of cores. If the cells of the
-// tiles do not change, all tiles are collected first, so that core 0 can do other work while they
-// are encoded. Other tiles wait in batches. A single core encodes each tile immediately, while the
-// tile is still in its cache.
+// tiles do not change, all tiles are collected first, so that core 0 can do other work during
+// encoding. Other tiles wait in batches. A single core encodes each tile immediately, while the
+// tile is still in the cache.
 //
-// For classes, encoded tiles are cached. As long as neither the cells nor the reference of a tile
-// change, its cells are not read again.
+// Encoded tiles of classes are cached. The cells of a tile are read again only after the cells or
+// the tile's reference have changed.
 #pragma once
 
 #include <algorithm>
@@ -38,14 +38,16 @@
 
 namespace iog::app {
 
-// How tiles are sent. Encoded tiles need a tenth of the bytes of raw tiles, but more instructions.
+// The coding in which tiles are sent. Encoded tiles need a tenth of the bytes of raw tiles, but
+// more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
-// How long the cells of an added tile stay unchanged.
+// The time for which the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// Uses 2.2 or 2.4 MB for sent and encoded tiles and, for indexes, a batch of copies. It must be in
-// static memory. Hash is stream::GridHash for indexes and stream::ClassHash for classes.
+// A TileSender must be in static memory, because it uses 2.2 or 2.4 MB for sent and encoded tiles
+// and, for indexes, a batch of copies. Hash is stream::GridHash for indexes and stream::ClassHash
+// for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -55,12 +57,12 @@ class TileSender {
     std::uint32_t crc = 0;         // of the grid
   };
 
-  // platform and messages must outlive this object.
+  // `platform` and `messages` must outlive this object.
   TileSender(P& platform, MessageSender<P>& messages, Coding coding,
              const geometry::Grid& grid = {})
       : platform_(&platform), messages_(&messages), coding_{coding}, grid_{grid} {}
 
-  // Begins a frame's grid of occupancy indexes or of classes.
+  // Begins a frame's grid, either of occupancy indexes or of classes.
   void begin(const stream::Header& header) {
     begin_frame(header);
     hash_ = Hash();
@@ -78,7 +80,7 @@ class TileSender {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
   // Adds a tile of classes. The cells must not change until finish(). The tile is skipped if no
-  // cell has a class. age_frames is the number of frames since the tile's classes were computed.
+  // cell has a class. `age_frames` is the number of frames since the tile's classes were computed.
   // `version` must not be 0, and must differ from the previous version if the cells have changed
   // since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
@@ -87,10 +89,10 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Whether added tiles wait to be encoded together, because several cores share the work.
+  // Returns true if added tiles wait to be encoded together, because several cores share the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
-  // Encodes all waiting tiles. Core 0 runs do_beside() once, either at the same time or before.
+  // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
   template <typename DoBeside>
   void encode(DoBeside do_beside) {
     encode_waiting(work::beside_of(do_beside));
@@ -103,13 +105,13 @@ class TileSender {
     }
   }
 
-  // Ends the grid. After the call, the grid's messages cover every tile.
+  // Ends the grid. After this call, the grid's messages cover every tile.
   Sent finish() {
     encode_rest();
     return finish_encoded();
   }
-  // Same as finish(), but all waiting tiles must be encoded. This function needs no other cores, so
-  // it may be called while they are busy.
+  // Same as finish(), but all waiting tiles must already be encoded. This function uses only the
+  // calling core, so it may be called while other cores are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(geometry::kTileCount);
@@ -118,14 +120,14 @@ class TileSender {
   }
 
  private:
-  // Tiles whose cells change are copied and encoded in rounds of this size. The size is large
+  // Tiles whose cells change are copied and encoded in rounds of kBatch tiles. `kBatch` is large
   // enough to keep the number of rounds low, and small enough to keep the data of a round in the L2
   // cache.
   static constexpr std::size_t kBatch = 192;
   // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  // Whether encoded tiles are cached. Only tiles of classes are cached.
+  // True if encoded tiles are cached. Only tiles of classes are cached.
   static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
 
   struct Added {
@@ -140,7 +142,7 @@ class TileSender {
   struct Copy {
     alignas(8) std::array<std::byte, tile_coding::kTileBytes> cells;
   };
-  // The encoded tile, in the form in which it is sent.
+  // An encoded tile, ready to be sent.
   struct Found {
     std::uint32_t version = kNoVersion;  // of the cells
     bool is_left_out = false;
@@ -190,8 +192,8 @@ class TileSender {
     send(added, found);
   }
 
-  // A task reads no data that another task writes. It writes only to the slots of its own tiles and
-  // to its core's encoder. A partially written slot has no version.
+  // A task reads no data that another task writes. Each task writes only to the slots of its own
+  // tiles and to the encoder of its core. A partially written slot has no version.
   void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
     const bool is_kept = kIsKept && found.version == added.version;
     if (is_kept && found.is_left_out) {
@@ -214,9 +216,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes the same cells again. The cells are encoded against the same reference, or as unchanged
-  // if they were sent without a reference. If this function is interrupted and repeated, the result
-  // is the same.
+  // Encodes unchanged cells again. The cells are encoded against the same reference, or as
+  // unchanged if they were sent without a reference. If the function is interrupted and repeated,
+  // the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -227,7 +229,7 @@ class TileSender {
     }
   }
 
-  // Sends an encoded tile. Call it in ascending order of tiles.
+  // Sends an encoded tile. Call this function in ascending order of tiles.
   void send(const Added& added, const Found& found) {
     if (found.is_left_out) {
       return;
@@ -255,7 +257,7 @@ class TileSender {
     encoded_ = waiting_count_;
   }
 
-  // Not inlined, because each message uses a kilobyte of the stack.
+  // This function is not inlined, because each message uses a kilobyte of the stack.
   [[gnu::noinline]] void send_waiting() {
     require(encoded_ == waiting_count_);
     for (std::size_t i = 0; i < waiting_count_; ++i) {
@@ -280,7 +282,8 @@ class TileSender {
     }
   }
 
-  // A raw payload consists of the cells, so their CRC remainder is also used for the message's CRC.
+  // A raw payload consists of the cells, so the CRC remainder of the cells is also used for the
+  // message's CRC.
   void append_or_send(const Added& added, stream::Encoding encoding,
                       std::span<const std::byte> payload, std::uint32_t remainder) {
     if (!append(added, encoding, payload)) {

@@ -1,5 +1,5 @@
-// AES-128 encryption (FIPS 197). Decryption is not implemented. No table look-up, branch or address
-// depends on the key or the data.
+// Implements AES-128 encryption (FIPS 197). Decryption is not implemented. No table lookup, branch
+// or address depends on the key or the data.
 #pragma once
 
 #include <array>

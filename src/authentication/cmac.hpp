@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// An expanded key: its round keys and both subkeys.
+// An expanded key, which consists of the round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);
@@ -22,7 +22,7 @@ class CmacKey {
   Block k2_;  // used for any other message
 };
 
-// Computes the MAC of one message that is added piece by piece.
+// Computes the MAC of one message. The message is added piece by piece.
 class Cmac {
  public:
   // The key must outlive this object.
@@ -30,7 +30,7 @@ class Cmac {
 
   void add(std::span<const std::byte> bytes);
 
-  // Returns the complete 128-bit MAC. Call it once, after the last add().
+  // Returns the complete 128-bit MAC. Call finish() once, after the last add().
   [[nodiscard]] Block finish();
 
  private:
@@ -42,7 +42,7 @@ class Cmac {
   std::size_t waiting_bytes_ = 0;
 };
 
-// True if both are equal. The run time does not depend on where they differ.
+// Returns true if `a` and `b` are equal. The run time does not depend on which bytes differ.
 [[nodiscard]] bool are_equal(std::span<const std::byte> a, std::span<const std::byte> b);
 
 }  // namespace iog::authentication

@@ -1,4 +1,4 @@
-// Counts the commands that a target has received, and signs the counts.
+// Counts the commands that a target has received, and signs these counts.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ struct CommandCounts {
   std::array<OfOneKind, 2> kinds{};  // poses, maps
   std::array<std::uint32_t, 2> signature{};
 
-  // Names of the counters in the stream (stream/target_table.hpp).
+  // The names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"poses authentic", "poses unsigned", "poses replayed", "poses forged", "poses last counter",
        "maps authentic", "maps unsigned", "maps replayed", "maps forged", "maps last counter",
        "commands MAC"});
 
-  // The signature that these counts must have. data_id: the stream's data id; run: the target's run
-  // number.
+  // Computes the expected signature of these counts. `data_id` is the stream's data ID. `run` is
+  // the target's run number.
   [[nodiscard]] std::array<std::uint32_t, 2> signature_by(const CmacKey& key, std::uint16_t data_id,
                                                           std::uint32_t run) const {
     constexpr std::size_t kWords = sizeof(kinds) / sizeof(std::uint32_t);

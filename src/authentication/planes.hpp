@@ -1,11 +1,11 @@
-// Bit-sliced bytes: plane b contains bit b of each of 32 bytes, which are two AES blocks side by
-// side. Logic operations on planes process all bytes at once, in a time that does not depend on
-// their values.
+// Stores bytes in bit-sliced form. Plane b contains bit b of each of 32 bytes, which are two AES
+// blocks side by side. Logic operations on planes process all bytes at once, in a time that does
+// not depend on the values of the bytes.
 //
 // The byte in row r and column c of a block is bit 8 r + 2 c of each plane. The next higher bit
-// belongs to a second block, which is zero here. A row of the state is therefore one byte of a
-// plane. Kaesper and Schwabe, Faster and Timing-Attack Resistant AES-GCM, 2009, use the same idea
-// with wider registers.
+// belongs to a second block, which is always zero here. A row of the AES state is therefore one
+// byte of a plane. Kaesper and Schwabe, Faster and Timing-Attack Resistant AES-GCM, 2009, use the
+// same method with wider registers.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ using Planes = std::array<std::uint32_t, 8>;
 [[nodiscard]] Planes planes_of_column(std::uint32_t column);
 [[nodiscard]] std::uint32_t column_of(const Planes& planes);
 
-// FIPS 197, SubBytes: replaces each byte by its S-box entry.
+// Replaces each byte by its S-box entry (FIPS 197, SubBytes).
 void substitute(Planes& planes);
 
 }  // namespace iog::authentication

@@ -4,14 +4,14 @@
 //    n - 12  u32 counter: the freshness value, truncated to its low half
 //    n -  8  8 bytes of MAC: the first 64 bits of a CMAC with AES-128
 //
-// The MAC covers the u16 data id, the message from byte 8 without the trailer, and the complete
+// The MAC covers the u16 data ID, the message from byte 8 without the trailer, and the complete
 // freshness value. The freshness value consists of the u32 run number of the target and the
-// counter. As in E2E, bytes 0 to 7 are not covered: the data id and the E2E length protect them
-// indirectly.
+// counter. As in E2E, the MAC does not cover bytes 0 to 7, because the data ID and the E2E length
+// protect these bytes indirectly.
 //
-// Commands do not contain the target's run number, so the signer must know it. A message of another
-// run is therefore never accepted, even after a reset, and neither side stores anything between
-// runs. Within a run, the counter of each kind of message increases.
+// Commands do not contain the target's run number, so the signer must know this number. A message
+// of another run is therefore never accepted, even after a reset, and neither side stores anything
+// between runs. Within a run, the counter of each kind of message increases.
 //
 // The MAC has 64 bits because NIST SP 800-38B, appendix A.2, requires this length if the number of
 // guesses is not limited. SecOC's profiles 1 and 3 have only 24 and 28 bits because they are
@@ -48,15 +48,15 @@ struct Freshness {
 void sign(const CmacKey& key, std::uint16_t data_id, Freshness freshness,
           std::span<std::byte> secured);
 
-// True if the datagram's length fields match a signed message. This does not check the MAC; only a
-// Verifier does.
+// Returns true if the datagram's length fields match a signed message. is_signed() does not check
+// the MAC. Only a Verifier checks the MAC.
 [[nodiscard]] bool is_signed(std::span<const std::byte> datagram);
 
 // Restores the unsigned message. Requires message.size() + kTrailerBytes == secured.size().
 void strip(std::span<const std::byte> secured, std::span<std::byte> message);
 
-// The result of verifying a message. All results except kAuthentic drop the message and change only
-// counters.
+// The result of verifying a message. If the result is not kAuthentic, the message is dropped and
+// only counters change.
 enum class Verdict : std::uint8_t {
   kAuthentic,
   kUnsigned,  // not a signed message: too short, too long, or wrong length fields
@@ -65,9 +65,9 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::size_t kVerdictCount = 4;
 
-// Signs the counters of the received messages, from which the signer determines the next counter.
-// The result is the first 64 bits of the CMAC over the data id, the run number and these counters
-// in big-endian order.
+// Signs the counters of the received messages. The signer uses these counters to determine the next
+// counter. The result is the first 64 bits of the CMAC over the data ID, the run number and these
+// counters in big-endian order.
 [[nodiscard]] std::array<std::uint32_t, 2> mac_of_counters(const CmacKey& key,
                                                            std::uint16_t data_id, std::uint32_t run,
                                                            std::span<const std::uint32_t> counters);
@@ -75,14 +75,14 @@ inline constexpr std::size_t kVerdictCount = 4;
 // Verifies the received messages of one kind.
 class Verifier {
  public:
-  // run: the target's run number. The key must outlive this object.
+  // `run` is the target's run number. The key must outlive this object.
   Verifier(const CmacKey& key, std::uint16_t data_id, std::uint32_t run)
       : key_(&key), data_id_(data_id), run_(run) {}
 
-  // Accepts any datagram. Unsigned and replayed messages are dropped before the MAC is computed.
+  // Verifies any datagram. Unsigned and replayed messages are dropped before the MAC is computed.
   [[nodiscard]] Verdict verify(std::span<const std::byte> datagram);
 
-  // The counter of the last authentic message, or 0 if there was none.
+  // Returns the counter of the last authentic message, or 0 if no authentic message was received.
   [[nodiscard]] std::uint32_t counter() const { return std::max(counter_, ~not_counter_); }
 
   template <typename Visit>

@@ -1,4 +1,4 @@
-// The hash SHA-256 (FIPS 180-4).
+// Implements the hash function SHA-256 (FIPS 180-4).
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
-// Signs a stream of messages (docs/spec.md 9.2). After a number of messages, a signature message
-// lists their names and contains a MAC, like a command (authentication/secured_message.hpp). The
-// signed messages themselves do not change. Hashing them takes one tenth of the time that a MAC per
-// message would take.
+// Signs a stream of messages (docs/spec.md 9.2). Each group of messages is followed by a signature
+// message. The signature message lists the names of the messages in the group and contains a MAC,
+// like a command (authentication/secured_message.hpp). The signed messages themselves do not
+// change. Hashing the messages takes one tenth of the time that a MAC per message would take.
 //
-// Content of a signature, big endian:
+// The content of a signature is big endian:
 //
 //    0  u16 number of bytes before the names: 12; u16 bytes per name: 16
 //    4  u32 number of the target's run
@@ -34,7 +34,7 @@ inline constexpr std::size_t kMaxNames = 80;
 
 class StreamSigner {
  public:
-  // The key must outlive this object. The MAC's data id is the channel's event id.
+  // The key must outlive this object. The MAC's data ID is the channel's event ID.
   StreamSigner(const CmacKey& key, const protection::Channel& channel, std::uint32_t run)
       : key_(&key), data_id_(channel.event.event_id), run_(run), sender_(channel) {}
 
@@ -62,7 +62,7 @@ class StreamSigner {
   std::array<std::byte, kMostBytes> message_{};
 };
 
-// The content of a signature before it is verified.
+// The content of a signature that has not been verified yet.
 struct Names {
   std::uint32_t run = 0;
   std::span<const std::byte> bytes{};
@@ -76,8 +76,8 @@ struct Names {
   }
 };
 
-// Reads a secured message for which is_signed() is true. Returns nothing if its length fields or
-// counts are inconsistent.
+// Reads a secured message for which is_signed() is true. Returns nothing if the length fields or
+// counts of the message are inconsistent.
 [[nodiscard]] std::optional<Names> read_names(std::span<const std::byte> secured);
 
 }  // namespace iog::authentication

@@ -1,6 +1,6 @@
-// The car in an image: a block of bytes at a fixed offset that contains the compiled car file and
-// the network configuration. The block is written by the build or by `iog image`. The target checks
-// the whole block before it uses any part (docs/spec.md, section 8).
+// The car block is a block of bytes at a fixed offset in an image. The car block contains the
+// compiled car file and the network configuration. Either the build or `iog image` writes the
+// block. The target checks the entire block before it uses any part (docs/spec.md, section 8).
 #pragma once
 
 #include <array>
@@ -29,27 +29,28 @@ struct Firmware {
   friend constexpr bool operator==(const Firmware&, const Firmware&) = default;
 };
 
-// The properties of firmware compiled from this source.
+// Returns the properties of firmware compiled from this source.
 [[nodiscard]] Firmware firmware_of(vehicle::Grids grids);
 
-// Writes the whole block. The vehicle must be within the limits, and the network configuration must
-// be valid.
+// Writes the complete block. The vehicle must be within the limits, and the network configuration
+// must be valid.
 void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, WritableBlock block);
 
 // Writes a block without a car. The firmware refuses this block until `iog image` adds a car.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
-// Returns nothing if the record is invalid.
+// Returns the properties of the firmware, or nothing if the firmware record is invalid.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 
 // Adds a key to an existing block. The target then accepts only commands signed with this key.
 void write_key(const authentication::Key& key, WritableBlock block);
 
-// Returns the key if there is a valid one. If the key is damaged, read_car() refuses the car.
+// Returns the key if the block contains a valid key. If the key is damaged, read_car() refuses the
+// car.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
-// Returns the network configuration of the first valid record of two, or nothing if neither is
-// valid.
+// Two records contain the network configuration. Returns the first valid record, or nothing if both
+// records are invalid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
 // The record that was refused.
@@ -62,12 +63,14 @@ struct Verdict {
   vehicle::Fault fault{};  // set only for kLimit
 };
 
-// Reads and checks a whole car. grids: the grids of the firmware. `vehicle` refers to the block and
-// to `memory`, which must outlive it. Use it only if the result is kNone.
+// Reads and checks a complete car. `grids` specifies the grids of the firmware. `vehicle` refers to
+// the block and to `memory`, so both must outlive `vehicle`. Use `vehicle` only if the result is
+// kNone.
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message about a refused car. The console, the stream and `iog image` use it.
+// The message about a refused car. The console, the stream and `iog image` display the message
+// about a refused car.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

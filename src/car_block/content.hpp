@@ -1,5 +1,5 @@
-// The serialised car: the compiled car file as stored in an image (docs/spec.md, section 8.4). Cars
-// that differ in any property have different bytes.
+// The serialised car is the compiled car file as it is stored in an image (docs/spec.md, section
+// 8.4). Cars that differ in any property are serialised to different bytes.
 //
 // Writer and reader use the same list of members, in the same order. The list omits members that
 // are derived from others (vehicle/derived.hpp) and unused entries of fixed-size tables.
@@ -59,7 +59,7 @@ void visit_arc(auto& content, auto& arc) {
   }
 }
 
-// The arc of an ultrasonic sensor.
+// Visits the arc of an ultrasonic sensor.
 void visit_cone(auto& content, auto& arc) {
   visit_arc(content, arc);
   content.numbers(arc.free);
@@ -126,9 +126,9 @@ void visit_assignment(auto& content, auto& assignment) {
   content.numbers(assignment.free_by_time);
 }
 
-// Writes integers in big-endian order with the size of their type, a bool as one byte, a string as
-// its characters and a 0, and a format as its name. put(std::uint8_t) receives the bytes one by
-// one.
+// Writes the members of a car as bytes. Integers are written in big-endian order with the size of
+// their type. A bool is written as one byte, a string as its characters and a 0, and a format as
+// its name. `put(std::uint8_t)` receives the bytes one by one.
 template <typename Put>
 class Writer {
  public:
@@ -138,8 +138,9 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Writes one byte with three flags: the layers share lines, the sensor follows the ground, and
-  // the sensor has limits for low beams and tall returns.
+  // Writes one byte with three flags, and then the limits that are set. The flags indicate that the
+  // layers share lines, that the sensor follows the ground, and that the sensor has limits for low
+  // beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;
@@ -158,7 +159,7 @@ class Writer {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
   }
-  // An extra bit is set if epsilon differs from the default and therefore follows.
+  // If epsilon differs from the default, an extra bit is set and epsilon follows.
   void quantisation_and_epsilon(index::Quantisation quantisation, std::uint16_t epsilon_e5) {
     const bool is_usual = epsilon_e5 == vehicle::kUsualEpsilonE5;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(quantisation) | (is_usual ? 0U : 2U)));
@@ -166,7 +167,7 @@ class Writer {
       number(epsilon_e5);
     }
   }
-  // An extra bit is set if evidential constants follow.
+  // If the car has its own evidential constants, an extra bit is set and the constants follow.
   void moved_and_tables(perception::Moved moved, const ageing::Tables* tables) {
     number(static_cast<std::uint8_t>(static_cast<unsigned>(moved) | (tables == nullptr ? 0U : 2U)));
     if (tables != nullptr) {
@@ -193,8 +194,8 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  // If the grid is not the whole memory, the number of cells per side is 0, and the rectangle
-  // follows.
+  // If the car's grid is not the default grid, the number of cells per side is written as 0, and
+  // the rectangle follows.
   void grid(const geometry::Grid& grid) {
     const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
     numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});
@@ -234,7 +235,8 @@ void write_content(const vehicle::Vehicle& car, auto&& put) {
   content_detail::visit_car(out, car);
 }
 
-// The CRC-32 that identifies a car in messages. It covers everything except `id` itself.
+// Returns the CRC-32 that identifies a car in messages. The CRC covers everything except `id`
+// itself.
 inline std::uint32_t identity_of(const vehicle::Vehicle& car) {
   using Field = checksum::ReflectedField<0x04C11DB7>;
   std::uint32_t state = ~0U;

@@ -1,4 +1,4 @@
-// Location and layout of the car block in an image (docs/spec.md, section 8).
+// Defines the location and layout of the car block in an image (docs/spec.md, section 8).
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace iog::car_block {
 
-// Offset from the first byte of the image, which contains the exception vectors. linker/image.ld
-// places the block there.
+// The offset of the block from the first byte of the image, which contains the exception vectors.
+// The linker script linker/image.ld places the block at this offset.
 inline constexpr std::size_t kOffsetInImage = 0x1000;
 inline constexpr std::size_t kBlockBytes = 65'536;
 

@@ -1,6 +1,6 @@
-// The limits of a car. The loops of the target rely on them. They are checked on the integers that
-// are compiled from the car file. The target checks the car block in its image, and the PC checks a
-// car file.
+// The limits of a car. The loops of the target rely on these limits. The limits are checked on the
+// integers that are compiled from the car file. The target checks the car block in its image, and
+// the PC checks a car file.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@
 namespace iog::car_block {
 
 inline constexpr std::uint32_t kLongestRangeMm = 130'000;
-// Only for ultrasonic sensors, because the cells of a cone are visited one by one (grid/cone.hpp).
+// The maximum range of an ultrasonic sensor. The range is limited because the cells of a cone are
+// visited one by one (grid/cone.hpp).
 inline constexpr std::uint32_t kLongestConeMm = 10'000;
 inline constexpr std::string_view kRangeWords = "more than range_min_mm, at most 130000";
 
@@ -29,9 +30,9 @@ inline constexpr std::string_view kMovedLowWords =
     "0.1 m or more over what is no obstacle, over the ground 0.4 or more, at most 10";
 inline constexpr std::string_view kMovedTallWords = "0, or at most where obstacles end";
 
-// The maximum magnitude of coordinates. It keeps products of subcells within 64 bits.
+// The maximum magnitude of coordinates. This limit keeps products of subcells within 64 bits.
 inline constexpr std::int32_t kFarthestM = 1000;
-// The largest cells in which `moved` can distinguish moving objects from flickering ones.
+// The largest cell size at which `moved` can distinguish moving objects from flickering edges.
 inline constexpr std::uint16_t kCoarsestMovedMm = 200;
 inline constexpr std::string_view kHalfLifeWords = "0.05 ... 600";
 inline constexpr std::string_view kMassWords = "0.05 ... 0.99";
@@ -42,29 +43,29 @@ inline constexpr std::string_view kAccumulationWords =
 // racks.
 inline constexpr std::int32_t kOffCarMm = 150;
 
-// A length in subcells, rounded up. Requires length_mm <= kLongestRangeMm.
+// Converts a length to subcells, rounded up. Requires length_mm <= kLongestRangeMm.
 constexpr std::uint64_t subcells_up(std::uint32_t length_mm, const geometry::Grid& grid) {
   return (std::uint64_t{length_mm} * geometry::kResolution + grid.cell_mm - 1) / grid.cell_mm;
 }
 
-// The maximum length of a beam. The beams of a tilted mirror are fitted
+// Returns the maximum length of a beam. The beams of a tilted mirror are fitted
 // (tools/car/tilted_mirror.hpp), so they may end beyond the range at azimuths that the mirror
 // cannot reach. Requires range_mm <= kLongestRangeMm.
 constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t range_mm) {
   return lidar::facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;
 }
 
-// Both check functions report faults with the name of the field in the car file. This function runs
-// first and needs no tables. It checks names, numbers, addresses and ports. Each sensor's range
-// must be above 0.
+// Checks names, numbers, addresses and ports. Both check functions report faults with the name of
+// the field in the car file. Call check_numbers() first, because it needs no tables. Each sensor's
+// range must be above 0.
 void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
                    const vehicle::Tell& tell);
 
 // Checks the tables of a car that has passed check_numbers().
 void check_tables(const vehicle::Vehicle& car, const vehicle::Tell& tell);
 
-// The first fault. The field is empty if there is no fault. network: the network configuration in
-// the same block.
+// Returns the first fault. If the car has no fault, the field of the result is empty. `network` is
+// the network configuration in the same block.
 [[nodiscard]] vehicle::Fault fault_of(const vehicle::Vehicle& car, const net::Config& network);
 
 }  // namespace iog::car_block

@@ -10,17 +10,18 @@
 
 namespace iog::car_block {
 
-// Memory for the sensors of a vehicle. It takes up 80 KB: make it static. The constructor sets the
-// initial values. They are not zero, so a static initialiser would add them to the image.
+// Memory for the sensors of a vehicle. Make the object static, because it takes up 80 KB. The
+// constructor sets the initial values. These values are not zero, so a static initialiser would add
+// them to the image.
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;
   ageing::Tables tables;  // only of a car with evidential constants of its own
 };
 
-// Returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and `memory`, which must
-// outlive it. Do not use it before its limits are checked (car_block/limits.hpp). Derives the
-// azimuths but no other derived members.
+// Reads a vehicle and returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and
+// `memory`, so both must outlive `vehicle`. Do not use `vehicle` before its limits are checked
+// (car_block/limits.hpp). The function derives the azimuths but no other derived members.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

@@ -1,5 +1,5 @@
-// A record of the car block: a header with magic, length and CRC, followed by the content
-// (docs/spec.md, section 8.1).
+// A record of the car block. A record consists of a header with magic, length and CRC, followed by
+// the content (docs/spec.md, section 8.1).
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct Record {
 
 [[nodiscard]] Record read_record(Block block, const RecordPlace& place);
 
-// Adds the header to content that is already in place. bytes: length of the content. The content
-// must fit in the record.
+// Adds the header to content that is already in place. `bytes` is the length of the content. The
+// content must fit in the record.
 void frame_record(WritableBlock block, const RecordPlace& place, std::size_t bytes);
 
 }  // namespace iog::car_block

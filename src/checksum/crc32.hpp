@@ -1,5 +1,5 @@
-// The two CRC-32 variants of this project. CMake chooses the faster implementation for the machine:
-// crc32_neon.cpp, crc32_pclmul.cpp or crc32_slices.cpp.
+// Declares the two CRC-32 variants of this project. CMake selects the fastest of three
+// implementations for the machine: crc32_neon.cpp, crc32_pclmul.cpp or crc32_slices.cpp.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,16 @@
 
 namespace iog::checksum {
 
-// A reflected CRC with initial value and final xor of all ones. `kPolynomial` has the notation of
-// the standards: highest power first and without x^32. The two instances are below.
+// A reflected CRC-32. The initial value and the final xor are all ones. `kPolynomial` uses the
+// notation of the standards, with the highest power first and x^32 omitted. Both instances are
+// defined below.
 template <std::uint32_t kPolynomial>
 class FastCrc32 {
  public:
   void update(std::span<const std::byte> bytes);
 
-  // The contribution of a part to the CRC. It does not depend on the preceding bytes, so several
-  // cores can compute the contributions of different parts.
+  // Returns the contribution of a part to the CRC. A part's contribution does not depend on the
+  // preceding bytes, so several cores can process different parts in parallel.
   static constexpr std::size_t kPartBytes = 1024;
   using Part = std::span<const std::byte, kPartBytes>;
   [[nodiscard]] static std::uint32_t remainder_of(Part part) {
@@ -25,9 +26,10 @@ class FastCrc32 {
     crc.update(part);
     return crc.state_;
   }
-  // Has the same effect as update() with a part that has this remainder.
+  // Has the same effect as calling update() with a part whose remainder is `remainder`.
   void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_, 0) ^ remainder; }
-  // Has the same effect as update() with `before` and then with such a part.
+  // Has the same effect as calling update() with `before` and then with a part whose remainder is
+  // `remainder`.
   template <std::size_t kBefore>
   void add_remainder(std::span<const std::byte, kBefore> before, std::uint32_t remainder) {
     static_assert(kBefore <= kMostBefore);
@@ -37,23 +39,23 @@ class FastCrc32 {
     state_ = after_zeros(state_, kBefore) ^ remainder;
   }
 
-  // The CRC of all bytes so far. More bytes may follow.
+  // Returns the CRC of all bytes so far. Further calls to update() are allowed.
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
   static constexpr std::size_t kMostBefore = 4;
 
-  // The state after `before` zero bytes, followed by a part of zero bytes.
+  // Returns the state after `before` zero bytes and one part of zero bytes.
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t before);
 
   std::uint32_t state_ = 0xFFFFFFFFU;
 };
 
-// CRC-32/ISO-HDLC, as in zlib: check value of "123456789" 0xCBF43926. It is used to identify grids
-// and cars, because any tool can compute it.
+// CRC-32/ISO-HDLC, as used by zlib. The check value of "123456789" is 0xCBF43926. Grids and cars
+// are identified with this CRC because any tool can compute it.
 using Crc32 = FastCrc32<0x04C11DB7>;
 
-// CRC-32/AUTOSAR: check value of "123456789" 0x1697D06A (AUTOSAR SWS CRCLibrary, CRC-32/P4).
+// CRC-32/AUTOSAR (AUTOSAR SWS CRCLibrary, CRC-32/P4). The check value of "123456789" is 0x1697D06A.
 using Crc32P4 = FastCrc32<0xF4ACFB13>;
 
 }  // namespace iog::checksum

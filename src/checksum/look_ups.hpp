@@ -1,4 +1,4 @@
-// FastCrc32 by look-ups: for machines that do not multiply without carry.
+// Implements FastCrc32 with lookup tables, for machines without carry-less multiplication.
 #pragma once
 
 #include "checksum/crc32.hpp"
@@ -9,14 +9,14 @@ namespace iog::checksum {
 
 template <std::uint32_t kPolynomial>
 struct LookUps {
-  // The state after these bytes.
+  // Returns the state after `bytes`.
   static std::uint32_t updated(std::uint32_t state, std::span<const std::byte> bytes) {
     ReflectedCrc32<kPolynomial, 8> crc;
     crc.set_state(state);
     crc.update(bytes);
     return crc.state();
   }
-  // The state after `before` and FastCrc32::kPartBytes zero bytes.
+  // Returns the state after `before` + FastCrc32::kPartBytes zero bytes.
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t before) {
     using Field = ReflectedField<kPolynomial>;
     std::uint32_t after =

@@ -1,12 +1,12 @@
-// Implements checksum/crc32.hpp on machines with carry-less multiplication of bytes.
+// Implements checksum/crc32.hpp on machines that can multiply bytes without carry.
 //
-// A CRC is linear. A byte followed by d other bytes contributes its product with x^(32 + 8d),
-// modulo the polynomial. The bytes of a block are therefore independent: their products are summed,
-// and only the sum is reduced. Both halves of a block use the same factors, so each factor is
-// loaded only once.
+// A CRC is linear. A byte followed by d other bytes contributes the product of the byte and x^(32 +
+// 8d), modulo the polynomial. The bytes of a block are therefore independent. The products of all
+// bytes are summed, and only the sum is reduced. Both halves of a block use the same factors, so
+// each factor is loaded only once.
 //
-// All polynomials are bit-reflected: bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
-// of their product is x^38.
+// All polynomials are bit-reflected. Bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
+// of the product of a state and a byte is x^38.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 
 namespace iog::checksum {
 
-// `Products` is PlainProducts or its NEON counterpart.
+// `Products` is PlainProducts or the NEON implementation.
 template <std::uint32_t kPolynomial, typename Products>
 class ProductCrc32 {
  public:
@@ -36,10 +36,10 @@ class ProductCrc32 {
     rest_.update(bytes);
   }
 
-  // The CRC of all bytes so far. More bytes may follow.
+  // Returns the CRC of all bytes so far. Further calls to update() are allowed.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
-  // The state after kBytes + more zero bytes; kBytes >= 8, more <= kMost.
+  // Returns the state after kBytes + more zero bytes. Requires kBytes >= 8 and more <= kMost.
   template <std::size_t kBytes, std::size_t kMost = 0>
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t more = 0) {
     static constexpr auto kFirst = make_first<kBytes>(std::make_index_sequence<kMost + 1>());
@@ -59,8 +59,8 @@ class ProductCrc32 {
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // Adding the state to the first four bytes of a half has the same effect as starting this half
-  // with that state.
+  // Adding a state to the first four bytes of a half is equivalent to starting the half with this
+  // state.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
     const auto factors = std::span(kFactors).last(half / kProductLanes);
@@ -75,15 +75,15 @@ class ProductCrc32 {
     return Products::of(bytes, factors);
   }
 
-  // Bits 0 to 6 of the sum are x^38 to x^32. A look-up reduces these bits as if they were the first
-  // byte of a state followed by a zero byte.
+  // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces these bits as if they were the
+  // first byte of a state followed by a zero byte.
   static std::uint32_t reduced(std::uint64_t sum) {
     return Bytewise::after_byte(static_cast<std::uint32_t>(sum << 1) & 0xFFU) ^
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // The factor of the last byte is x^32. The factor of each preceding byte is x^8 times the factor
-  // of the next byte.
+  // The factor of the last byte is x^32. The factor of any other byte is x^8 times the factor of
+  // the byte after it.
   static constexpr FactorsOfHalf make_factors() {
     FactorsOfHalf factors{};
     std::uint32_t factor = 0x8000'0000U;  // represents the polynomial 1
@@ -97,8 +97,8 @@ class ProductCrc32 {
     return factors;
   }
 
-  // The factors of the first eight bytes of a part of kBytes bytes, and of parts that are one, two,
-  // ... bytes longer.
+  // Computes the factors of the first eight bytes of a part of kBytes bytes, and of parts that are
+  // one, two, ... bytes longer.
   template <std::size_t kBytes, std::size_t... kMore>
   static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
     std::array<Factors, sizeof...(kMore)> first{};

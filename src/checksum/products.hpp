@@ -1,6 +1,7 @@
-// Carry-less products of bytes, eight at a time, as the Cortex-A9 computes them in one instruction.
+// Computes the carry-less products of eight bytes at a time, like a single instruction of the
+// Cortex-A9.
 //
-// This code is the reference; the NEON counterpart is in checksum/crc32_neon.cpp.
+// This code is the reference. The NEON implementation is in checksum/crc32_neon.cpp.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ namespace iog::checksum {
 inline constexpr std::size_t kProductLanes = 8;
 inline constexpr std::size_t kFactorBytes = 4;
 
-// A 32-bit factor for each of eight bytes. They are stored in the order in which the machine loads
-// them: byte by byte, lowest first.
+// A 32-bit factor for each of eight bytes. The factors are stored in the order in which the machine
+// loads them, byte by byte with the lowest byte first.
 struct alignas(32) Factors {
   std::array<std::array<std::uint8_t, kProductLanes>, kFactorBytes> bytes{};
 
@@ -25,11 +26,11 @@ struct alignas(32) Factors {
   }
 };
 
-// Carry-less sums of bytes times their factors. Each sum has 8 + 32 - 1 = 39 bits.
+// Computes carry-less sums of bytes times factors. Each sum has 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
-  // The sums of two halves that use the same factors. Each group of factors applies to eight bytes
-  // of each half.
+  // The carry-less sums of two halves that use the same factors. Each group of factors is applied
+  // to eight bytes of each half.
   struct Sums {
     std::uint64_t first = 0;
     std::uint64_t second = 0;

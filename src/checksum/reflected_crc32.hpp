@@ -1,12 +1,12 @@
-// CRC-32 for any reflected polynomial with initial value and final xor of all ones, as in IEEE
-// 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
+// Computes a CRC-32 with any reflected polynomial. The initial value and the final xor are all
+// ones, as in IEEE 802.3 (gzip, zlib) and AUTOSAR's CRC-32/P4.
 //
-// It uses slicing (Kounavis and Berry, 2005): each of kSlices bytes is looked up in its own table.
-// The look-ups do not depend on each other. The tables take up kSlices KiB and are computed at
-// compile time. The Cortex-A9 has a faster method (checksum/product_crc32.hpp). With 4, 8 or 16
-// slices it takes 4.2 to 4.3 instructions per byte (measured). For a tile of 1 KiB this is 3.5, 2.5
-// or 2.7 cycles per byte. These cycles are modelled as in docs/a9_model.md, with other tiles
-// encoded in between.
+// The algorithm is slicing (Kounavis and Berry, 2005), which looks up each of kSlices bytes in a
+// separate table. Lookups in different tables do not depend on each other. The tables take up
+// kSlices KiB and are computed at compile time. On the Cortex-A9, checksum/product_crc32.hpp is
+// faster. With 4, 8 or 16 slices, slicing takes 4.2 to 4.3 instructions per byte (measured). For a
+// tile of 1 KiB, 4, 8 or 16 slices take 3.5, 2.5 or 2.7 cycles per byte. The cycles are modelled as
+// described in docs/a9_model.md, with other tiles encoded in between.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace iog::checksum {
 
-// `kPolynomial` is written with the highest power first and without x^32, as in the standards.
-// `kSlices` is 1 for bytewise processing, or 4, 8 or 16.
+// `kPolynomial` uses the notation of the standards, with the highest power first and x^32 omitted.
+// `kSlices` is 4, 8 or 16, or 1 for bytewise processing.
 template <std::uint32_t kPolynomial, std::size_t kSlices>
 class ReflectedCrc32 {
   static_assert(kSlices == 1 || kSlices == 4 || kSlices == 8 || kSlices == 16);
@@ -40,15 +40,16 @@ class ReflectedCrc32 {
     state_ = state;
   }
 
-  // The CRC of all bytes so far. More bytes may follow.
+  // Returns the CRC of all bytes so far. Further calls to update() are allowed.
   [[nodiscard]] constexpr std::uint32_t value() const { return ~state_; }
 
-  // The internal state with x^31 in bit 0, for code that advances it by other means.
+  // Returns the internal state, with x^31 in bit 0. Other algorithms use the internal state to
+  // continue the CRC.
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // The state times x^8. This is the state after a zero byte, or after a byte that was already
-  // added to it.
+  // Returns the state times x^8. The result is the state after a zero byte, or the state after a
+  // byte that the caller has already added to `state`.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }
@@ -70,7 +71,7 @@ class ReflectedCrc32 {
     return next;
   }
 
-  // Table t: the effect of a byte that is t bytes before the end of the group.
+  // Table t contains the effect of a byte that is t bytes before the end of the group.
   static constexpr Tables make_tables() {
     Tables tables{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {

@@ -1,4 +1,4 @@
-// Arithmetic modulo the polynomial of a reflected CRC-32. Bit 31 is x^0, bit 0 is x^31.
+// Arithmetic modulo the polynomial of a reflected CRC-32. Bit 31 is x^0 and bit 0 is x^31.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace iog::checksum {
 
-// `kPolynomial` is written with the highest power first and without x^32, as in the standards.
+// `kPolynomial` uses the notation of the standards, with the highest power first and x^32 omitted.
 template <std::uint32_t kPolynomial>
 class ReflectedField {
  public:
@@ -30,8 +30,8 @@ class ReflectedField {
     return sum;
   }
 
-  // Returns x^(8 exponent). A state multiplied by this value is the state after `exponent` zero
-  // bytes.
+  // Returns x^(8 exponent). Multiplying a state by x^(8 exponent) gives the state after `exponent`
+  // zero bytes.
   static consteval std::uint32_t power_of_x8(std::size_t exponent) {
     std::uint32_t power = kOne;
     for (std::uint32_t square = times_x8(kOne); exponent != 0; exponent /= 2) {

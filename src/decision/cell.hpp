@@ -1,9 +1,9 @@
-// The class and the bits of one cell. This file is the specification in plain integers.
-// decision_neon.cpp computes the same for eight cells at once.
+// Determines the class and the bits of one cell. This file is the specification in plain integers.
+// `decision_neon.cpp` computes the same results for eight cells at once.
 //
-// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K. F and P
-// therefore cannot both be 2^14 or more. P is split into a moving part m <= M + O <= P and a static
-// part P - m, so at most one of these parts is 2^14 or more. No sum exceeds 32767.
+// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K.
+// Therefore, at most one of F and P is 2^14 or more. P is split into a moving part m <= M + O <= P
+// and a static part P - m, so at most one of these parts is 2^14 or more. No sum exceeds 32767.
 #pragma once
 
 #include <array>
@@ -17,14 +17,15 @@ namespace iog::decision {
 inline constexpr std::int32_t kHalf = 1 << 14;
 inline constexpr int kLevelShift = 11;
 
-// Thresholds of the bits for later frames, tuned to distinguish flicker from motion.
+// The thresholds of the bits for later frames. These thresholds are tuned to distinguish flicker
+// from motion.
 inline constexpr std::int32_t kFreedAbove = kHalf;
 inline constexpr std::int32_t kSeenAbove = 22'938;
 inline constexpr std::int32_t kStandsAbove = 4096;
 inline constexpr std::int32_t kTakenAbove = 8192;
 
-// Indexed by mask, which is the sum of the map classes that are possible in a cell. Mask 0 has the
-// same classes as mask 7.
+// A table that is indexed by mask. The mask is the sum of the map classes that are possible in a
+// cell. Mask 0 has the same classes as mask 7.
 using ByMask = std::array<std::uint8_t, 8>;
 
 consteval ByMask by_mask(Class other, Class building, Class road, Class beside_roads) {
@@ -42,8 +43,8 @@ inline constexpr ByMask kFreeClasses =
 inline constexpr ByMask kStandingClasses = by_mask(
     Class::kStoppedOrUnmapped, Class::kInfrastructure, Class::kStopped, Class::kStoppedOrUnmapped);
 
-// The fraction of O that is treated as moving, in units of 1/256. It is one half, but almost zero
-// inside a building.
+// The fraction of O that is treated as moving, in units of 1/256. The fraction is almost zero
+// inside a building, and one half elsewhere.
 inline constexpr ByMask kMovingShares = {128, 2, 128, 128, 128, 128, 128, 128};
 
 constexpr std::uint8_t mask_of(std::uint8_t ruled_out) {
@@ -75,8 +76,8 @@ constexpr Verdict verdict(const evidence::Cell& cell, std::uint8_t mask) {
   return {static_cast<std::uint8_t>(Class::kOccupied), taken};
 }
 
-// Returns 8 times the class plus a confidence of 0 ... 7. A score is at most 32767, which results
-// in a confidence of 7.
+// Returns 8 times the class plus a confidence of 0 ... 7. The maximum score, 32767, results in a
+// confidence of 7.
 constexpr std::int8_t byte_of(const Verdict& verdict) {
   return static_cast<std::int8_t>(verdict.name * 8 + ((verdict.score - kHalf) >> kLevelShift));
 }

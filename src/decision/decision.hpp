@@ -1,8 +1,8 @@
 // Classifies the cells of a group from their masses, and computes bits for later frames.
 //
-// A cell gets a class only if at least half of the total mass supports it, so ignorance never
-// results in a class. The map refines the classes that the sensors support. It never overrules the
-// sensors, and it never determines a class without them.
+// A cell gets a class only if at least half of the total mass supports the class, so ignorance
+// never results in a class. The map refines the classes that the sensors support. The map never
+// overrules the sensors, and never determines a class without them.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline constexpr std::int32_t kSurenessCount = 8;
   return static_cast<Class>(byte / kSurenessCount);
 }
 
-// Classes of the map, with one bit for each class. A sum of bits means "one of these classes".
+// The classes of the map, with one bit for each class. A sum of bits means "one of these classes".
 inline constexpr std::uint8_t kBuilding = 1;
 inline constexpr std::uint8_t kRoad = 2;
 inline constexpr std::uint8_t kIntermediate = 4;
@@ -52,16 +52,17 @@ struct alignas(8) Bits {
 // The class bytes of a group's cells.
 using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 
-// For each cell, the classes of the map that are ruled out there. 0 if the map has no information.
+// For each cell, the map classes that are ruled out in the cell. The value is 0 if the map has no
+// information.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
 // Computes and writes the class bytes of a group from the group's masses and the classes that are
-// ruled out. Both arrays must be aligned to 8 bytes. `of_this_frame` must be all 0 for a group that
-// is decided without evidence.
+// ruled out. Both arrays must be aligned to 8 bytes. If a group is decided without evidence, all
+// elements of `of_this_frame` must be 0.
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Contains two of the members of Bits.
+// Contains two members of Bits.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;
@@ -81,8 +82,8 @@ struct Crossed {
   Decided* decided;
 };
 
-// Fuses and classifies two groups at once. Instructions of one group fill the time in which the
-// other group waits for results.
+// Fuses and classifies two groups at once. While instructions of one group wait for results,
+// instructions of the other group are executed.
 std::array<FreeBits, 2> cross_free(const std::array<Crossed, 2>& groups);
 
 }  // namespace iog::decision

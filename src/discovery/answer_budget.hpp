@@ -12,9 +12,10 @@ class AnswerBudget {
   static constexpr std::uint32_t kBurst = 8;
   static constexpr std::uint32_t kPerTokenUs = 100'000;
 
-  // Takes a token. Returns false if there is none. now_us must not decrease.
+  // Takes a token. Returns false if no token is left. `now_us` must not decrease.
   [[nodiscard]] constexpr bool take(std::uint64_t now_us) {
-    // After this time the bucket is full, so a 32-bit division is sufficient.
+    // The elapsed time is limited to the time in which the bucket fills, so a 32-bit division is
+    // sufficient.
     const auto elapsed_us = static_cast<std::uint32_t>(
         std::min<std::uint64_t>(now_us - since_us_, std::uint64_t{kBurst} * kPerTokenUs));
     const std::uint32_t gained = elapsed_us / kPerTokenUs;

@@ -1,4 +1,4 @@
-// Counts the outcomes of service discovery messages. All counters wrap.
+// Counts the outcomes of service discovery messages. All counters wrap around.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline constexpr std::size_t kCounts = 14;
 static_assert(static_cast<std::size_t>(Count::kNotCopied) + 1 == kCounts);
 
 struct Counts : std::array<std::uint32_t, kCounts> {
-  // Names of the counters in the stream (stream/target_table.hpp).
+  // The names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"SD received", "SD malformed", "SD spoofed", "SD unanswered", "SD offers", "SD found",
        "SD subscriptions acknowledged", "SD subscriptions refused", "SD subscriptions unconfirmed",

@@ -1,6 +1,6 @@
 // A message of SOME/IP service discovery (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "SOME/IP-SD
-// Message Format"). It is big endian and follows a SOME/IP header with service 0xFFFF and event
-// 0x8100.
+// Message Format"). The message is big endian and follows a SOME/IP header with service 0xFFFF and
+// event 0x8100.
 //
 //   16  u8 flags: 0x80 reboot, 0x40 unicast, u24 0
 //   20  u32 bytes of the entries, 16 each
@@ -38,7 +38,7 @@ inline constexpr std::uint8_t kFlagUnicast = 0x40;
 // acknowledgement into a refusal. An entry with the maximum time to live never expires.
 inline constexpr std::uint32_t kForeverS = 0xFF'FFFF;
 
-// Wildcards for the instance and versions in a find entry.
+// The wildcards for the instance and versions in a find entry.
 inline constexpr std::uint16_t kAnyInstance = 0xFFFF;
 inline constexpr std::uint8_t kAnyMajor = 0xFF;
 inline constexpr std::uint32_t kAnyMinor = 0xFFFF'FFFF;
@@ -48,7 +48,7 @@ inline constexpr std::size_t kEndpointBytes = 12;
 
 enum class EntryType : std::uint8_t { kFind = 0, kOffer = 1, kSubscribe = 6, kSubscribeAck = 7 };
 
-// A run of options, given by the index of the first option and their number.
+// A run of options, given by the index of its first option and the number of its options.
 struct OptionRun {
   std::uint8_t first = 0;
   std::uint8_t count = 0;
@@ -62,7 +62,8 @@ struct Entry {
   std::uint8_t major = 0;
   std::uint32_t ttl_s = 0;  // 24-bit value
   std::uint32_t minor = 0;  // minor version, only for services
-  // Only for event groups. It is stored where service entries have their minor version.
+  // Returns the event group of an event group entry. The event group is stored in the bytes that
+  // contain the minor version of a service entry.
   [[nodiscard]] constexpr std::uint16_t event_group() const {
     return static_cast<std::uint16_t>(minor);
   }
@@ -75,7 +76,8 @@ struct Endpoint {
   friend constexpr bool operator==(const Endpoint&, const Endpoint&) = default;
 };
 
-// A message whose lengths are consistent. Its members are views of the datagram.
+// A message whose lengths are consistent. The members `entries` and `options` are views of the
+// datagram.
 struct Message {
   std::uint16_t session_id = 0;
   std::uint8_t flags = 0;
@@ -87,9 +89,9 @@ struct Message {
   // number < entry_count()
   [[nodiscard]] Entry entry(std::size_t number) const;
 
-  // The IPv4 UDP endpoint that the entry refers to. Returns nothing if it refers to no endpoint, to
-  // several different endpoints, or to options that do not exist. Options of other kinds are
-  // ignored.
+  // Returns the IPv4 UDP endpoint that the entry refers to. Returns nothing if the entry refers to
+  // no endpoint, to several different endpoints, or to options that do not exist. Options of other
+  // kinds are ignored.
   [[nodiscard]] std::optional<Endpoint> udp_endpoint_of(const Entry& entry) const;
 };
 
@@ -98,7 +100,7 @@ struct Message {
 [[nodiscard]] std::optional<Message> read_message(std::span<const std::byte> datagram);
 
 // Writes a message with these entries. `endpoint` is the only option. Returns the number of bytes
-// written. `buffer` must hold at least message_bytes(entries.size()).
+// written. The size of `buffer` must be at least message_bytes(entries.size()).
 std::size_t write_message(std::uint16_t session_id, std::uint8_t flags,
                           std::span<const Entry> entries, const Endpoint& endpoint,
                           std::span<std::byte> buffer);

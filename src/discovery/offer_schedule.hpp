@@ -18,17 +18,18 @@ inline constexpr std::uint32_t kCyclicOfferUs = 1'000'000;
 // gone.
 inline constexpr std::uint32_t kOfferTtlS = 3;
 
-// The times passed to it must not decrease.
+// The times passed to an OfferSchedule must not decrease.
 class OfferSchedule {
  public:
-  // noise: a random value for the initial delay. It must differ between targets.
+  // `noise` is a random value for the initial delay. The value must differ between targets.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
-  // True in the initial wait phase. In this phase the server sends neither offers nor answers.
+  // Returns true in the initial wait phase. In the initial wait phase, the server sends neither
+  // offers nor answers.
   [[nodiscard]] constexpr bool is_waiting() const { return offers_ == 0; }
 
-  // Returns true if an offer is due, and counts it as sent. Time starts with the first call. Missed
-  // offers are not sent later.
+  // Returns true if an offer is due, and counts the offer as sent. Time starts with the first call.
+  // Missed offers are not sent later.
   [[nodiscard]] constexpr bool take_due(std::uint64_t now_us) {
     if (!has_begun_) {
       has_begun_ = true;
@@ -44,7 +45,8 @@ class OfferSchedule {
   }
 
  private:
-  // Scales the upper half of the noise to the delay bounds. 2^16 * 90,000 needs more than 32 bits.
+  // Scales the upper half of the noise to the delay bounds. The product 2^16 * 90,000 needs more
+  // than 32 bits.
   [[nodiscard]] constexpr std::uint32_t initial_delay_us() const {
     constexpr std::uint32_t kRangeUs = kInitialDelayMaxUs - kInitialDelayMinUs;
     return kInitialDelayMinUs +

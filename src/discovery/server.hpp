@@ -1,10 +1,11 @@
 // The server of SOME/IP service discovery, for one service with one event group and one subscriber.
-// It performs no I/O and reads no clock: callers pass datagrams and times in and send the messages
-// that it returns.
+// The server performs no I/O and reads no clock. Callers pass datagrams and times to the server,
+// and send the messages that it returns.
 //
-// A subscriber must prove its address. Its endpoint must be the host that sent the subscription,
-// and ARP must return the Ethernet address that sent it. Until ARP has answered, the host is a
-// candidate and receives neither an acknowledgement nor messages.
+// A subscriber must prove its address. The endpoint of the subscriber must be the host that sent
+// the subscription, and ARP must return the Ethernet address from which the subscription was sent.
+// Until ARP has answered, the host is a candidate and receives neither an acknowledgement nor
+// messages.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@
 
 namespace iog::discovery {
 
-// The offered service. Its endpoint consists of the target's address and the source port of the
-// messages.
+// The offered service. The endpoint of the service consists of the target's address and the source
+// port of the messages.
 struct Service {
   std::uint16_t service = 0;
   std::uint8_t major = 0;
@@ -42,15 +43,15 @@ inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 // The time within which ARP must confirm a candidate.
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
-// A subscriber that has not answered ARP for this long is considered gone. ARP requests go out
-// after 30 s, then every second (net/peer_resolver.hpp).
+// A subscriber that has not answered ARP for kLeftUs is considered gone. The first ARP request is
+// sent after 30 s, and then one request is sent every second (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 
 // A message to be sent.
 struct Outgoing {
   net::Destination to{};
   std::size_t bytes = 0;
-  // Buffer for an offer and the answers to subscriptions.
+  // The buffer for an offer and the answers to subscriptions.
   std::array<std::byte, message_bytes(1 + kMaxSubscriptionsPerMessage)> buffer{};
 
   [[nodiscard]] std::span<const std::byte> view() const { return std::span(buffer).first(bytes); }
@@ -58,27 +59,27 @@ struct Outgoing {
 
 class Server {
  public:
-  // noise: a random value of this run for the initial delay.
+  // `noise` is a random value of this run for the initial delay.
   Server(const net::Config& config, const Service& service, std::uint32_t noise)
       : config_(config), service_(service), schedule_(noise) {}
 
-  // Handles a datagram to kDiscoveryPort. Returns the answer, if any.
+  // Handles a datagram sent to kDiscoveryPort. Returns the answer, if any.
   [[nodiscard]] std::optional<Outgoing> receive(const net::Datagram& datagram,
                                                 std::uint64_t now_us);
 
-  // Advances the time. Returns a message that is due, if any. told: the ARP result for neighbour(),
+  // Advances the time. Returns a message if one is due. `told` is the ARP result for neighbour(),
   // if any.
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
-  // Returns the stop-offer message. Send it as the last message.
+  // Returns the stop-offer message. The stop-offer must be the last message that is sent.
   [[nodiscard]] Outgoing withdraw();
 
   // The host that ARP should resolve.
   [[nodiscard]] std::optional<net::Ipv4Address> neighbour() const;
 
-  // The host that receives a copy of each stream message. Empty if the subscriber is the peer,
-  // because the peer receives the messages anyway.
+  // Returns the host that receives a copy of each stream message. Returns nothing if the subscriber
+  // is the peer, because the peer receives the messages anyway.
   [[nodiscard]] std::optional<net::Destination> subscriber() const;
 
   void count(Count what) { ++counts_[static_cast<std::size_t>(what)]; }

@@ -1,5 +1,6 @@
-// Session ids and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
-// "Reboot Detection"). Ids start at 1. The flag is set until the ids have wrapped.
+// Session IDs and the reboot flag (AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol, "Session Handling",
+// "Reboot Detection"). Session IDs start at 1. The reboot flag is set until the IDs have wrapped
+// around.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +29,10 @@ class SessionCounter {
   Session next_{.id = 1, .reboot = true};
 };
 
-// Monitors the sessions that a partner uses on one path, unicast or multicast.
+// Monitors the sessions that a partner uses on one path. A path is either unicast or multicast.
 class SessionWatch {
  public:
-  // True if the partner has rebooted since its last message on this path.
+  // Returns true if the partner has rebooted since its last message on this path.
   [[nodiscard]] constexpr bool is_rebooted(Session now) {
     const Session before = last_;
     last_ = now;

@@ -1,6 +1,6 @@
-// Masses graded by the magnitude of an occupancy index: a basic belief assignment whose focal sets
-// are ignorance and either free or occupied. Without an assignment, all hits have the same mass and
-// all crossing beams have the same mass (Gains).
+// A basic belief assignment that grades masses by the magnitude of an occupancy index. The focal
+// sets of the assignment are ignorance and either free or occupied. Without an assignment, all hits
+// have the same mass, and all crossing beams have the same mass (Gains).
 //
 // Masses are multiples of 1/128, rounded down. Indexes whose magnitude exceeds kGradedIndexes - 1
 // have the same mass as kGradedIndexes - 1.
@@ -17,7 +17,7 @@
 
 namespace iog::evidence {
 
-// The joined occupancy indexes of a group's cells in one frame. 0 means no evidence.
+// The joined occupancy indexes of a group's cells in one frame. Index 0 means no evidence.
 using Indexes = std::array<index::OccupancyIndex, kGroupCells>;
 
 inline constexpr std::size_t kGradedIndexes = 32;
@@ -32,18 +32,17 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// Not constexpr and never defined, so that a call at compile time fails with this name as the error
-// message.
+// This function is neither constexpr nor defined. A call at compile time therefore fails, and the
+// error message contains the name of the function.
 void an_index_beyond_the_table_has_another_mass();
 
-// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127. Full certainty is excluded in this
-// way.
+// Returns floor(128 mass) for 0 <= mass <= 1, but at most 127, to exclude full certainty.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
 
-// Kurdej 2015, section 4.5.2.2: k echoes in a cell have a mass of 1 - 0.2^k. An index of 2
-// corresponds to one echo.
+// According to Kurdej 2015, section 4.5.2.2, k echoes in a cell have a mass of 1 - 0.2^k. An index
+// of 2 corresponds to one echo.
 consteval Assignment make_reinforced() {
   Assignment assignment{.free_by_time = -1};
   double doubt = 1;
@@ -56,8 +55,8 @@ consteval Assignment make_reinforced() {
 inline constexpr Assignment kReinforced = make_reinforced();
 
 // The least committed mass with the pignistic probability p_n is |2 p_n - 1|, clamped to 0.95. This
-// assignment is for comparison only, because one hit of +2 has less weight than one beam of -14 and
-// is lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
+// assignment is for comparison only, because a hit of +2 has less weight than a beam of -14 and is
+// lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -1,19 +1,19 @@
-// Ageing and fusion of one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in
-// plain integers. fusion_neon.cpp computes the same for eight cells at once.
+// Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file is the specification in plain
+// integers. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
-// All values are in units of 2^-15. a.b is floor(ab / 2^15), and ~a is 32767 - a. o and f are
-// evidence, c and x are conflict. F, O, M and K are masses, P = O + M + K, and W = 32767 - F - P is
-// the ignorance.
+// All values are in units of 2^-15. `a.b` is floor(ab / 2^15), and `~a` is 32767 - a. `o` and `f`
+// are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
+// ignorance W is 32767 - F - P.
 //
-// Ranges: A cell is valid if F, O, M, K and its persistence are 0 ... 32767 and W >= 0. Factors and
-// evidence are 0 ... 32767, and o or f is 0. The following then holds:
+// A cell is valid if F, O, M, K and the persistence are 0 ... 32767 and W >= 0. Factors and
+// evidence are 0 ... 32767, and o or f is 0. Under these conditions, the following bounds hold:
 //
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
 //   ageing       no mass grows, so W >= 0 still holds
-//   a hit        f = x = 0: F' + c = F.~o + F.o <= F, and O' + M' + K' <= P + W.o + c, so the sum
+//   a hit        f = x = 0, so F' + c = F.~o + F.o <= F and O' + M' + K' <= P + W.o + c; the sum
 //                of all is at most F + P + W = 32767
-//   free         o = c = 0: F' <= F + W.f and O' + M' + K' <= P.~f <= P, the same
+//   free         o = c = 0, so F' <= F + W.f and O' + M' + K' <= P.~f <= P; the same bound holds
 //   conflict     c + x <= 32767, because one of them is 0
 //   persistence  gain and decline are 0 ... 32767 each, and the result is clamped
 //   specialising t <= O', which K' gains and O' loses; M' only shrinks
@@ -39,12 +39,12 @@ struct Cell {
   std::int32_t standing = 0;     // K
   std::int32_t persistence = 0;  // the accumulator zeta
 
-  // P, the total occupied mass.
+  // Returns the total occupied mass P.
   [[nodiscard]] constexpr std::int32_t taken() const { return occupied + moving + standing; }
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// The masses that one frame assigns to a cell. At least one of them is 0.
+// The masses that one frame assigns to a cell. At least one of the two masses is 0.
 struct Evidence {
   std::int32_t occupied = 0;  // o
   std::int32_t free = 0;      // f
@@ -52,7 +52,7 @@ struct Evidence {
 
 constexpr std::int32_t product(std::int32_t a, std::int32_t b) { return (a * b) >> 15; }
 
-// The product, rounded to nearest. Ties are rounded up.
+// Returns the product, rounded to nearest. Ties are rounded up.
 constexpr std::int32_t rounded_product(std::int32_t a, std::int32_t b) {
   return (a * b + (1 << 14)) >> 15;
 }
@@ -73,7 +73,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) 
   return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
 }
 
-// index must be in -127 ... 127.
+// `index` must be in -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {
   constexpr int kUnit = (kCertain + 1) / kMassFraction;
@@ -88,9 +88,9 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Returns the masses after the evidence. c is the conflict of a cell that was free and is now
-// occupied. It is added to {M} if the object moved there, else to O. x is the conflict of a cell
-// that was occupied and is now free. It is added to ignorance.
+// Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
+// occupied. If the object moved into the cell, c is added to {M}, and otherwise to O. `x` is the
+// conflict of a cell that was occupied and is now free. `x` is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -104,8 +104,8 @@ constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) 
   return next;
 }
 
-// Returns the accumulator of a cell with the masses of `next`. These masses do not include the
-// conflict c + x (Kurdej 2015, equations 5.5 and 5.6).
+// Returns the accumulator of a cell with the masses of `next` (Kurdej 2015, equations 5.5 and 5.6).
+// The masses of `next` do not include the conflict c + x.
 constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
   const std::int32_t taken = next.taken();
   const std::int32_t gain =
@@ -114,8 +114,8 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// Specialises a cell: persistent cells become static (Kurdej 2015, equations 5.7 and 5.8). Only
-// occupied sets are specialised. The mass that {M} loses is added to ignorance.
+// Specialises a cell, so that persistent cells become static (Kurdej 2015, equations 5.7 and 5.8).
+// Only occupied sets are specialised. The mass that {M} loses is added to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
   const std::int32_t settled = product(cell.occupied, part);

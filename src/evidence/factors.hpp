@@ -1,13 +1,12 @@
-// Effects of time on a cell, in units of 2^-15: the decay of its masses, and the weight of a
-// frame's evidence. src/ageing computes both from the timestamps of frames.
+// Defines the effects of time on a cell, in units of 2^-15: the decay of the cell's masses, and the
+// weight of a frame's evidence. `src/ageing` computes both from the timestamps of frames.
 #pragma once
 
 #include <cstdint>
 
 namespace iog::evidence {
 
-// An ageing factor of 1, which leaves a mass unchanged. Its value 2^15 is stored in an int16 as
-// -2^15.
+// The ageing factor 1, which leaves a mass unchanged. An int16 stores the value 2^15 as -2^15.
 inline constexpr std::int16_t kWhole = -32768;
 
 // The ageing factors (Kurdej 2015, chapter 6). Each factor is 0 ... 32767, or kWhole.
@@ -20,10 +19,10 @@ struct alignas(16) Fading {
   friend constexpr bool operator==(const Fading&, const Fading&) = default;
 };
 
-// The factors after a time that is too long or unknown: all masses become 0.
+// The factors after a time that is too long or unknown. All masses become 0.
 inline constexpr Fading kForgotten{0, 0, 0, 0, 0};
 
-// The mass of a hit is 0.87, so that the hit outlasts one free frame of 40 ms.
+// The mass of a hit is 0.87, so that a hit outlasts one free frame of 40 ms.
 inline constexpr std::int16_t kHitMass = 111 * 256;
 
 // The weights of a group's evidence in one frame. Each weight is 0 ... 32767.

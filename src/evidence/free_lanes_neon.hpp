@@ -1,6 +1,6 @@
-// Ageing of a group's free masses, and fusion of a frame's evidence into them, for eight cells per
-// register. These functions are the building blocks of fusion_neon.cpp. Callers that process the
-// result further can also use these functions.
+// Ages a group's free masses and fuses a frame's evidence into them, with eight cells per register.
+// These functions are the building blocks of fusion_neon.cpp. Callers that process the result
+// further can also use these functions.
 #pragma once
 
 #include <arm_neon.h>
@@ -14,8 +14,7 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// The complement can be computed with XOR, because all bits that occur in 0 ... 32767 are set in
-// 32767.
+// XOR computes the complement, because 32767 has all bits that occur in 0 ... 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
@@ -32,7 +31,7 @@ inline int16x8_t factors_of(const Fading& fading) {
   return factors;
 }
 
-// The product of a mass and kWhole is exactly -mass. The product of a mass and any other factor is
+// The product of a mass and kWhole is exactly -mass. Products of a mass and any other factor are
 // not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
@@ -42,8 +41,8 @@ inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
 // Sets all bits in lanes whose evidence is a crossing beam.
 inline int16x8_t is_crossed(int16x8_t indexes) { return vshrq_n_s16(indexes, 15); }
 
-// Returns the free mass after a frame without hits, for a group without occupied mass. o, c, x and
-// P are 0, so F' = F.~0 + W.f with W = ~F.
+// Returns the free mass after a frame without hits, for a group without occupied mass. In this
+// case, o, c, x and P are 0, so F' = F.~0 + W.f with W = ~F.
 inline int16x8_t free_after(int16x8_t free, const Fading& fading, const Indexes& indexes,
                             const Gains& gains) {
   const int16x8_t wide = vmovl_s8(vld1_s8(indexes.data()));

@@ -1,5 +1,5 @@
-// Ages eight cells and fuses a frame's evidence into them. evidence/cell.hpp specifies the result
-// for each cell. CMake selects the implementation for eight cells, which is fusion.cpp or
+// Ages eight cells and fuses a frame's evidence into them. `evidence/cell.hpp` specifies the result
+// for each cell. CMake selects one of two implementations for eight cells, fusion.cpp or
 // fusion_neon.cpp.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace iog::evidence {
 void age(Free& free, Taken& taken, const Fading& fading);
 
 // Ages the group's masses, then fuses the evidence of one frame. A cell with index 0 is only aged.
-// Bit i of `moved` is set if the object in cell i has moved there. A hit on free ground then adds
-// mass to {M}.
+// Bit i of `moved` is set if the object in cell i has moved into the cell. In this case, a hit on
+// free ground adds mass to {M}.
 void fuse(Free& free, Taken& taken, const Fading& fading, const Indexes& indexes,
           std::uint8_t moved, const Gains& gains);
 

@@ -1,9 +1,9 @@
-// Memory layout of a group, which consists of eight cells of one row of a tile. The free masses are
-// stored separately from the other masses. Most cells that beams cross have only free mass. For
-// these cells, the other masses are neither read nor written.
+// Defines the memory layout of a group, which consists of eight cells in a row of a tile. The free
+// masses are stored separately from the other masses. Most cells that beams cross have only free
+// mass. For these cells, the other masses are neither read nor written.
 //
-// A mass is 0 ... 32767. The ignorance of a cell is 32767 minus the sum of its four masses. In an
-// unknown cell, all values are 0.
+// Masses are 0 ... 32767. The ignorance of a cell is 32767 minus the sum of the cell's four masses.
+// In an unknown cell, all values are 0.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ static_assert(sizeof(Masses) == 16);
 
 using Free = Masses;  // F = {D, N}
 
-// These masses occupy two cache lines. The kernels for updating, ageing and deciding read and write
-// them sequentially.
+// The masses of Taken occupy two cache lines. The kernels for updating, ageing and deciding read
+// and write these masses sequentially.
 struct alignas(32) Taken {
   Masses occupied{};     // O = {I, M, S, U}: occupied, unclassified
   Masses moving{};       // M = {M}

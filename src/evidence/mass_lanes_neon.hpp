@@ -1,7 +1,8 @@
-// Sequential access to a group's masses except F, with eight cells per register, in memory order.
+// Provides sequential access to all masses of a group except F, with eight cells per register, in
+// memory order.
 //
-// A load that also advances its pointer is one instruction. The compiler never selects this
-// instruction, and uses two half-register loads with offsets instead.
+// A single instruction can load a register and advance the pointer. The compiler never selects this
+// instruction. Instead, it uses two half-register loads with offsets.
 #pragma once
 
 #include <arm_neon.h>

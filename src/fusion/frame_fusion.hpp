@@ -1,8 +1,9 @@
-// Fusion of one frame: beams in, a grid of occupancy indexes out (docs/model.md section 3).
+// Fuses the beams of one frame into a grid of occupancy indexes (docs/model.md section 3).
 //
 // The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
-// objects. All beams carve before any mark is applied. Beams and marks may each be added in any
-// order. The grid is therefore byte-for-byte identical for any order of a frame's packets.
+// objects. All beams carve before any mark is applied. Beams can be carved in any order, and marks
+// can be applied in any order. The grid is therefore byte-for-byte identical for any order of a
+// frame's packets.
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@ namespace iog::fusion {
 
 class FrameFusion {
  public:
-  // vehicle must outlive this object.
+  // `vehicle` must outlive this object.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
       : grids_(vehicle.window.is_opened_from_below),
         turns_(vehicle, grids_, marks_),
@@ -39,12 +40,12 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // From now on, packets of sensors with an estimated ground are classified with these ground
-  // models, and the lowest returns of these sensors are collected. The models must belong to the
-  // vehicle and outlive this object. They may change only while no beams are pending.
+  // Sets the ground models that classify the packets of sensors with an estimated ground. The
+  // lowest returns of these sensors are also collected. The models must belong to the vehicle and
+  // outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // The lowest returns of a sensor. place is the sensor's position among the sensors with an
-  // estimated ground.
+  // Returns the collection of a sensor's lowest returns. `place` is the sensor's position among the
+  // sensors with an estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
   // Stores the mark of this point, or the marks of its arc, and carves the point's beam immediately
@@ -61,7 +62,8 @@ class FrameFusion {
 
   // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
   // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
-  // count(fate) is called for each point. Inline, so that points are decoded in registers.
+  // The function calls count(fate) for each point. The function is inline, so that points are
+  // decoded in registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
     const auto number = static_cast<std::size_t>(&sensor - first_sensor_);
@@ -70,7 +72,7 @@ class FrameFusion {
     if (place) {
       add_all(sensor, grounds_->at(*place), lows_[*place], packet, count);
     } else if (sensor.layers_share_lines) {
-      // Inline, because a function call costs about 30 instructions per point.
+      // The lambda is inlined, because a function call costs about 30 instructions per point.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor) ](const lidar::ScanPoint& point)
                                 __attribute__((always_inline)) { count(turn.add(point)); });
     } else if (sensor.arc.is_given()) {
@@ -89,15 +91,15 @@ class FrameFusion {
     turns_.carve_waiting();
   }
 
-  // Carves all pending beams and applies the marks according to the vehicle's fusion rule. Call it
-  // once per frame, after the last point.
+  // Carves all pending beams and applies the marks according to the vehicle's fusion rule. Call
+  // this function once per frame, after the last point.
   void finish();
 
-  // The grid. The grid is complete after finish() and until it is cleared.
+  // Returns the grid, which is complete from finish() until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
-  // Copies a tile of the frame, row by row from its lowest y, and clears it. Returns false if all
-  // of its cells are unknown.
+  // Copies a tile of the frame, row by row from the lowest y, and clears the tile. Returns false if
+  // all cells of the tile are unknown.
   [[nodiscard]] bool take_tile(std::size_t tile,
                                std::span<grid::OccupancyIndex, geometry::kTileCells> to) {
     if (!grids_.indexes.is_touched(tile)) {
@@ -108,9 +110,9 @@ class FrameFusion {
     return is_known;
   }
 
-  // keeps_heights() returns whether heights are kept (grid/frame_grids.hpp). low_and_tall() returns
-  // the cells of a tile that were freed by a low beam or hit by a tall return. The tile must not
-  // have been taken yet.
+  // `keeps_heights()` returns true if heights are kept (grid/frame_grids.hpp). `low_and_tall()`
+  // returns the cells of a tile that a low beam freed or a tall return hit. The tile must not have
+  // been taken yet.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
   [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
     return grids_.low_and_tall(tile);
@@ -152,14 +154,15 @@ class FrameFusion {
   }
 
  private:
-  // Not inlined, so that the code for the height band can keep its values in registers.
+  // This function is not inlined, so that the code for the height band can keep its values in
+  // registers.
   template <typename Packet, typename Count>
   [[gnu::noinline]] void add_all(const vehicle::Sensor& sensor, const ground::Ground& ground,
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // Not inlined, because processing a point with an estimated ground needs more registers than
-      // the processor has.
+      // The lambda is not inlined, because processing a point with an estimated ground needs more
+      // registers than the processor has.
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });
     } else {

@@ -1,6 +1,6 @@
-// Buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
-// frame has classes, they are buffered until the frame ends, because only then is it known which
-// packets were measured together.
+// A buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
+// frame has classes, packets are buffered until the frame ends, because the slices are not known
+// earlier.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace iog::fusion {
 
-// Enough for 40 ms of data from a sensor with 128 layers (OS1-128: 51 packets, 1.3 MB), from two
-// sensors with 64 layers each, or from an HDL-64E S3 with two returns (232 packets, 280 KB). Four
-// LUX send about 30 KB in this time.
+// The buffer has room for 40 ms of data from a sensor with 128 layers (OS1-128: 51 packets, 1.3
+// MB), from two sensors with 64 layers each, or from an HDL-64E S3 with two returns (232 packets,
+// 280 KB). Four LUX send about 30 KB in 40 ms.
 inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // Measurement time, on the clock of the poses if the sensor is synchronised, else on the target's
-  // clock.
+  // The measurement time refers to the clock of the poses if the sensor is synchronised, and
+  // otherwise to the target's clock.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // Set by FrameSlices: whether the measurement time is known on the clock of the poses, the slice
-  // that contains this time, and the group of packets that are fused together.
+  // FrameSlices sets these members. `has_time` is true if the measurement time is known on the
+  // clock of the poses. `slice` is the slice that contains this time. Packets of the same group are
+  // fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;
@@ -34,19 +35,19 @@ struct KeptPacket {
 
 class FramePackets {
  public:
-  // Whether there is room for the packet. An empty buffer has room for any packet.
+  // Returns true if the buffer has room for the packet. An empty buffer has room for any packet.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet's bytes and makes its points refer to the copy. Call it only if fits()
-  // returns true.
+  // Copies the packet's bytes, and makes the packet's points refer to the copy. Call this function
+  // only if fits() returns true.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();
 
-  // The number of points in all packets.
+  // Returns the number of points in all packets.
   [[nodiscard]] std::uint32_t points() const { return points_; }
 
-  // In order of arrival.
+  // Returns the packets in order of arrival.
   [[nodiscard]] std::span<KeptPacket> packets() { return std::span(packets_).first(count_); }
   [[nodiscard]] std::span<const KeptPacket> packets() const {
     return std::span(packets_).first(count_);

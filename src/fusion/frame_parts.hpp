@@ -1,5 +1,5 @@
-// Splits the packets of a frame into parts that any core may fuse. A part contains packets of one
-// slice, in order of arrival. The parts are sorted by slice.
+// Splits the packets of a frame into parts. Any core may fuse any part. A part contains packets of
+// one slice, in order of arrival. The parts are sorted by slice.
 #pragma once
 
 #include <array>
@@ -22,20 +22,20 @@ struct FramePart {
 
 class FrameParts {
  public:
-  // The maximum number of parts fused in one round. This is slightly more than the number of
-  // packets from four LUX in a frame, so that no core waits long for the last part.
+  // The maximum number of parts fused in one round. A frame of four LUX has about this number of
+  // packets, so that no core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Splits the packets into parts. Each packet's group must be 0 ... groups - 1 or kNowhere. The
-  // size of a part is about the total number of bytes divided by `parts`, or less if its slice ends
-  // earlier. `parts` is at most kMostOfARound.
+  // size of a part is about the total number of bytes divided by `parts`, or less if the slice ends
+  // earlier. `parts` must be at most kMostOfARound.
   void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
-  // Returns the parts of the next round. A round contains the parts of as many slices as fit. Empty
-  // if all parts have been returned. No slice is split between rounds.
+  // Returns the parts of the next round. A round contains the parts of as many complete slices as
+  // fit. If no parts are left, the result is empty.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // The numbers, within the frame, of the packets in a part.
+  // Returns the numbers, within the frame, of the packets in a part.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }

@@ -1,9 +1,9 @@
-// The slices of a frame. Groups the frame's packets by measurement time, and looks up the vehicle's
-// pose at that time.
+// The slices of a frame. This class groups the frame's packets by measurement time, and looks up
+// the vehicle's pose for each slice.
 //
 // The slice of a packet depends only on the packet's measurement time, and each slice has one pose.
-// The result is therefore independent of the order and grouping of packets. Poses are looked up
-// when the frame ends, because by then most slices lie between two poses.
+// The order and grouping of packets therefore do not affect the result. Poses are looked up when
+// the frame ends, because at that time, most slices lie between two poses.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@
 
 namespace iog::fusion {
 
-// The maximum number of registered slices in one frame. 32 slices of 8 ms last more than twice as
-// long as a turn of a VLP-16.
+// The maximum number of registered slices per frame. With 8 ms per slice, 32 slices last more than
+// twice as long as a turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
 struct PlacedSlice {
@@ -34,20 +34,21 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of packets that are not registered. Packets of the slice placed()[i] have group i.
+  // The group of all packets that are not registered. Packets of the slice placed()[i] have group
+  // i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.
-  // Returns nothing if no packet has a time on this clock. This happens if no sensor is
-  // synchronised and no pose gives the offset between the clocks.
+  // Returns nothing if no packet has a time on this clock, that is, if no sensor is synchronised
+  // and no pose gives the offset between the clocks.
   std::optional<std::uint64_t> measure(std::span<const vehicle::Sensor> sensors,
                                        std::span<KeptPacket> packets, const pose::Source& poses);
 
-  // Looks up the pose of each slice once, and assigns a group to each packet. Call it after
-  // measure(), with the same packets.
+  // Looks up the pose of each slice once, and assigns a group to each packet. Call this function
+  // after measure(), with the same packets.
   void place(std::span<KeptPacket> packets, pose::Source& poses);
 
-  // In order of time.
+  // Returns the registered slices in order of time.
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }

@@ -1,7 +1,8 @@
-// Prepares the slices of a round of parts (fusion/shared_fusion.hpp) for the window. Joins the
+// Prepares the slices of a round (fusion/shared_fusion.hpp) for the window. This class joins the
 // tiles of each slice's parts, for up to six slices at a time.
 //
-// A task that copies tiles never reads its own output, so it can be repeated from its start.
+// A task that copies tiles never reads its own output, so a lost task can be repeated from the
+// start.
 #pragma once
 
 #include <array>
@@ -17,27 +18,27 @@
 
 namespace iog::fusion {
 
-// A slice: its group number and its cells.
+// The group number and the cells of a slice.
 struct FusedSlice {
   std::uint8_t group = 0;
   const placing::SliceCells* cells = nullptr;
 };
 
-// Uses 7 MB, so it must be in static memory.
+// A FusedSlices object uses 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
-  // Memory for one slice, for use by a single core. The initial content is arbitrary.
+  // Returns memory for one slice, for use by a single core. The initial content is arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
-  // Starts reading a round that the fusion has finished. The fusion must not begin the next round
-  // until the last slice has been returned.
+  // Starts reading a finished round of the fusion. The fusion must not begin the next round until
+  // next() has returned the last slice.
   void begin(const SharedFusion& fusion) {
     fusion_ = &fusion;
     shown_ = 0;
   }
 
-  // Returns the next slices, in order. Empty after the last slice. The result is valid until the
-  // next call.
+  // Returns the next slices, in order. After the last slice, the result is empty. The result is
+  // valid until the next call.
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:
@@ -46,7 +47,7 @@ class FusedSlices {
     grid::TileBits low_and_tall{};
   };
 
-  // The range of a slice's parts in the round.
+  // The range of the slice's parts in the round.
   struct Parts {
     std::size_t first = 0;
     std::size_t end = 0;

@@ -1,11 +1,11 @@
-// A grid joined from several grids of indexes. It equals the result of fusing all evidence of these
-// grids with hits_win.
+// A grid that is joined from several index grids. The joined grid equals the grid that results from
+// fusing all evidence of the index grids with hits_win.
 //
-// A cell is the saturating sum of its positive indexes in all grids. If no index is positive, it is
-// the saturating sum of the negative indexes (docs/model.md section 3). A saturating sum of numbers
-// with the same sign does not depend on their order. A frame can therefore be split in any way. If
-// each part is fused from zero with hits_win and the parts are joined, the result is the same as if
-// the frame were fused as a whole.
+// The index of a joined cell is the saturating sum of the cell's positive indexes in all grids. If
+// no index is positive, the joined index is the saturating sum of the negative indexes
+// (docs/model.md section 3). A saturating sum of numbers with the same sign does not depend on
+// their order. A frame can therefore be split in any way. Fusing each part from zero with hits_win
+// and joining the parts has the same result as fusing the whole frame.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ namespace iog::fusion {
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 
-// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If only one of the grids has
-// a hit in a cell, the other grid's bit for this cell is ignored.
+// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If only one grid has a hit
+// in a cell, the other grid's bit for this cell is ignored.
 [[nodiscard]] grid::TileBits join(
     std::span<const index::OccupancyIndex, geometry::kTileCells> one,
     const grid::TileBits& bits_of_one,
@@ -41,7 +41,7 @@ class JoinedGrid {
   // Sets the tile to unknown.
   void forget(std::size_t tile) { is_known_[tile] = false; }
 
-  // Visits the tiles of the grid and clears the grid, like FrameFusion::release().
+  // Visits the tiles of the grid and clears the grid, as FrameFusion::release() does.
   template <typename Visit>
   void release(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {

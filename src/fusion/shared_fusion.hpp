@@ -1,14 +1,14 @@
-// Fuses a frame's packets, either one after the other on core 0 alone, or on several cores. Several
-// cores fuse the parts of the frame in any order and then join them.
+// Fuses a frame's packets, either one after another on core 0, or on several cores. Several cores
+// fuse the parts of the frame in any order and then join the parts.
 //
 //     packets -> [FrameParts] parts
 //     packets of a part -> its core's fusion -> tiles of the part      task: a part
 //                          tiles of all parts -> the frame's grid      task: a row of tiles
 //
-// A saturating sum of numbers with the same sign does not depend on how the sum is split
-// (fusion/joined_grid.hpp), so the result does not depend on which core fused which part. If a core
-// is lost while it fuses a part, the part can be fused again from its start. The lost core has
-// written only to its own fusion, which is not used again, and to the part's slot.
+// A saturating sum of numbers with the same sign can be split in any way (fusion/joined_grid.hpp),
+// so the assignment of parts to cores does not affect the result. If a core is lost while it fuses
+// a part, another core can fuse the part again from the start. The lost core has written only to
+// its own fusion, which is not used again, and to the part's slot.
 #pragma once
 
 #include <array>
@@ -36,28 +36,28 @@ namespace iog::fusion {
 // Number of points per outcome.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// The maximum number of parts that are waiting to be joined.
+// The maximum number of parts that wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// The result of a part, written by the core that fuses it.
+// The result of a part. The core that fuses the part writes the result.
 struct FusedPart {
   Fates fates{};
   FrameTiles tiles;
 };
 
-// Additional memory for fusion on several cores: a FrameFusion for each helper, and slots for the
-// results of the parts.
+// The additional memory for fusion on several cores. This memory consists of a FrameFusion for each
+// helper, and slots for the results of the parts.
 struct HelpersSpace {
   std::span<FrameFusion> fusions;
   std::span<FusedPart> parts;
 };
 
-// The additional memory for this many cores: 74 MB for four cores, nothing for one core. It must be
-// in static memory.
+// The additional memory for kCores cores: 74 MB for four cores, and none for one core. A
+// HelpersMemory must be in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
-  // vehicle must outlive this object.
+  // `vehicle` must outlive this object.
   explicit HelpersMemory(const vehicle::Vehicle& vehicle)
       : HelpersMemory(vehicle, std::make_index_sequence<kCores - 1>()) {}
 
@@ -89,31 +89,31 @@ class HelpersMemory {
   health::Guard behind_parts_;
 };
 
-// Uses 19 MB, so it must be in static memory.
+// A SharedFusion uses 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // All arguments must outlive this object. space may be empty if core 0 works alone. watched must
-  // include the packets of this frame.
+  // All arguments must outlive this object. `space` may be empty if core 0 works alone. `watched`
+  // must include the packets of the current frame.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Core 0's own fusion. It is clear whenever the crew fuses parts.
+  // Returns core 0's own fusion, which is clear whenever the crew fuses parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
-  // The ground models. They change at the end of a frame.
+  // Returns the ground models, which change at the end of a frame.
   [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
 
-  // The outcomes of the frame's points.
+  // Returns the outcomes of the frame's points.
   [[nodiscard]] const Fates& fates() const { return fates_; }
 
   // Adds a packet's points to core 0's own fusion.
   void fuse_alone(std::size_t sensor, const intake::Packet& packet) {
     add_points(own_, sensor, packet, fates_);
   }
-  // Finishes core 0's own fusion and adds it to the frame's grid. Calls visit(tile, indexes,
-  // low_and_tall) in the same way as FrameFusion::release_with_heights().
+  // Finishes core 0's own fusion and adds its grid to the frame's grid. The function calls
+  // visit(tile, indexes, low_and_tall) in the same way as FrameFusion::release_with_heights().
   template <typename Visit>
   void join_alone(Visit&& visit) {
     own_.finish();
@@ -125,24 +125,25 @@ class SharedFusion {
     is_joined_ = true;
   }
 
-  // The packets that are buffered until they are fused.
+  // Returns the packets that are buffered until they are fused.
   [[nodiscard]] FramePackets& packets() { return packets_; }
   void fuse_alone(std::size_t number) {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
   }
-  // Fuses all buffered packets as one slice on the cores of the crew, in this many parts. The
-  // buffer is empty afterwards.
+  // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
+  // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
-  // deal() and the following functions do the same step by step. deal() splits the buffered packets
-  // in the same way as FrameParts::deal().
+  // `deal()`, `fuse_next()` and `join()` do the same as fuse_kept(), step by step. `deal()` splits
+  // the buffered packets in the same way as FrameParts::deal().
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
-  // Fuses the parts of the next round. Returns false if no parts are left. If there are not enough
-  // free slots, parts of earlier rounds are joined first.
+  // Fuses the parts of the next round. Returns false if no parts are left. If too few slots are
+  // free, the function first joins the parts of earlier rounds.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
-  // The parts of the last fused round and their results, valid until the next round.
+  // `round()` returns the parts of the last fused round, and tiles() returns their results. Both
+  // results are valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;
@@ -151,13 +152,13 @@ class SharedFusion {
   // Adds the waiting parts to the frame's grid.
   void join(const work::Crew& crew);
 
-  // Call it after all packets of the frame have been fused. Updates the estimated ground of sensors
-  // whose turn has ended.
+  // Updates the estimated ground of sensors whose turn has ended. Call this function after all
+  // packets of the frame have been fused.
   void end_frame(const intake::Intake& intake);
 
-  // Visits the tiles of the frame's grid and clears the grid. This is the joined grid or, if
-  // nothing was joined, core 0's own grid, which must be finished. Calls visit(number, cells) for
-  // each tile with a known cell, in ascending order.
+  // Visits the tiles of the frame's grid and clears the grid. The frame's grid is the joined grid
+  // or, if no parts were joined, core 0's own grid, which must be finished. The function calls
+  // visit(number, cells) for each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {
@@ -168,7 +169,7 @@ class SharedFusion {
     }
     is_joined_ = false;
   }
-  // Begins another frame. The grid must be clear.
+  // Begins the next frame. The grid must be clear.
   void start_next() {
     packets_.clear();
     fates_ = {};

@@ -11,14 +11,14 @@ struct SubcellPoint {
   std::int32_t y = 0;
 };
 
-// A cell, given by column and row. It may lie outside any grid.
+// A cell, given by column and row. A cell may lie outside any grid.
 struct Cell {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// Cells [0, width) x [0, height).
+// Contains the cells [0, width) x [0, height).
 struct CellArea {
   std::int32_t width = 0;
   std::int32_t height = 0;

@@ -1,17 +1,17 @@
 // Marks the detections of radars and ultrasonic units. The direction of a radar detection is known
-// to about half a degree. The detection therefore marks the cells of an arc (sensor_model/arc.hpp)
-// and carves nothing. The arc of an ultrasonic unit is as wide as the unit's cone, and the cone is
-// carved (grid/cone.hpp).
+// to about half a degree. A radar detection therefore marks the cells of an arc
+// (sensor_model/arc.hpp) and carves no cells. The arc of an ultrasonic unit is as wide as the
+// unit's cone, and an echo carves the cone (grid/cone.hpp).
 //
-// A cell of the arc gets the index of its angular cell. The arc is traversed from right to left in
-// whole ticks. Each step is at most one cell long at the detection's range, so the arc has no gaps.
-// If several steps end in one cell, the cell is marked once, with the largest index. Near the
-// sensor, an angular cell is narrower than a grid cell, and a detection marks a single cell with
-// the index of the arc's middle. Far from the sensor, a detection marks every cell from which it
-// may have come.
+// Each cell of the arc gets the index of its angular cell. The marker traverses the arc from right
+// to left in whole ticks. At the detection's range, each step is at most one cell long, so the arc
+// has no gaps. If several steps end in one cell, the cell is marked only once, with the largest
+// index. Near the sensor, an angular cell is narrower than a grid cell, and a detection marks a
+// single cell with the index of the arc's middle. Far from the sensor, a detection marks every cell
+// in which the reflector may be.
 //
-// Marks commute, so the order of the detections does not matter. max_marks_per_point() is an upper
-// bound on the number of cells that one detection marks.
+// Marks commute, so the result does not depend on the order of the detections. One detection marks
+// at most max_marks_per_point() cells.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ class ArcMarker {
   // Both must outlive the marker.
   ArcMarker(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Stores the marks of this detection. If the sensor has a cone, also carves the cone. The sensor
-  // must have an arc. The point's layer and azimuth must be valid in the sensor's format. The
-  // detection is an obstacle if it lies within the vehicle's height band.
+  // Stores the marks of this detection. If the sensor has a cone, the function also carves the
+  // cone. The sensor must have an arc. The point's layer and azimuth must be valid in the sensor's
+  // format. The detection is an obstacle if it lies within the vehicle's height band.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
  private:
@@ -43,9 +43,9 @@ class ArcMarker {
   void step_into(const vehicle::Sensor& sensor, geometry::Cell cell, OccupancyIndex index);
 
   // An arc may leave a cell and enter it again. The part of the arc outside the cell is shorter
-  // than the cell's diagonal. This part has at most three steps for a level sensor, whose steps are
-  // at least half a cell long, and six steps for a sensor tilted by 60 degrees. Each step enters at
-  // most one other cell.
+  // than the cell's diagonal. For a level sensor, whose steps are at least half a cell long, the
+  // part outside the cell has at most three steps. For a sensor tilted by 60 degrees, this part has
+  // at most six steps. Each step enters at most one other cell.
   static constexpr std::size_t kLately = 8;
   struct Step {
     geometry::Cell cell;
@@ -54,8 +54,8 @@ class ArcMarker {
 
   FrameGrids* grids_;
   PendingMarks* marks_;
-  // Ring buffer of the cells that the current arc entered last. A cell is marked when it leaves the
-  // ring.
+  // A ring buffer of the cells that the current arc entered last. A cell is marked when it leaves
+  // the ring buffer.
   std::array<Step, kLately> lately_{};
   std::size_t entered_ = 0;
 };

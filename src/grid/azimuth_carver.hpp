@@ -1,8 +1,9 @@
-// Carver for sensors that measure in the same directions in every scan, and for tilted rotating
-// sensors. It processes one azimuth at a time and uses cached lines (beam_lines.hpp).
+// Carves the beams of sensors that measure in the same directions in every scan, and of tilted
+// rotating sensors. The carver processes one azimuth at a time and uses cached lines
+// (beam_lines.hpp).
 //
-// Beams of one azimuth are collected and carved when the next azimuth begins. Beams are carved
-// together if they share a line or if their lines cross the same cells.
+// The carver collects the beams of one azimuth, and carves them when the next azimuth begins. Beams
+// that share a line, or whose lines cross the same cells, are carved together.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ namespace iog::grid {
 
 class AzimuthCarver {
  public:
-  // All three must outlive the carver.
+  // All arguments must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
 
@@ -34,15 +35,14 @@ class AzimuthCarver {
                                            const lidar::ScanPoint& point);
 
   // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving still
-  // uses the height band. However, whether a beam is low is determined by its height above the
-  // estimated ground.
+  // uses the height band, but a beam is low only if it is low above the estimated ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
                                            const lidar::ScanPoint& point);
 
-  // Estimates the car's tilt from one packet. Packet needs for_each_sample(). The few beams of
-  // these samples are not cached.
+  // Estimates the car's tilt from one packet. Packet needs for_each_sample(). The beams of the
+  // sampled points are not cached.
   template <typename Packet>
   [[nodiscard]] static ground::Tilt tilt_of(const vehicle::Sensor& sensor,
                                             const ground::Ground& ground, const Packet& packet) {
@@ -69,14 +69,14 @@ class AzimuthCarver {
     return (number ^ number / kOpenLines) % kOpenLines;
   }
 
-  // A line of the current azimuth and its pending beams, or null if no beams are pending. The slot
-  // is computed from Layer::line.
+  // A line of the current azimuth and its pending beams. The line is null if no beams are pending.
+  // The slot is computed from Layer::line.
   struct OpenLine {
     KeptLine* line = nullptr;
     LineSteps steps;
   };
 
-  // A line that does not fit into KeptAzimuth. The slot is computed from Layer::line.
+  // A line for which KeptAzimuth has no slot. The slot is computed from Layer::line.
   struct FurtherLine {
     KeptLine line;
     std::uint32_t number = 0;
@@ -94,7 +94,7 @@ class AzimuthCarver {
   void turn_to(const vehicle::Sensor& sensor, std::uint16_t azimuth_ticks);
   // Rare paths are not inlined, so that the common path can keep its values in registers.
   [[gnu::noinline]] KeptBeam& find_beam(std::uint8_t layer);
-  // What is kept of a beam's height.
+  // Returns the cached height properties of a beam.
   [[nodiscard]] KeptHeight& height_of(const KeptBeam& beam) {
     return &beam == &further_beam_ ? further_height_ : kept_->height_of(beam);
   }
@@ -110,13 +110,14 @@ class AzimuthCarver {
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
-  // What each point needs comes first, because a large offset costs instructions.
+  // Members that each point needs come first, because accesses with large offsets need more
+  // instructions.
   BeamCarver beams_;
   const vehicle::Vehicle* vehicle_;
 
-  // The current sensor and azimuth, followed by two bit sets with one bit per slot. The first set
-  // contains the further lines that have been found. The second set contains the lines with pending
-  // beams.
+  // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
+  // contains the further lines that have been found. `lines_in_use_` contains the lines with
+  // pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

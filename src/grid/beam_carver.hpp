@@ -1,12 +1,12 @@
-// Applies a beam to its line: lowers the indexes of the cells before the beam's end, and marks the
-// cell of the beam's hit. Beams that share a line are first accumulated in the line's steps, and
-// then carved together.
+// Applies beams to their lines. A beam lowers the indexes of the cells before its end, and marks
+// the cell of its hit. Beams that share a line are accumulated in the line's steps and then carved
+// together.
 //
-// There are two carvers that collect beams: azimuth_carver.hpp for sensors that measure in the same
-// directions in every scan, and turn_carver.hpp for rotating sensors. Saturating sums of negative
-// indexes commute (docs/model.md section 3), so the result does not depend on the order of the
-// beams. For the same reason the beams of a frame may be split among several carvers, each with its
-// own grid. The saturating sum of these grids equals the grid of a single carver.
+// Two carvers collect beams: azimuth_carver.hpp for sensors that measure in the same directions in
+// every scan, and turn_carver.hpp for rotating sensors. Saturating sums of negative indexes commute
+// (docs/model.md section 3), so the result does not depend on the order of the beams. For the same
+// reason, several carvers, each with its own grid, may share the beams of a frame. The saturating
+// sum of these grids equals the grid of a single carver.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace iog::grid {
 
-// One beam: the range of its point along the line, and the point's effect on the grid.
+// A beam, given by the range of its point along the line and by the point's effect on the grid.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
@@ -31,7 +31,7 @@ struct WaitingBeam {
 };
 
 // The line of a beam, the part of the line that the beam may free, and the range up to which the
-// beam carves if there is no echo. limits is null if the beam may free the whole line within the
+// beam carves without an echo. `limits` is null if the beam may free the whole line within the
 // grid.
 struct BeamOnLine {
   const KeptLine& line;
@@ -45,12 +45,12 @@ class BeamCarver {
   BeamCarver(FrameGrids& grids, PendingMarks& marks)
       : grids_(&grids), marks_(&marks), keeps_heights_(grids.keep_heights) {}
 
-  // Whether low beams and tall returns are recorded.
+  // Returns true if low beams and tall returns are recorded.
   [[nodiscard]] bool keeps_heights() const { return keeps_heights_; }
 
-  // Carves and marks according to the beam's evidence. steps_of(end) returns the steps of the line
-  // for a beam that ends at `end`. The steps must have room for one more beam. low_of() returns the
-  // part of the line in which the beam is low.
+  // Carves and marks according to the beam's evidence. `steps_of(end)` returns the steps of the
+  // line for a beam that ends at `end`. The steps must have room for one more beam. `low_of()`
+  // returns the part of the line in which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
@@ -84,7 +84,7 @@ class BeamCarver {
 };
 
 // A cell before the point * gets the index of the 1D cell in which the line leaves the grid cell,
-// or of 1D cell k-1 if that is nearer. Example for a LUX:
+// or the index of 1D cell k-1 if 1D cell k-1 is nearer. The example shows a beam of a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -93,11 +93,11 @@ class BeamCarver {
 //    steps     +14       -7 at b         -7 at d
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
-// distance (j + 1) Delta or less. `through` is the number of these crossings. The zone of 1D cell k
-// - 2 therefore begins in the cell that contains the point at (k - 2) Delta, which is b in this
-//   example.
+// distance (j + 1) Delta or less. `through` is the number of borders that the line crosses up to a
+// distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point at (k
+// - 2) Delta. In this example, the point is in cell b.
 //
-// Inline, because a function call would cost as much as adding a zone.
+// This function is inline, because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
                                                             FreeSteps& steps, const KeptLine& line,
                                                             const LinePart& part,
@@ -125,10 +125,9 @@ class BeamCarver {
 }
 
 // Shortens the low part of a beam that ends on the ground. On a rising road, a beam that is within
-// the height band above the car's plane may be below the band above the road, and may pass under a
-// car there. The beam is therefore treated as low only where it is high enough above a straight
-// line. This line runs from the ground below the sensor to the point where the beam meets the
-// ground.
+// the height band above the car's plane may be below the band above the road. Such a beam may pass
+// under a car. The beam is therefore treated as low only where it is high enough above a straight
+// line from the ground below the sensor to the point where the beam meets the ground.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {
@@ -138,8 +137,8 @@ inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor
   return low;
 }
 
-// If the point is far beyond the part of the line that the beam may free, the whole part becomes
-// free.
+// If the point is far beyond the part of the line that the beam may free, the beam frees this whole
+// part.
 template <typename StepsOf, typename LowOf>
 inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                             const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of) {

@@ -1,10 +1,10 @@
-// The lines of beams on the grid, cached from scan to scan.
+// A cache for the lines of beams on the grid. Lines remain in the cache from scan to scan.
 //
 // A lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The course of a
-// line, the distance over which it stays in the grid, and the blocks that it crosses depend only on
-// the mount. Each line is therefore computed once and cached by its azimuth. The azimuths of a
-// sensor need not be known in advance, because a line that is not in the cache is computed again.
-// This costs time but does not change the result.
+// line, its length in the grid, and the blocks that it crosses depend only on the mount. Each line
+// is therefore computed once and cached by its azimuth. The azimuths of a sensor need not be known
+// in advance. If a line is not in the cache, it is computed again, which takes time but does not
+// change the result.
 #pragma once
 
 #include <algorithm>
@@ -23,19 +23,20 @@
 
 namespace iog::grid {
 
-// Of the level 1 and 2 caches. What is cached from scan to scan competes with the grid for them.
+// The line size of the level 1 and level 2 caches. Cached beam lines compete with the grid for
+// these caches.
 inline constexpr std::size_t kCacheLineBytes = 32;
 
 // The part of a line in which beams of one height are within a height band. The limits of the part
 // are fractions of the line's length.
 class BandLimits {
  public:
-  // A point that lies at least this far beyond the relevant part of its line frees the whole part,
-  // because even the zones before the point lie beyond the part.
+  // If a point is at least this far beyond the part, the point's beam frees the whole part, because
+  // the zones before the point are also beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
-  // end_z is the height of the line's end, in subcells.
+  // `end_z` is the height of the line's end, in subcells.
   BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
   // Returns the intersection of these limits with a part of the line.
@@ -54,11 +55,11 @@ class BandLimits {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // Points at this distance or beyond free the whole part, because even the zones before these
-  // points lie beyond the part.
+  // Points at this distance or beyond free the whole part, because the zones before these points
+  // are also beyond the part.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
-  // Whether this part ends farther along a line than the part of another layer.
+  // Returns true if this part ends farther along a line than the part of another layer.
   [[nodiscard]] bool ends_behind(const BandLimits& other) const {
     const traversal::Share& end = to_.share();
     const traversal::Share& other_end = other.to_.share();
@@ -73,8 +74,8 @@ class BandLimits {
   traversal::MeasuredShare from_;
 };
 
-// The part of its line that a beam may free. A point at free_from_mm or beyond frees the whole
-// part, because even the zones before the point lie beyond the part.
+// The part of a line that a beam may free. A point at free_from_mm or beyond frees the whole part,
+// because the zones before the point are also beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;  // > 0
@@ -88,33 +89,33 @@ class alignas(kCacheLineBytes) KeptLine {
   [[nodiscard]] const vehicle::BeamLine& line() const { return line_; }
   [[nodiscard]] std::uint32_t number() const { return number_; }  // Layer::line
 
-  // Returns the number of borders crossed up to this distance, which should be at most
-  // Sensor::range. For greater distances the result may be too small, but it is never before the
-  // line's end.
+  // Returns the number of borders that the line crosses up to this distance. The distance should be
+  // at most Sensor::range. For greater distances, the result may be too small, but is never before
+  // the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
   }
 
-  // The part of the line in the grid, up to its end at Sensor::range.
+  // Returns the part of the line that is in the grid. The line ends at Sensor::range.
   [[nodiscard]] const LinePart& in_grid() const { return in_grid_; }
 
-  // The part of in_grid() in which a beam is within the height band.
+  // Returns the part of in_grid() in which a beam is within the height band.
   [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
     return limits.within(in_grid_, line_, ruler_);
   }
-  // The end of the part within the height band, if the part is not empty.
+  // Returns the end of the part within the height band, if the part is not empty.
   [[nodiscard]] Between end_in_band(const BandLimits& limits) const {
     return limits.end_within(in_grid_, line_, ruler_);
   }
 
-  // The part of in_grid() in which a beam with this height of its end is within the band.
+  // Returns the part of in_grid() in which a beam that ends at height end_z is within the band.
   [[nodiscard, gnu::noinline]] FreePart part_in(const vehicle::HeightBand& band,
                                                 const vehicle::Sensor& sensor,
                                                 std::int32_t end_z) const;
 
-  // end_at() returns the end of the cell that contains the point at to_mm. part_between() returns
-  // the part from the cell at from_mm to this end.
+  // `end_at()` returns the end of the cell that contains the point at to_mm. `part_between()`
+  // returns the part from the cell at from_mm to the end of the cell at to_mm.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
     return to_mm == 0 ? first
@@ -129,8 +130,8 @@ class alignas(kCacheLineBytes) KeptLine {
                           end_at(sensor, to_mm)};
   }
 
-  // Whether the line has a block path. A line has a block path if it begins in the grid and meets
-  // no corner.
+  // Returns true if the line has a block path. A line has a block path if it begins in the grid and
+  // meets no corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
     if (!path_begun_) {
@@ -141,7 +142,8 @@ class alignas(kCacheLineBytes) KeptLine {
   }
 
  private:
-  // In order of access. All but the path fills two cache lines on the target.
+  // The members are in order of access. On the target, all members except the path fill two cache
+  // lines.
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;
@@ -153,8 +155,8 @@ class alignas(kCacheLineBytes) KeptLine {
 // An odd number of cache lines spreads lines over all sets of a cache.
 static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
-// The beam of one layer at one azimuth, with cached properties. On the target it fills a cache
-// line.
+// The beam of one layer at one azimuth, with cached properties. On the target, a KeptBeam fills one
+// cache line.
 class KeptBeam {
  public:
   void find(const vehicle::Sensor& sensor, std::int32_t end_z, KeptLine& line);
@@ -162,7 +164,8 @@ class KeptBeam {
   [[nodiscard]] KeptLine& line() const { return *line_; }
   [[nodiscard]] const vehicle::BeamRanges& ranges() const { return ranges_; }
 
-  // The part within the height band, once it is found. end_z: see KeptHeight.
+  // Returns true if find_band() has computed the part within the height band. KeptHeight describes
+  // end_z.
   [[nodiscard]] bool has_band() const { return in_band_.free_from_mm != 0; }
   void find_band(const vehicle::HeightBand& band, const vehicle::Sensor& sensor,
                  std::int32_t end_z) {
@@ -176,15 +179,16 @@ class KeptBeam {
   KeptLine* line_ = nullptr;
 };
 
-// What is asked less often about a beam.
+// Properties of a beam that are needed less often.
 class KeptHeight {
  public:
   void find(const vehicle::Layer& layer, const vehicle::Direction& direction);
 
-  // Height of the beam's end, in subcells.
+  // Returns the height of the beam's end, in subcells.
   [[nodiscard]] std::int32_t end_z() const { return end_z_; }
 
-  // The part in which the beam is low (vehicle::Sensor::moved). It is computed on first use.
+  // Returns the part of the line in which the beam is low (vehicle::Sensor::moved). The part is
+  // computed on first use.
   [[nodiscard]] const LinePart& low_part(const vehicle::Vehicle& vehicle,
                                          const vehicle::Sensor& sensor, const KeptLine& line) {
     if (!has_low_) {
@@ -193,7 +197,7 @@ class KeptHeight {
     }
     return low_;
   }
-  // Whether a return of this beam within the height band is a tall return.
+  // Returns true if a return of this beam within the height band is a tall return.
   [[nodiscard]] bool is_tall(const vehicle::Sensor& sensor, std::uint32_t range_mm) const {
     return std::int64_t{end_z_ - sensor.origin_z} * range_mm >= sensor.tall.low;
   }
@@ -205,8 +209,8 @@ class KeptHeight {
 };
 
 // The beams of one sensor at one azimuth. The first four layers and their first two lines are
-// cached. This is enough for a LUX. It is also enough for a level rotating lidar, because all of
-// its layers share one line.
+// cached. Four layers and two lines are enough for a LUX, and for a level rotating lidar, because
+// all layers of such a lidar share one line.
 class KeptAzimuth {
  public:
   static constexpr std::size_t kMaxLayers = 4;
@@ -221,28 +225,29 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Whether another azimuth may evict this azimuth. Returns true if this azimuth has not been used
-  // since another azimuth last requested the same slot.
+  // Returns true if another azimuth may evict this azimuth, that is, if this azimuth has not been
+  // used since another azimuth last requested the same slot.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
   // Layer::line must be below kMaxLines.
   KeptLine& line_of(const vehicle::Sensor& sensor, const vehicle::Layer& layer);
 
-  // Whether the layer's beam is cached.
+  // Returns true if the layer's beam is cached.
   [[nodiscard]] bool has_beam(std::uint8_t layer) const {
     return layer < kMaxLayers && (beams_found_ >> layer & 1U) != 0;
   }
   [[nodiscard]] KeptBeam& beam(std::uint8_t layer) { return beams_[layer]; }
 
-  // The layer number must be below kMaxLayers, and the number of its line below kMaxLines.
+  // The layer number must be below kMaxLayers, and the number of the layer's line must be below
+  // kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
-  // The beam must be one of this azimuth.
+  // The beam must belong to this azimuth.
   [[nodiscard]] KeptHeight& height_of(const KeptBeam& beam) {
     return heights_[static_cast<std::size_t>(&beam - beams_.data())];
   }
 
-  // Whether the second line crosses the same first `cells` cells as the first line (cells > 0). The
+  // Returns true if the first `cells` cells of both lines are known to be the same (cells > 0). The
   // second line must have been found. If the result is true, the first line was also found and has
   // a block path. The result may be false even if the lines share these cells.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
@@ -265,15 +270,17 @@ class KeptAzimuth {
   alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
-  // Makes an azimuth 49 cache lines long on the target. Without it, some 45 azimuths of 45 lines
-  // would fill the 2,048 sets of the level 2 cache, and the next ones would hit the same sets.
+  // This padding makes an azimuth 49 cache lines long on the target. Without the padding, about 45
+  // azimuths of 45 cache lines would fill the 2,048 sets of the level 2 cache, and the following
+  // azimuths would compete for the same sets.
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With up
-// to three sensors, this also holds for the LUX's finest steps of an eighth of a degree. With four
-// sensors, it holds for nearly all of these steps.
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. The
+// finest steps of a LUX are an eighth of a degree. With up to three sensors, the azimuths in these
+// steps also map to distinct slots. With four sensors, nearly all azimuths in these steps map to
+// distinct slots.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

@@ -1,9 +1,9 @@
-// Memory layout of a frame's grid: blocks of 4 by 4 cells, sixteen bytes each.
+// The grid of a frame, stored in blocks of 4 by 4 cells. Each block has sixteen bytes.
 //
-// A line crosses four cells of a block on average, and one saturating subtraction carves all of
-// them (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1. Each row of blocks
-// has one cache line of padding. Without the padding, all blocks of a column would compete for only
-// two of the 256 sets of the L1 cache.
+// On average, a line crosses four cells of a block, and one saturating subtraction carves all four
+// cells (lanes/lanes.hpp). A cache line covers 8 by 4 cells instead of 32 by 1 cells. Each row of
+// blocks has one cache line of padding. Without the padding, all blocks of a column would compete
+// for only two of the 256 sets of the L1 cache.
 //
 // Outside src/grid, cells are numbered row by row (geometry/grid.hpp). A stored byte is an
 // occupancy index or -128. Carving saturates at -128, and reading a cell converts -128 to -127.
@@ -33,7 +33,7 @@ static_assert(kLaneCount == std::size_t{kBlockSide} * kBlockSide);
 // The number of stored blocks per row, including two blocks of padding (one cache line).
 inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
-// Byte offset of a cell. Its block begins at a multiple of 16.
+// Returns the byte offset of a cell. The cell's block begins at a multiple of 16.
 [[nodiscard]] constexpr std::uint32_t offset_of(geometry::Cell cell) {
   constexpr std::uint32_t kSide = kBlockSide;
   const auto x = static_cast<std::uint32_t>(cell.x);
@@ -44,10 +44,10 @@ inline constexpr std::int32_t kBlockStride = kBlocksPerSide + 2;
 
 class BlockGrid {
  public:
-  // The block that contains the byte at this offset.
+  // Returns the block that contains the byte at this offset.
   [[nodiscard]] LaneBytes* block_at(std::uint32_t offset) { return &blocks_[offset / kLaneCount]; }
 
-  // The stored byte at this offset.
+  // Returns the stored byte at this offset.
   [[nodiscard]] OccupancyIndex& cell_at(std::uint32_t offset) {
     return blocks_[offset / kLaneCount].bytes[offset % kLaneCount];
   }
@@ -62,16 +62,16 @@ class BlockGrid {
   void touch(std::size_t tile) { touched_[tile] = 1; }
   [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
 
-  // All cells, row by row from the lowest y.
+  // Copies all cells, row by row from the lowest y.
   void copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const;
-  // The tile's cells, row by row from its lowest y. Returns false if all cells of the tile are
-  // unknown.
+  // Copies the cells of the tile, row by row from the lowest y. Returns false if all cells of the
+  // tile are unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
 
   // Sets all cells of the tile to unknown, and marks the tile as untouched.
   void clear_tile(std::size_t tile);
 
-  // One row of the tile's blocks: kBlocksPerTile contiguous blocks.
+  // Returns one row of the tile's blocks, which consists of kBlocksPerTile contiguous blocks.
   [[nodiscard]] const LaneBytes* blocks_of(std::size_t tile, std::int32_t row) const;
 
  private:

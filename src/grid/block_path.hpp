@@ -1,9 +1,10 @@
-// The blocks that a line crosses, in order. Each block takes up one byte and is computed only once.
+// The blocks that a line crosses, in order. The path stores one byte per block and computes each
+// block only once.
 //
 // Block 0 contains the line's start. The line meets no corner after its start, so consecutive
 // blocks share a border. The number of a block is therefore the number of block borders between
-// this block and block 0. If a line starts at a corner where blocks meet, block 1 contains none of
-// its cells.
+// this block and block 0. If a line starts at a corner where blocks meet, the line crosses no cells
+// of block 1.
 #pragma once
 
 #include <array>
@@ -18,9 +19,9 @@
 
 namespace iog::grid {
 
-// Cursor on a block path: the current block, its code, and the codes of the following blocks. The
-// code selects the stride to the next block, in stored blocks. masks[code / 2] selects the cells of
-// the block that the line crosses.
+// A cursor on a block path. The cursor consists of the current block, the block's code, and the
+// codes of the following blocks. The code selects the stride to the next block, in stored blocks.
+// masks[code / 2] selects the cells of the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
   Orientation::Strides strides;
@@ -29,8 +30,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // The next block. Both candidates are computed in advance, so that only the selection depends on
-  // the code.
+  // Returns the next block. Both candidates are computed first, so that only the selection depends
+  // on the code.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -55,20 +56,20 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
-  // Returns a position relative to the corner of the first block, in the line's own direction.
+  // Returns the position relative to the corner of the first block, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
-  // The number of the block that contains a position. It equals the number of block borders crossed
-  // before the position.
+  // Returns the number of the block that contains a position. This number equals the number of
+  // block borders that the line crosses before the position.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;
   }
 
-  // Offset from the first block to the block that contains a position, in stored blocks. `corner`
-  // is the position's from_corner().
+  // Returns the offset, in stored blocks, from the first block to the block that contains a
+  // position. `corner` is the position's from_corner().
   [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner) const {
     const auto [along_u, along_v] = orientation_.strides(kBlockStride);
     const auto x = static_cast<std::ptrdiff_t>(corner.x / kBlockSide);
@@ -79,14 +80,14 @@ class BlockPath {
   // Extends the path up to this block, which must lie in the grid.
   void find_up_to(std::uint32_t block);
 
-  // Byte offset of the line's first cell.
+  // Returns the byte offset of the line's first cell.
   [[nodiscard]] std::uint32_t start_offset() const { return start_offset_; }
 
   [[nodiscard]] const Orientation& orientation() const { return orientation_; }
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // Mask of the cells in the first block that do not lie before the line's start.
+  // Returns a mask of the cells of the first block, without the cells before the line's start.
   [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset().
@@ -96,8 +97,8 @@ class BlockPath {
   }
 
   // Calls visit(tile) once or more for each tile that the line enters up to this position. The
-  // line's heights at the tile borders determine where the line enters another row of tiles. This
-  // happens at most once per column of tiles, because the slope is at most 1.
+  // line's heights at the tile borders determine where the line enters another row of tiles. The
+  // line enters another row at most once per column of tiles, because the slope is at most 1.
   template <typename Visit>
   void for_each_tile(traversal::Position last, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
@@ -127,22 +128,22 @@ class BlockPath {
   }
 
  private:
-  // A line is monotone on each axis, so the number of blocks that it enters is at most the sum of
-  // the blocks along both axes. The search always stores two codes per column of blocks, even if
-  // only one of them is valid.
+  // A line is monotone on each axis. The number of blocks that a line enters is therefore at most
+  // the number of block columns plus the number of block rows. The search always stores two codes
+  // per column of blocks, even if only one code is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
-  // In order of access, without gaps: the paths of many lines are cached.
+  // The members are in order of access, without gaps, because the paths of many lines are cached.
   std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
-  // The height at which the line leaves the first tile's columns, as 2^-32 of a tile, and whether
-  // that is above this tile.
+  // The height at which the line leaves the first column of tiles, in units of 2^-32 of a tile.
+  // `leaves_first_above_` is true if this height is above the first tile.
   std::uint32_t tile_height_ = 0;
-  // The state in which the search resumes: the phase at the next column of blocks (traversal::Dda),
-  // its increment, and v within the block.
+  // The state from which the search resumes: the phase at the next column of blocks
+  // (traversal::Dda), the phase's increment, and v within the block.
   std::uint32_t phase_ = 0;
   std::uint32_t step_ = 0;
   std::uint16_t start_tile_ = 0;

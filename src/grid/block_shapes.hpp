@@ -1,9 +1,9 @@
-// One-byte code for the cells of a 4 by 4 block that a line crosses.
+// A one-byte code for the cells of a 4 by 4 block that a line crosses.
 //
 // A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
-// of both axes and rises by at most one cell per column. u is the column number along the line's
-// longer axis, and v is the row number along the other axis. Such a line can enter a block in seven
-// cells, which are numbered
+// of both axes and rises by at most one cell per column. `u` is the column number along the line's
+// longer axis, and `v` is the row number along the other axis. Such a line can enter a block in the
+// seven numbered cells:
 //
 //     v
 //     3 | 3  .  .  . |
@@ -14,10 +14,9 @@
 //
 // Entry 7 is one column beyond entry 6, outside the block.
 //
-// In each column the line crosses at most one border of v. Seven bits are therefore enough: three
-// bits for the entry, and one bit for each of the next four columns. They determine which cells of
-// the block the line crosses and how the line leaves the block. These seven bits are the block's
-// *shape*.
+// In each column, the line crosses at most one border of v. Seven bits, called the block's *shape*,
+// are therefore enough to determine the cells that the line crosses and the border through which it
+// leaves. Three bits contain the entry, and each of the other four bits represents one column.
 #pragma once
 
 #include <array>
@@ -28,8 +27,8 @@
 
 namespace iog::grid {
 
-// The cell in which a line enters a block: entries 0 to 3 are (u, v) = (0, entry), entries 4 to 7
-// are (entry - 3, 0).
+// The cell in which a line enters a block. Entries 0 to 3 are the cells (u, v) = (0, entry), and
+// entries 4 to 7 are the cells (entry - 3, 0).
 using BlockEntry = std::uint32_t;
 [[nodiscard]] constexpr BlockEntry entered_from_below(std::uint32_t u) {
   return u == 0 ? 0 : u + 3;
@@ -42,22 +41,21 @@ inline constexpr std::uint32_t kShapeCount = 128;
   return entry << 4 | bits;
 }
 
-// The code of a block on a line: twice its shape, plus 1 if the line leaves the block through a
-// border of v. Bits of columns that the line does not enter in this block are 0. Two lines
-// therefore have the same code if and only if they cross the same cells of the block and leave it
-// through the same border.
+// The code of a block on a line is twice the block's shape, plus 1 if the line leaves the block
+// through a border of v. The bits of columns that the line does not enter in this block are 0. Two
+// lines therefore have the same code if and only if they cross the same cells of the block and
+// leave the block through the same border.
 using BlockCode = std::uint8_t;
 
-// The blocks that a line crosses in one column of blocks. There are one or two such blocks. The
-// lower block comes first.
+// The one or two blocks that a line crosses in one column of blocks. The lower block comes first.
 struct BlockColumn {
   std::array<BlockCode, 2> codes{};
   std::uint8_t count = 0;
   std::uint8_t next_v = 0;  // row in which the line enters the next column of blocks
 };
 
-// Orientation of u and v in the grid. u corresponds to x, or to y if `is_steep`. Both u and v may
-// run in the negative direction.
+// The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
+// Both u and v may run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -66,7 +64,7 @@ struct Orientation {
   [[nodiscard]] constexpr std::size_t number() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  // Offsets from one element to the next along u and along v, if a row has `row` elements.
+  // The offsets from one element to the next along u and along v, if a row has `row` elements.
   struct Strides {
     std::ptrdiff_t u;
     std::ptrdiff_t v;
@@ -76,8 +74,8 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // Position of a cell in its block, 4 y + x. The arguments are the coordinates along each axis in
-  // the line's direction.
+  // Returns the position of a cell in its block, 4 y + x. The arguments are the cell's coordinates
+  // along each axis, in the line's direction.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
     const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);
@@ -88,19 +86,20 @@ struct Orientation {
   }
 };
 
-// Cell masks of a block for lines of one orientation. A byte is -1 if its cell is selected, else 0.
+// The cell masks of a block for lines of one orientation. A byte is -1 if its cell is selected, and
+// otherwise 0.
 struct BlockMasks {
   // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // The cells that a line can cross after it has reached a given cell, indexed by this cell's
-  // position in the block. `from` includes the cell itself, `after` does not.
+  // The cells that a line can cross after it has reached a given cell, indexed by the given cell's
+  // position in the block. `from` includes the given cell, and `after` excludes it.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// Indexed by 16 v plus four bits. v is the row in which the line enters the column of blocks from
-// the left. Each bit represents one column of cells, with the first column in the highest bit. A
-// bit is set if the line crosses a border of v in its column.
+// This table is indexed by 16 v plus four bits. `v` is the row in which the line enters the column
+// of blocks from the left. Each bit represents one column of cells, with the first column in the
+// highest bit. A bit is set if the line crosses a border of v in the bit's column.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
 // Indexed by Orientation::number().

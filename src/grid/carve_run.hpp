@@ -1,4 +1,4 @@
-// The hot loop of carving: carves consecutive blocks of a path by the same amount.
+// The hot loop of carving, which carves consecutive blocks of a path by the same amount.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ inline void carve_one_by_one(Way& way, std::uint32_t count, Lanes amount) {
   way = here;
 }
 
-// Optimised version of carve_one_by_one(). CMake selects the source file.
+// An optimised version of carve_one_by_one(). CMake selects the source file.
 void carve_run(Way& way, std::uint32_t count, Lanes amount);
 
 }  // namespace iog::grid

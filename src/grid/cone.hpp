@@ -1,11 +1,11 @@
 // Carves the cone of an ultrasonic unit up to its echo. All cells of the cone get the same negative
 // index (sensor_model/arc.hpp).
 //
-// Sound fills the cone, so the index is added to each cell once per echo. Beams, in contrast, would
-// cross the cells near the unit several times. A cell is carved if the whole cell lies between the
-// outermost directions of the unit's arc and nearer than the 1D cells around the echo. Cells that
-// intersect the cone's border do not change. Negative indexes can be added in any order
-// (docs/model.md, section 3), so each cone is carved on arrival.
+// Sound fills the cone, so each echo adds the index to each cell only once. Beams, in contrast,
+// would cross the cells near the unit several times. A cell is carved if the whole cell lies
+// between the outermost directions of the unit's arc and is nearer than the 1D cells around the
+// echo. Cells that intersect the cone's border do not change. Negative indexes can be added in any
+// order (docs/model.md, section 3), so each cone is carved as soon as its echo arrives.
 //
 // If the unit is tilted, the cone's two outermost directions and its middle direction have
 // different lengths on the grid. The carved cone is as long as the shortest of these three lengths.
@@ -20,8 +20,8 @@ namespace iog::grid {
 // The sensor must have an arc of at most 50 degrees to each side, and a range of at most 10 m.
 void carve_cone(BlockGrid& grid, const vehicle::Sensor& sensor, const lidar::ScanPoint& echo);
 
-// Upper bound on the number of cells tested for an echo at this range. The tested area is at most
-// twice as long as it is wide.
+// Returns an upper bound on the number of cells that are tested for an echo at this range. The
+// tested area is at most twice as long as it is wide.
 [[nodiscard]] constexpr std::uint32_t most_cells_of_cone(const geometry::Grid& grid,
                                                          std::uint32_t range_mm) {
   const std::uint32_t side = range_mm / grid.cell_mm + 2;

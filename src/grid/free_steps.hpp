@@ -1,10 +1,10 @@
-// The amount by which the pending beams of a line lower its cells: a step function along the line.
+// A step function along a line: the amount by which the line's pending beams lower each cell.
 //
-// All beams of a line carve the same cells, each up to its own end. Each beam adds a negative index
-// to a cell. Such additions commute under saturation (docs/model.md section 3): adding a and then
-// b, each clamped at -127, equals adding a + b clamped at -127. The sum of the beams can therefore
-// be carved in one pass. The example shows two beams of a LUX, the nearer with its point at a, the
-// other with its point at b:
+// All beams of a line carve the same cells, each beam up to its own end. Each beam adds a negative
+// index to a cell. Saturating additions of negative indexes commute (docs/model.md section 3):
+// adding a and then b, each clamped at -127, equals adding a + b clamped at -127. The sum of the
+// beams can therefore be carved in one pass. The example shows two beams of a LUX. The point of the
+// nearer beam is at a, and the point of the farther beam is at b:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
@@ -13,8 +13,8 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// The function is stored as a difference array, whose slots are indexed by the number of borders
-// crossed. A bitmap marks the slots in use. A change can therefore be added without a search, and
+// The function is stored as a difference array. The number of borders crossed is the index of a
+// slot. A bitmap marks the slots in use. A change can therefore be added without a search, and
 // scanning the bitmap yields the changes in order.
 #pragma once
 
@@ -35,24 +35,25 @@ class FreeSteps {
  public:
   static constexpr std::uint32_t kMaxBeams = 256;
 
-  // Sets the point where the line enters the grid. Call it only while no beams are pending.
+  // Sets the point where the line enters the grid. Call this function only while no beams are
+  // pending.
   void begin_at(Between first) {
     first_ = first;
     last_ = first;
   }
 
-  // A beam changes the amount by less than 2^7, and a slot can store values below 2^15.
+  // Each beam changes the amount by less than 2^7, and a slot can store values below 2^15.
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
-  // A beam is added in three steps: begin_beam() with the first amount, add() for each later
-  // change, and end_beam(). Add a beam only if has_room() returns true. All points must be fewer
-  // than 2 kCellsPerSide borders beyond the point where the line enters the grid.
+  // To add a beam, call begin_beam() with the first amount, then add() for each later change, and
+  // then end_beam(). Add a beam only if has_room() returns true. All points must be fewer than 2
+  // kCellsPerSide borders beyond the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
   }
   void end_beam(Between end) { last_ = std::max(last_, end); }
-  // Adds this many beams that begin where the line enters the grid.
+  // Adds `count` beams that begin where the line enters the grid.
   void add_beams(std::uint32_t count, std::int32_t freer, Between last_end) {
     beam_count_ += count;
     from_start_ += static_cast<std::int32_t>(count) * freer;
@@ -71,8 +72,8 @@ class FreeSteps {
 
   [[nodiscard]] bool is_empty() const { return beam_count_ == 0; }
 
-  // The amount carved where the line enters the grid, and the point of the last change. Nothing is
-  // carved beyond that point.
+  // `from_start()` returns the amount carved where the line enters the grid. `last()` returns the
+  // point of the last change. Cells beyond this point are not carved.
   [[nodiscard]] std::int32_t from_start() const { return from_start_; }
   [[nodiscard]] Between last() const { return last_; }
 
@@ -119,16 +120,16 @@ class FreeSteps {
   std::array<std::uint32_t, kSlots> slots_{};
 };
 
-// The parts of a line in which beams are low. They begin far from the sensor, with gaps between
-// them.
+// The parts of a line in which beams are low. These parts begin far from the sensor and have gaps
+// between them.
 class LowSteps : public FreeSteps {};
 
-// The pending beams of a line: `free` contains the amount by which they lower the line's cells. If
-// heights are kept (grid/frame_grids.hpp), `low` contains the parts in which any beam is low. A
-// beam adds at most one entry to each.
+// The pending beams of a line. `free` contains the amount by which the beams lower the line's
+// cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which any beam is
+// low. A beam adds at most one entry to each member.
 struct LineSteps {
-  // The step by which a low beam lowers cells in `low`. It saturates, so overlapping low beams have
-  // the same effect as one.
+  // The amount by which a low beam lowers cells in `low`. Cells saturate, so overlapping low beams
+  // have the same effect as one low beam.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

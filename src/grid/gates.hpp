@@ -1,8 +1,9 @@
-// The height limits within which a level rotating lidar's beams free cells and its returns mark
-// cells. The limits are either the vehicle's height band or relative to the ground
-// (docs/ground.md). A judge applies the limits to the points of a packet, and a gate applies them
-// to the beams of a line. The judge is selected once per packet and the gate once per line. Both
-// are template arguments, so callers need not know which kind of limits applies.
+// Height limits for the beams and returns of level rotating lidars. Beams free cells, and returns
+// mark cells, only within these limits. The limits are either the vehicle's height band or relative
+// to the ground (docs/ground.md). A judge applies the limits to the points of a packet, and a gate
+// applies them to the beams of a line. The judge is selected once per packet, and the gate is
+// selected once per line. The judge and the gate are template arguments, so callers work with both
+// kinds of limits.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@ namespace iog::grid {
 struct BandJudge {
   const TurnLayers* layers;
 
-  // Returns the height of a return at this range along the line of an azimuth step. Also sets
-  // is_tall. reach_mm has the same meaning as in vehicle::classify().
+  // Returns the height of a return at this range along the line of an azimuth step, and sets
+  // is_tall. `reach_mm` has the same meaning as in vehicle::classify().
   [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
                                        std::uint32_t along_mm, std::uint32_t reach_mm,
                                        bool& is_tall) const {
@@ -33,7 +34,7 @@ struct BandJudge {
             .otherwise = vehicle::Fate::kOutsideHeightBand,
             .is_whole = ends_in_band && in_band.first == 0};
   }
-  // These functions return TurnLayer::behind_mm and TurnLayer::rank.
+  // `behind_mm()` and `rank()` return the members of TurnLayer with the same names.
   [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
     return layers->layers[layer].behind_mm;
   }
@@ -76,11 +77,11 @@ class BandGate {
   // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
   // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // If the distance of a hit is at least far_mm(), the beam clears the complete free parts of all
-  // layers whose rank is at least TurnLayers::near_rank.
+  // If the distance of a hit is at least far_mm(), the beam clears the free parts of all layers
+  // whose rank is at least TurnLayers::near_rank.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
-  // part() returns the part of the line that the layer may free. end() returns the end of this part
-  // if the part is not empty.
+  // `part()` returns the part of the line that the layer may free. `end()` returns the end of this
+  // part if the part is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
     return {line_->in_band(band), band.is_free_before_mm()};
@@ -88,8 +89,8 @@ class BandGate {
   [[nodiscard]] Between end(std::size_t layer) const {
     return line_->end_in_band(layers_->layers[layer].band);
   }
-  // low_part() returns the part of the line in which the layer is low. may_be_low() returns whether
-  // this part may begin before a hit at the given range.
+  // `low_part()` returns the part of the line in which the layer is low. `may_be_low()` returns
+  // true if this part may begin before a hit at the given range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }

@@ -8,9 +8,9 @@
 
 namespace iog::grid {
 
-// A boundary between two consecutive cells of a line. A boundary is given in one of two forms,
-// either as `before` the next cell or as `after` the previous cell. The boundary is stored as one
-// number that grows along the line. The number consists of the borders crossed to reach the next
+// A boundary between two consecutive cells of a line. A boundary has either the form `before` the
+// next cell or the form `after` the previous cell. A boundary is stored as one number that
+// increases along the line. The number consists of the number of borders crossed to reach the next
 // cell (16 bits), a bit for the form `before`, and x of the position (15 bits). The form `after`
 // sorts before the form `before` of the same boundary. In the form `after`, the next cell may lie
 // outside the grid.
@@ -29,8 +29,8 @@ class Between {
     return Between(crossed << 16 | lower_half);
   }
 
-  // The number of cell borders between the start of the line and this boundary. A cell lies before
-  // the boundary if the line crosses fewer borders to reach it.
+  // Returns the number of cell borders between the start of the line and this boundary. A cell lies
+  // before the boundary if the line crosses fewer borders to reach it.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {
@@ -54,7 +54,7 @@ struct LinePart {
   Between end;
 
   [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
-  // The intersection of two parts.
+  // Returns the intersection of two parts.
   [[nodiscard]] LinePart within(const LinePart& other) const {
     return {std::max(first, other.first), std::min(end, other.end)};
   }

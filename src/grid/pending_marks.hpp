@@ -27,14 +27,14 @@ struct Mark {
 };
 static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
 
-// The maximum number of marks of one frame (1 MiB). It is enough for one turn of a sensor with 128
-// layers and 2,048 azimuths, of two sensors with 64 layers each, or of a Pandar64 with two returns
-// (230,400 points).
+// The maximum number of marks per frame (1 MiB). This number is enough for one turn of a sensor
+// with 128 layers and 2,048 azimuths, of two sensors with 64 layers each, or of a Pandar64 with two
+// returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// The step along an arc, in ticks. It is the largest step whose length at this range is at most one
-// cell, or one tick if one tick is already longer than a cell. The constant for 2 pi is slightly
-// too large.
+// Returns the step along an arc, in ticks. The result is the largest step that is at most one cell
+// long at this range, or one tick if one tick is longer than a cell. The constant for 2 pi is
+// slightly too large.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;
@@ -45,10 +45,10 @@ inline constexpr std::size_t kMaxMarks = 262'144;
   return static_cast<std::int32_t>(std::max<std::uint32_t>(ticks, 1));
 }
 
-// The maximum number of cells that one point of this sensor can mark. If the sensor has an arc,
-// this is the number of steps of the longest arc. Otherwise, the point can mark its own cell and
-// the cells behind it within the near_after_count 1D cells of its profile. A line of length d
-// enters at most sqrt(2) d / cell + 2 further cells.
+// Returns the maximum number of cells that one point of this sensor can mark. If the sensor has an
+// arc, the maximum is the number of steps of the longest arc. Otherwise, a point can mark its own
+// cell and the cells behind it, up to the near_after_count 1D cells of the sensor's profile. A line
+// of length d enters at most sqrt(2) d / cell + 2 further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor, sensor.range.mm());
@@ -62,8 +62,8 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 
 class PendingMarks {
  public:
-  // Stores the marks of a point: the point's cell and, for some sensors, the next cells behind it.
-  // `hit` is the point's position on its line.
+  // Stores the marks of a point. A point marks its own cell and, for some sensors, the next cells
+  // behind this cell. `hit` is the point's position on the line.
   void mark(const vehicle::Sensor& sensor, const KeptLine& line, traversal::Position hit,
             std::uint32_t range_mm, bool is_tall) {
     const geometry::Cell cell = line.line().cell(hit);
@@ -75,15 +75,15 @@ class PendingMarks {
     }
   }
 
-  // Stores the mark of a cell that is already known.
+  // Stores a mark for the given cell.
   void mark(const vehicle::Sensor& sensor, geometry::Cell cell, OccupancyIndex index) {
     if (sensor.grid.area().contains(cell)) {
       remember(cell, index, true);
     }
   }
 
-  // Applies all marks to the grids according to the fusion rule, and clears the marks. Call it only
-  // after all beams of the frame are carved.
+  // Applies all marks to the grids according to the fusion rule, and clears the marks. Call this
+  // function only after all beams of the frame are carved.
   void apply(FrameGrids& grids, vehicle::FusionRule rule);
 
   void clear() { count_ = 0; }

@@ -1,6 +1,6 @@
-// Carver for level rotating lidars. All layers of an azimuth step share one line (turn_lines.hpp).
-// Hundreds of lines are pending at a time (waiting_lines.hpp), because the lasers do not finish one
-// azimuth before they begin the next.
+// Carves the beams of level rotating lidars. All layers of an azimuth step share one line
+// (turn_lines.hpp). Hundreds of lines are pending at the same time (waiting_lines.hpp), because
+// different lasers measure at different azimuths.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,11 @@ namespace iog::grid {
 
 class TurnCarver {
  public:
-  // All three must outlive the carver.
+  // All arguments must outlive the carver.
   TurnCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
       : lines_(vehicle), beams_(grids, marks) {}
 
-  // The current sensor. The data that the sensor's points need are stored close together in memory.
+  // The current sensor. The data that every point needs are stored close together in memory.
   template <typename Judge>
   class Turn {
    public:

@@ -1,6 +1,6 @@
-// The lines of level rotating sensors: one line per azimuth step, shared by all layers
-// (docs/model.md section 5). The lines are cached like the lines of beam_lines.hpp, but each
-// azimuth step has its own slot.
+// The lines of level rotating sensors. All layers share one line per azimuth step (docs/model.md
+// section 5). The lines are cached in the same way as in beam_lines.hpp, but each azimuth step has
+// its own slot.
 #pragma once
 
 #include <array>
@@ -14,40 +14,41 @@
 
 namespace iog::grid {
 
-// The properties of a layer that do not depend on the azimuth. They are the ratio of horizontal
-// range to range, the horizontal ranges within the height band, the horizontal range up to which
-// the layer carves if there is no echo, and the part of the line within the band.
+// The properties of a layer that do not depend on the azimuth. `range_share` is the ratio of
+// horizontal range to range. `in_band` contains the horizontal ranges within the height band.
+// `clears_mm` is the horizontal range up to which the layer carves without an echo. `band` is the
+// part of the line within the height band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // The layer's exit order among the sensor's layers. The layer that stays within the band up to
-  // the greatest distance has rank 0.
+  // The layer's place in the order in which the sensor's layers leave the band. The layer that
+  // stays within the band up to the greatest distance has rank 0.
   std::uint32_t rank = 0;
-  // A point at this range or beyond lies far beyond the band. It frees the whole line from the
-  // sensor to the point where the layer leaves the band. If the sensor is outside the band, this is
-  // the maximum value.
+  // A point at this range or beyond frees the whole line from the sensor to the point where the
+  // layer leaves the band. If the sensor is outside the band, behind_mm has the maximum value.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
 };
 
 // All layers of a sensor.
 struct TurnLayers {
-  // Whether the sensor is within the height band. If the sensor is within the band, a beam that
-  // ends within the band is within it from its start. A layer's part within the band is then
-  // contained in the part of each layer with a lower rank.
+  // True if the sensor is within the height band. In this case, a beam that ends within the band is
+  // within the band over its whole length. Each layer's part within the band is then contained in
+  // the parts of all layers with lower ranks.
   bool start_in_band = false;
-  // The number of beams that saturates a cell.
+  // The number of beams that saturate a cell.
   std::uint32_t enough_beams = 0;
-  // A hit at this distance or beyond frees everything within the band that layers with a rank of
+  // A hit at this distance or beyond frees all cells within the band that layers with a rank of
   // near_rank or higher may free.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
-  // Computed from vehicle::Sensor::moved: the horizontal ranges at which a layer's return is a tall
-  // return, and the part of the line in which the layer's beams are low.
+  // `tall` contains the horizontal ranges at which a layer's return is a tall return. `low`
+  // contains the part of the line in which the layer's beams are low. Both are computed from
+  // vehicle::Sensor::moved.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};
 };
@@ -56,8 +57,8 @@ class TurnLines {
  public:
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
-  // The horizontal ranges that end on the car itself, computed on first use. The sensor must belong
-  // to the vehicle, and its layers must share lines.
+  // Returns the horizontal ranges that end on the car itself, computed on first use. The sensor
+  // must belong to the vehicle, and the sensor's layers must share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;
@@ -66,7 +67,7 @@ class TurnLines {
     }
     return on_car_[place].ranges;
   }
-  // The line of this azimuth step. Call on_car() first.
+  // Returns the line of this azimuth step. Call on_car() first.
   [[nodiscard]] KeptLine& line(const vehicle::Sensor& sensor, std::uint32_t azimuth_step) {
     return lines_[first_[number_of(sensor)] + azimuth_step];
   }
@@ -76,9 +77,9 @@ class TurnLines {
   }
 
  private:
-  // Every turn visits all lines, so each line is fetched from memory again in each turn. The ranges
-  // on the car are needed at a line's first point, but the line itself is needed only when it is
-  // carved. The ranges are therefore stored separately, next to the ranges of neighbouring lines.
+  // Every turn visits all lines, so each line is fetched from memory again in each turn. The first
+  // point of a line needs the ranges on the car, but the line itself is needed only for carving.
+  // The ranges are therefore stored separately, next to the ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

@@ -1,6 +1,6 @@
-// Pending lines of a rotating lidar: hundreds of lines with their points. A point is stored in one
-// word, so that the points fit into the caches. The effect of a point on its line is computed when
-// the line is carved.
+// The pending lines of a rotating lidar. Hundreds of lines and their points are pending at the same
+// time. Each point is stored in one word, so that all points fit into the caches. The effect of a
+// point on its line is computed when the line is carved.
 #pragma once
 
 #include <array>
@@ -16,8 +16,7 @@
 
 namespace iog::grid {
 
-// A point that carves or marks, stored in one word: its horizontal range, its layer and its
-// evidence.
+// A point that carves or marks. One word contains the point's horizontal range, layer and evidence.
 class WaitingPoint {
  public:
   WaitingPoint() = default;
@@ -83,12 +82,12 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The pending lines of a rotating lidar. Each line is stored in the slot given by its azimuth step.
-// There are enough slots for the spread of the lasers. The lasers of an HDL-64E are up to 17
-// degrees apart, which is 390 of 8,192 steps.
+// The pending lines of a rotating lidar. The azimuth step of a line determines the line's slot. The
+// slots cover the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees
+// apart, which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that each point accesses. It fits into one cache line, and the
+  // The part of a pending line that each point accesses. The part fits into one cache line. The
   // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
   // layers are recorded.
   struct alignas(32) Line {
@@ -98,12 +97,12 @@ class WaitingLines {
     RankSet behind;
   };
 
-  // Whether this line is pending and has room for another point.
+  // Returns true if this line is pending and has room for another point.
   [[nodiscard]] bool has_room(std::uint32_t azimuth_step) const {
     const Line& line = lines_[azimuth_step % kPlaces];
     return line.azimuth_step == azimuth_step && line.count < kMostPoints;
   }
-  // Begins a line. Its slot must be empty.
+  // Begins a line. The slot of the line must be empty.
   void begin(std::uint32_t azimuth_step, const vehicle::Ranges& on_car) {
     lines_[azimuth_step % kPlaces] = {
         .azimuth_step = azimuth_step, .count = 0, .on_car = on_car, .behind = {}};
@@ -145,9 +144,10 @@ class WaitingLines {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
-  // An odd number of cache lines, so that slots do not compete for the same cache sets. The 2 in
-  // the condition below covers the beams beyond the band: at most enough_beams of them are carved,
-  // and together they change a line by less than two other beams could.
+  // The points of a slot fill an odd number of cache lines, so that slots do not compete for the
+  // same cache sets. The 2 in the condition below covers the beams beyond the band. At most
+  // `enough_beams` beams beyond the band are carved. Together, these beams change a line by less
+  // than two other beams could.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

@@ -1,10 +1,9 @@
-// Computes the position of a spinning sensor's returns: their sector, their distance and their
-// height.
+// Computes the sector, the distance and the height of a spinning sensor's returns.
 //
-// If a sensor is mounted level, all of its layers share one line per azimuth, and their beams rise
-// by the tangent of their elevation (docs/model.md section 5). The bins of a tilted sensor lie in
+// If a sensor is mounted level, all of its layers share one line per azimuth, and each beam rises
+// by the tangent of its elevation (docs/model.md section 5). If a sensor is tilted, its bins lie in
 // its plane of rotation. Heights in these bins are measured from the car's plane, along the
-// vertical axis of the car, so straight ground remains straight.
+// vertical axis of the car. Straight ground therefore remains straight.
 #pragma once
 
 #include <array>
@@ -18,7 +17,7 @@
 
 namespace iog::ground {
 
-// Slope of a beam in units of 2^-24. A slope of 89 degrees still fits in one word.
+// The slope of a beam in units of 2^-24. A slope of 89 degrees still fits in one word.
 using Slope = std::int32_t;
 inline constexpr int kSlopeFractionBits = 24;
 
@@ -32,17 +31,17 @@ class Beams {
   [[nodiscard]] std::uint32_t sector_of(std::uint32_t azimuth_step) const {
     return azimuth_step >> sector_shift_;
   }
-  // Distance from the sensor in its plane of rotation, rounded down. For a level sensor this is the
-  // distance along the line.
+  // Returns the distance from the sensor in its plane of rotation, rounded down. For a level
+  // sensor, the result is the distance along the line.
   [[nodiscard]] std::uint32_t out_mm(std::size_t layer, std::uint32_t range_mm) const {
     return vehicle::along_line_mm(range_mm, shares_[layer]);
   }
 
-  // Slope of a beam along its line, rounded down. end_z: the height of the beam's end in subcells.
-  // The end is one sensor range away along the line.
+  // Returns the slope of a beam along its line, rounded down. `end_z` is the height of the beam's
+  // end in subcells. The beam's end is at the sensor's range along the line.
   [[nodiscard]] Slope slope_to(std::int32_t end_z) const;
-  // Height above the car's plane at a distance along a beam's line, rounded down. Requires |rise| <
-  // 2^30.
+  // Returns the height above the car's plane at a distance along a beam's line, rounded down.
+  // Requires |rise| < 2^30.
   [[nodiscard]] std::int32_t height_mm(Slope rise, std::uint32_t along_mm) const {
     const std::int64_t product =
         std::int64_t{rise} * (static_cast<std::int32_t>(along_mm) << (32 - kSlopeFractionBits));
@@ -57,22 +56,23 @@ class Beams {
   [[nodiscard]] std::uint32_t along_mm(std::size_t layer, std::uint32_t out_mm) const {
     return static_cast<std::uint32_t>((std::uint64_t{out_mm} * along_of_out_[layer]) >> kAlongBits);
   }
-  // Slope of the beams of a layer. Valid for level sensors only.
+  // Returns the slope of the beams of a layer. The slope is valid for level sensors only.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
   [[nodiscard]] std::int32_t origin_mm() const { return origin_mm_; }
 
-  // The length of the sensor's lines.
+  // Returns the length of the sensor's lines.
   [[nodiscard]] std::uint32_t range_mm() const { return range_mm_; }
-  // All layers, sorted by ascending elevation.
+  // Returns all layers, sorted by ascending elevation.
   [[nodiscard]] std::span<const std::uint8_t> from_below() const {
     return std::span(from_below_).first(layer_count_);
   }
-  // The points of a packet from which the car's tilt is estimated. They come from every second
-  // layer of the lower two thirds, and from enough firings to give kSamples points.
+  // Returns the points of a packet from which the car's tilt is estimated. The points come from
+  // every second layer of the lower two thirds. The number of firings is chosen to give kSamples
+  // points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }
-  // The minimum number of samples in a packet from which a tilt can be estimated.
+  // Returns the minimum number of samples that a packet needs for an estimate of the tilt.
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:

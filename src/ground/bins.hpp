@@ -1,7 +1,6 @@
-// The ground around a spinning lidar is stored in polar bins. There are 256 sectors per turn,
-// counted in the azimuth steps of vehicle::AzimuthSteps, and 64 bins outward along each line of the
-// sensor (docs/model.md section 5). A bin is 1,024 mm long, or 2,048 mm if the line is longer than
-// 64 bins of 1,024 mm.
+// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, counted in
+// the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64 bins (docs/model.md
+// section 5). A bin is 1,024 mm long, or 2,048 mm if the line is longer than 64 bins of 1,024 mm.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +16,15 @@ inline constexpr std::size_t kBins = 64;
 class Bins {
  public:
   constexpr Bins() = default;
-  // range_mm: the length of the sensor's lines, at most 2^17 mm.
+  // `range_mm` is the length of the sensor's lines, at most 2^17 mm.
   explicit constexpr Bins(std::uint32_t range_mm)
       : shift_(range_mm > kBins << kShortShift ? kShortShift + 1 : kShortShift) {}
 
-  // log2 of a bin's length in mm.
+  // Returns log2 of a bin's length in mm.
   [[nodiscard]] constexpr int shift() const { return shift_; }
   [[nodiscard]] constexpr std::uint32_t length_mm() const { return std::uint32_t{1} << shift_; }
-  // The bin at a distance along a line. If the result is kBins or more, the distance is beyond the
-  // last bin.
+  // Returns the bin at a distance along a line. If the result is kBins or more, the distance is
+  // beyond the last bin.
   [[nodiscard]] constexpr std::uint32_t bin_of(std::uint32_t along_mm) const {
     return along_mm >> shift_;
   }
@@ -36,8 +35,8 @@ class Bins {
   [[nodiscard]] constexpr std::int32_t rise_of_bin(std::int32_t per_1024_mm) const {
     return per_1024_mm << (shift_ - kShortShift);
   }
-  // Ground farther above or below the car's plane than this is implausible. The limit is 0.3 m plus
-  // a slope of 12.4 degrees, at most 14 m.
+  // Returns the maximum plausible height of the ground above or below the car's plane. The limit is
+  // 0.3 m plus a slope of 12.4 degrees, and at most 14 m.
   [[nodiscard]] constexpr std::int32_t most_plausible_mm(std::uint32_t bin) const {
     return std::min(300 + rise_of_bin(225) * static_cast<std::int32_t>(bin + 1), kMostPlausibleMm);
   }

@@ -1,13 +1,13 @@
-// The exit ranges of each sector and layer. They give the distance over which a beam stays between
-// the two height limits above the ground. A beam can free cells only up to its exit range
-// (docs/ground.md, "What is freed").
+// The exit ranges of each sector and layer. The exit range of a beam is the distance over which the
+// beam stays between the two height limits above the ground. A beam can free cells only up to its
+// exit range (docs/ground.md, "What is freed").
 //
 // A beam that starts between the limits leaves them either below, where it comes too close to the
-// ground, or above, where it is too high above the ground. Of the beams that leave below, those
-// with a higher elevation leave farther out. Of the beams that leave above, those with a higher
-// elevation leave nearer. One outward sweep on each side is therefore enough to find the exits of
-// all layers of a sector. Each sweep produces a sorted list, and merging the two lists sorts the
-// layers by exit range.
+// ground, or above, where it is too high above the ground. If two beams leave below, the beam with
+// the higher elevation leaves farther from the sensor. If two beams leave above, the beam with the
+// higher elevation leaves nearer to the sensor. One outward sweep on each side is therefore enough
+// to find the exit ranges of all layers of a sector. Each sweep produces a sorted list. The two
+// lists are merged to sort the layers by exit range.
 #pragma once
 
 #include <array>
@@ -27,12 +27,13 @@ class Exits {
   // Requires a level sensor whose lines are at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
-  // The exit range of a beam: the distance along its line at which it leaves the limits. It is
-  // rounded down to a multiple of 2 mm and is at most the line's length.
+  // Returns the exit range of a beam. The exit range is the distance along the beam's line at which
+  // the beam leaves the limits. The exit range is rounded down to a multiple of 2 mm and is at most
+  // the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
-  // The layers of a sector, sorted by descending exit range.
+  // Returns the layer with this rank in a sector. Layers are ranked by descending exit range.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }
@@ -41,8 +42,8 @@ class Exits {
   }
 
  private:
-  // Entry i contains the exit range and the rank of layer i, because a return needs both. It also
-  // contains the layer whose rank is i.
+  // Entry i contains the exit range and the rank of layer i, because both are needed for each
+  // return. Entry i also contains the layer whose rank is i.
   struct Exit {
     std::uint16_t to_2_mm = 0;
     std::uint8_t rank = 0;

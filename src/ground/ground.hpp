@@ -1,10 +1,10 @@
-// The ground around those sensors of a vehicle that follow the ground. It is constant while the
-// packets of a frame are processed, and is updated between two frames.
+// The ground around those sensors of a vehicle that follow the ground. The ground is constant while
+// the packets of a frame are processed, and is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
-// sensor has swept the ticks of at least one whole scan since the last update. The time of the
-// update therefore depends only on the set of packets in each frame. It does not depend on their
-// order or on the cores that fuse them.
+// sensor has swept the ticks of at least one complete scan since the last update. The time of the
+// update therefore depends only on the set of packets in each frame. The order of the packets, and
+// the cores that fuse them, have no effect on the time of the update.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The properties of a beam that a sample needs: the ranges at which it ends on the car itself, and
-// its slope.
+// The slope of a beam, and the ranges at which the beam ends on the car itself. A sample needs both
+// properties.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -39,20 +39,20 @@ struct Ray {
 class Ground {
  public:
   Ground() = default;
-  // The sensor must be a spinning lidar that follows the ground, and it must outlive this object.
-  // The ground is flat at first.
+  // The sensor must be a spinning lidar that follows the ground, and must outlive this object. The
+  // ground is flat at first.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // The distances at which beams leave the height limits. Valid only for sensors whose layers share
-  // lines.
+  // Returns the distances at which beams leave the height limits. The distances are valid only for
+  // sensors whose layers share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
-  // The part of a beam that is low enough to open cells, given by distances along its line. It is
-  // the whole line if beams at any height open cells. If the sensor's layers share lines, the part
-  // ends at the exit range of the beam.
+  // Returns the part of a beam that is low enough to open cells, as distances along the beam's
+  // line. If beams at any height open cells, the low part is the entire line. If the sensor's
+  // layers share lines, the part ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -62,17 +62,17 @@ class Ground {
     const Stretch low = low_beams_.at(sector, layer);
     return {low.from_mm, std::min(exit_mm, low.to_mm)};
   }
-  // A beam is low at this distance and beyond.
+  // Returns the distance along the line at which the low part of a beam starts.
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // A return is tall if it is at least this high above the highest ground nearby. A bank that
-  // begins within one or two bins is therefore not tall relative to the ground in front of it. If
-  // the value is 0, every return is tall.
+  // Returns the minimum height of a tall return above the highest ground nearby. A bank that begins
+  // within one or two bins is therefore not tall relative to the ground in front of it. If the
+  // value is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
-  // The tilt of the car as measured by one packet of the sensor. Packet must have
-  // for_each_sample(). ray_of(step, point) returns the Ray of a point at an azimuth step.
+  // Returns the tilt of the car as measured by one packet of the sensor. `Packet` must have
+  // for_each_sample(). `ray_of(step, point)` returns the Ray of a point at an azimuth step.
   template <typename Packet, typename RayOf>
   [[nodiscard]] Tilt tilt_of(const vehicle::Sensor& sensor, const Packet& packet,
                              RayOf&& ray_of) const {
@@ -112,15 +112,16 @@ class Ground {
   LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return farther above or below the car's plane than this is never tall. A return is assigned to
-// a cell by its projection onto that plane. If the car tilts by 2 degrees, the projection of such a
-// return moves by more than one cell. A static object would then appear to approach.
+// A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
+// return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
+// degrees, the projection of such a return moves by more than one cell. A static object would then
+// appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.
 class PacketJudge {
  public:
-  // ground and lows must outlive this object. tilt: the tilt of this packet.
+  // `ground` and `lows` must outlive this object. `tilt` is the tilt of the packet.
   PacketJudge(const Ground& ground, Lows& lows, Tilt tilt)
       : beams_(&ground.beams()),
         surface_(&ground.surface()),
@@ -129,8 +130,9 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // Adds a return to the lows and classifies it by its height above the ground. An obstacle has the
-  // outcome kUsed. z_mm: the height of the return above the car's plane.
+  // The result of judge(). `judge()` adds a return to the lows and classifies the return by its
+  // height above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return
+  // above the car's plane.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
@@ -140,8 +142,8 @@ class PacketJudge {
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
-    // The ground at the return is never higher than the highest ground nearby. This first test
-    // therefore already rejects most returns.
+    // The ground at the return is never higher than the highest ground nearby. A test against the
+    // ground at the return is therefore enough to reject most returns.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,
@@ -164,30 +166,32 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each sensor of a vehicle that follows the ground. Each such sensor has an
-// index, called its place. The object takes up 630 KB: make it static.
+// The ground around each sensor that follows the ground. Each sensor that follows the ground has an
+// index, called its place. Make the object static, because it takes up 630 KB.
 class Grounds {
  public:
   // The vehicle must outlive this object.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // The place of the sensor with this number, or nothing if the sensor does not follow the ground.
+  // Returns the place of the sensor with this number, or nothing if the sensor does not follow the
+  // ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
     return place == kNone ? std::nullopt : std::optional<std::size_t>(place);
   }
   [[nodiscard]] const Ground& at(std::size_t place) const { return grounds_[place]; }
 
-  // The use of a sensor's lows at the end of a frame.
+  // Specifies what happens to a sensor's lows at the end of a frame.
   enum class LowsAre : std::uint8_t {
     kKept,       // the turn is not complete yet: keep them
     kOfTurn,     // the turn is complete: pass them to close_turn(), then clear them
     kForgotten,  // the sensor sends nothing and its ground was reset to flat: clear them
   };
 
-  // Ends a frame in which the sensor has swept this many ticks. The sensor must follow the ground.
+  // Ends a frame in which the sensor has swept `swept_ticks` ticks. The sensor must follow the
+  // ground.
   [[nodiscard]] LowsAre end_frame(std::size_t sensor, std::uint32_t swept_ticks);
-  // lows: the lowest returns of the turn, merged over all cores.
+  // `lows` contains the lowest returns of the turn, merged over all cores.
   void close_turn(std::size_t sensor, const Lows& lows) {
     grounds_[places_[sensor]].close_turn(walk_, lows);
   }
@@ -198,7 +202,8 @@ class Grounds {
   }
 
  private:
-  // A sensor that sends nothing for this long, counted in frame periods, may be at another place.
+  // A sensor that is silent for kForgottenUs may have moved to another place. The time is counted
+  // in frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

@@ -5,13 +5,14 @@
 
 namespace iog::ground {
 
-// A return between these heights above the ground is an obstacle. Both limits are included.
+// A return at a height from low_mm to top_mm above the ground is an obstacle. Both limits are
+// included.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;
 };
 
-// A return farther below the surface than this is a mirror image, a hole or a drop.
+// A return more than kUnderMm below the surface is a mirror image, a hole or a drop.
 inline constexpr std::int32_t kUnderMm = 400;
 
 enum class Kind : std::uint8_t {

@@ -1,15 +1,17 @@
-// The part of each beam that is close to the ground. Only low beams open a cell to motion: a hit
-// counts as moving only if a low beam has freed its cell before (docs/perception.md, section 4).
+// Computes the part of each beam that is close to the ground. Only low beams open a cell to motion.
+// A hit counts as moving only if a low beam has freed its cell before (docs/perception.md, section
+// 4).
 //
-// The height of the ground below a beam is known only per bin. On a bank that rises from one bin to
-// the next, a beam would therefore appear low over both the foot and the top. A hit in between
-// would then look like motion. For this reason, the height of a beam is measured from the lowest
-// ground nearby. The height of a tall return is measured from the highest ground nearby.
+// The height of the ground below a beam is known only per bin. If a bank rises from one bin to the
+// next, a beam would therefore appear low over both the foot and the top of the bank. A hit between
+// the foot and the top would then look like motion. The height of a beam is therefore measured from
+// the lowest ground nearby, and the height of a tall return is measured from the highest ground
+// nearby.
 //
-// A beam opens no cells where it is less than MovedLimits::kUnderCarsMm above the ground. There it
-// may pass under a parked car, and the next beam may hit the body of this car. If the sensor is
-// mounted no higher than this above the car's plane, it has no higher beams, so all its low beams
-// open cells.
+// A beam opens no cells where it is less than MovedLimits::kUnderCarsMm above the ground. At such a
+// height, the beam may pass under a parked car, and the next beam may hit the body of this car. If
+// the sensor is mounted no higher than kUnderCarsMm above the car's plane, it has no higher beams,
+// so all its low beams open cells.
 #pragma once
 
 #include <array>
@@ -25,22 +27,22 @@ namespace iog::ground {
 
 class LowBeams {
  public:
-  // The part of a beam that is low, given by distances along its line. Both distances are rounded
-  // down to multiples of 2 mm and are at most the line's length. The stretch is empty if from_mm >=
-  // to_mm.
+  // The part of a beam that is low, given by distances along the beam's line. Both distances are
+  // rounded down to multiples of 2 mm and are at most the line's length. The stretch is empty if
+  // from_mm >= to_mm.
   struct Stretch {
     std::uint32_t from_mm = 0;
     std::uint32_t to_mm = 0;
   };
 
   // Requires that the sensor's lines are at most 131,070 mm long. For a tilted sensor, the beams in
-  // the middle of a sector represent the whole sector.
+  // the middle of a sector represent the entire sector.
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 
-  // If the sensor is mounted higher than low_mm above the car's plane, the stretch starts where the
-  // beam descends to low_mm. Otherwise the stretch extends from the start of the beam to the point
-  // where it rises above low_mm.
+  // Returns the stretch of a beam. If the sensor is mounted higher than low_mm above the car's
+  // plane, the stretch starts where the beam descends to low_mm. Otherwise, the stretch extends
+  // from the start of the beam to the point where the beam rises above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

@@ -1,9 +1,10 @@
 // The lowest return of each bin in one turn of a sensor. Only returns that can be ground are
 // included.
 //
-// A minimum depends neither on the order of its inputs nor on duplicates. The lows are therefore
-// independent of the order of packets, of duplicates and of the distribution over cores. A forged
-// return can only lower its bin, and only to a plausible height, because lower returns are ignored.
+// A minimum depends neither on the order of its inputs nor on duplicates. The lows therefore do not
+// depend on the order of packets, on duplicates or on the distribution over cores. A forged return
+// can only lower the value of its bin, and only to a plausible height, because lower returns are
+// ignored.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // This value is higher than every valid return. It means that the bin has no return.
+  // The value kNothing means that a bin has no return. kNothing is higher than every valid return.
   static constexpr std::int16_t kNothing = 32767;
-  // A ring has one value per sector.
+  // A ring contains one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;
 
   Lows() { clear(); }
@@ -35,7 +36,8 @@ class Lows {
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {
-      // Few returns are lower than all previous ones, so their plausibility is checked last.
+      // Few returns are lower than all previous returns, so the plausibility of a return is checked
+      // last.
       std::int16_t& low = rings_[bin][sector];
       if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
         low = static_cast<std::int16_t>(z_mm);

@@ -2,10 +2,11 @@
 //
 // Ranges: The room of a beam is its height difference from the limit. Heights are in units of 2^-14
 // mm, so a slope in units of 2^-24 equals the rise per 1,024 mm. At the start of a bin, the room is
-// at most 2^37: 64 bins of 2^31 each, plus 2^17 mm. Within a bin the room changes by less than
-// 2^32: 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. The divisor therefore has 32 bits, and
-// the dividend is below 2^32 times half a bin. If a beam rises by at most 2^24 per bin (a slope of
-// 1, or 1/2 in long bins), its room is at most 64 times 2^24 plus 2^16 mm and fits in one word.
+// at most 2^37, the sum of 64 bins of 2^31 each and 2^17 mm. Within a bin, the room changes by less
+// than 2^32, which covers 46,000 mm of ground and 2 * 57.3 * 2^24 of slope. The divisor therefore
+// has 32 bits, and the dividend is below 2^32 times half a bin. If a beam rises by at most 2^24 per
+// bin (a slope of 1, or 1/2 in long bins), its room is at most 64 times 2^24 plus 2^16 mm and fits
+// in one word.
 #pragma once
 
 #include <algorithm>
@@ -37,8 +38,9 @@ class Outlook {
                           : -1),
         is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
-  // The distance that a beam of this slope reaches, rounded down to a multiple of 2 mm. It is at
-  // most the line's length. The search starts in the bin in which the previous beam left.
+  // Returns the distance at which a beam of this slope exceeds the limit, rounded down to a
+  // multiple of 2 mm. The distance is at most the line's length. The search starts in the bin in
+  // which the previous beam exceeded the limit.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
     if (is_out_) {
       return 0;
@@ -55,7 +57,8 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // The room at the start of a bin. If the room is negative, the beam has left.
+  // Returns the room at the start of a bin. If the room is negative, the beam has exceeded the
+  // limit.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);

@@ -1,5 +1,5 @@
-// The height of the ground around a spinning sensor. It is used to classify the returns of one
-// turn.
+// The height of the ground around a spinning sensor. The returns of one turn are classified with
+// the heights of this surface.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,15 @@ namespace iog::ground {
 
 class Surface {
  public:
-  // Heights above the car's plane in mm, at the start of each bin and at the end of the last bin.
-  // Between two of these points the ground is straight.
+  // The heights above the car's plane in mm, at the start of each bin and at the end of the last
+  // bin. Between two of these points, the ground is straight.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
   static constexpr std::int32_t kMost = 32'000;  // maximum magnitude of any height
   static constexpr std::size_t kNearBins = 2;
 
-  // A sector keeps its row for this many consecutive turns without a return, and then resets it.
+  // The number of consecutive turns without a return for which a sector keeps its row. After that,
+  // the row is reset.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
   // The source of a sector's row.
@@ -31,10 +32,10 @@ class Surface {
   };
 
   // Converts a return's height above the car's plane to its height above the ground. Beyond the
-  // last bin the ground continues with that bin's slope for kBeyondMm.
+  // last bin, the ground continues with that bin's slope for kBeyondMm.
   //
   // Range: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
-  // 2^14, so their product is at most 2^30. |z_mm| <= 2^20 keeps the result below 2^21.
+  // 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -42,8 +43,8 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // The height of a return above the highest ground nearby. For this, each start is raised to the
-  // highest start within kNearBins on either side.
+  // Returns the height of a return above the highest ground nearby. The highest ground nearby is
+  // computed by raising each start to the highest start within kNearBins on either side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -57,9 +58,9 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // The lowest ground nearby. Each start is lowered to the lowest start within kNearBins, except
-  // for height differences that are due to a constant slope. A constant slope is therefore not
-  // lowered. A start is never lowered below the lowest start within kNearBins.
+  // Returns the lowest ground nearby. Each start is lowered to the lowest start within kNearBins,
+  // except for height differences that are due to a constant slope. A constant slope is therefore
+  // not lowered. A start is never lowered below the lowest start within kNearBins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
@@ -69,7 +70,7 @@ class Surface {
   }
   [[nodiscard]] std::size_t count(Source source) const;
 
-  // Returns the row of a sector that had returns in this turn. The caller rewrites it.
+  // Returns the row of a sector that had returns in this turn. The caller rewrites this row.
   [[nodiscard]] Row& renew(std::size_t sector) {
     turns_kept_[sector] = 0;
     return rows_[sector];

@@ -1,20 +1,21 @@
 // Computes the surface from the lowest returns of one turn. The surface is used to classify the
-// next turn.
+// returns of the next turn.
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
-// (docs/ground.md). The lowest return of a bin is ground unless it is much higher than predicted by
-// the slope. The first ground in a sector must also be close to the car's plane, or not much higher
-// than the surface of the previous turn. If the first ground is far and high, the steps after it
-// must be small. If the lowest return is far below the prediction, it is always ground, because the
-// supposed ground before it must have been an object. It is also ground if it is not much higher
-// than the lowest return in the nearest adjacent sectors. A bin without ground of its own uses the
-// ground of the adjacent sectors if their heights fit. Otherwise its ground is interpolated between
-// the nearest bins with ground.
+// (docs/ground.md). The lowest return of a bin is ground unless it is much higher than the slope
+// predicts. The first ground in a sector must also be close to the car's plane, or not much higher
+// than the surface of the previous turn. If the first ground is far away and high, the following
+// height steps must be small. A lowest return far below the prediction is always ground, because
+// the supposed ground before it must have been an object. A lowest return is also ground if it is
+// not much higher than the lowest return in the nearest adjacent sectors. A bin without ground of
+// its own uses the ground of the adjacent sectors if their heights fit. Otherwise, its ground is
+// interpolated between the nearest bins with ground.
 //
 // Each height is the median of three sectors, which suppresses a mirror image under the road. In
-// addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. Other
-// returns, real or forged, can therefore never hide a return whose height above the bin's lowest
-// return exceeds 150 mm + Limits::low_mm. It is never classified as ground.
+// addition, the surface in a bin is nowhere more than 150 mm above the bin's lowest return. A
+// return whose height above the bin's lowest return exceeds 150 mm + Limits::low_mm is therefore
+// never classified as ground. Other returns, real or forged, can never hide a return of this
+// height.
 //
 // All sectors are processed in parallel, eight per register. A ring contains one bin of every
 // sector.
@@ -55,17 +56,17 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // The ground of each bin. Before the walk reaches a bin, it contains the surface of the last
-  // turn. find_starts() converts the ground to heights at the start of each bin and at the end of
-  // the last bin.
+  // The ground of each bin. Before the walk reaches a bin, the entry of the bin contains the
+  // surface of the last turn. `find_starts()` converts the ground to heights at the start of each
+  // bin and at the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
-  // The current state of each sector's walk: its height, its slope in mm per bin, and its bin,
-  // which is -1 before the first ground.
+  // The current state of each sector's walk. The state consists of the height, the slope in mm per
+  // bin, and the bin. The bin is -1 before the first ground.
   Ring height_{};
   Ring slope_{};
   Ring last_{};
   Ring doubt_{};  // own grounds that are still needed before steps may be large
-  // The state of the current bin. Lows::kNothing means that there is no value.
+  // The state of the current bin. The value Lows::kNothing means that a bin has no value.
   Ring low_{};       // lowest plausible return
   Ring expected_{};  // expected height of the ground
   Ring most_{};      // maximum height above the expected ground at which a return is still ground

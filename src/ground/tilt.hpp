@@ -1,8 +1,8 @@
-// The tilt and lift of the car since the last turn, estimated from one packet.
+// Estimates the tilt and lift of the car since the last turn from one packet.
 //
 // The surface comes from the previous turn. Braking and bumps tilt the car by up to one degree per
-// turn of the lidar, which is 0.35 m at a distance of 20 m. Therefore a straight line is fitted to
-// the packet's returns that lie near the sensor and near the ground. The line gives the height
+// turn of the lidar, which is 0.35 m at a distance of 20 m. A straight line is therefore fitted to
+// the packet's returns that are near the sensor and near the ground. The line gives the height
 // above the surface as a function of distance. A packet covers a narrow sector, in which pitch and
 // roll appear as a single slope. The result depends only on the returns of the packet and on the
 // surface.
@@ -19,7 +19,8 @@ struct Tilt {
   std::int32_t up_mm = 0;  // lift; magnitude at most 100
   std::int32_t slope = 0;  // in units of 2^-14; magnitude at most 656 (2.3 degrees)
 
-  // The apparent rise of a return at this distance. along_mm <= 2^20 keeps products below 2^30.
+  // Returns the apparent rise of a return at the distance `along_mm`. If along_mm <= 2^20, the
+  // products stay below 2^30.
   [[nodiscard]] constexpr std::int32_t at(std::uint32_t along_mm) const {
     return up_mm + ((slope * static_cast<std::int32_t>(along_mm)) >> 14);
   }
@@ -36,12 +37,12 @@ struct Sample {
 inline constexpr std::uint32_t kFirstSampleMm = 3'000;
 inline constexpr std::uint32_t kEndOfSamplesMm = 30'000;
 
-// The samples of one packet. Samples beyond kMost are ignored.
+// The samples of one packet. If a packet has more than kMost samples, the rest are ignored.
 class Samples {
  public:
   static constexpr std::size_t kMost = 128;
 
-  // height_mm: the height above the surface. Returns outside the range of a Sample are ignored.
+  // `height_mm` is the height above the surface. Returns outside the range of a Sample are ignored.
   void add(std::uint32_t along_mm, std::int32_t height_mm);
   [[nodiscard]] std::span<const Sample> all() const { return std::span(samples_).first(count_); }
 

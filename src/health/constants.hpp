@@ -1,8 +1,9 @@
-// Members that are set at start-up and then never change, although they lie between data that
-// changes. Each is a region of the memory check (health/memory_check.hpp).
+// Visits the constants of a class. Constants are members that are set at start-up and then never
+// change, although they lie between changing data. Each constant is a region of the memory check
+// (health/memory_check.hpp).
 //
-// A class with such members has for_each_constant(visit). It calls visit(bytes) for each constant,
-// including the constants of its members.
+// A class with constants has a member function for_each_constant(visit), which calls visit(bytes)
+// for each constant, including the constants of the class's members.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// Statistics of durations: the maximum, the sum and a histogram. The words have the layout that the
-// stream uses (docs/spec.md 3.7).
+// Collects statistics of durations: the maximum, the sum and a histogram. The words have the same
+// layout as in the stream (docs/spec.md 3.7).
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,10 @@
-// Guard words around memory with many writers, such as grids or the rings of a DMA engine. No code
-// writes these words after start-up, so a changed value reveals an overrun. They protect adjacent
-// memory where no unmapped page can be placed in between. The memory check treats them as regions
-// (health/memory_check.hpp).
+// Guard words surround memory with many writers, such as grids or the rings of a DMA engine. No
+// code writes guard words after start-up, so a changed value reveals an overrun. Guard words
+// protect adjacent memory where an unmapped page is not possible. The memory check treats guard
+// words as regions (health/memory_check.hpp).
 //
-// A class with such members has for_each_guard(visit). It calls visit(guard) for each guard,
-// including the guards of its members, from low to high addresses.
+// A class with guards has a member function for_each_guard(visit), which calls visit(guard) for
+// each guard, including the guards of the class's members, from low to high addresses.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace iog::health {
 
-// A guard is two cache lines long. It is zero until set() is called, so it can be placed in
+// A guard is two cache lines long. Guards are zero until set() is called, so they can be placed in
 // zero-initialised memory.
 struct Guard {
   static constexpr std::uint32_t kWord = 0x6775'6172;  // not a plausible address, cell or count

@@ -1,9 +1,9 @@
-// Checks that constant memory has not changed. It reads the memory cyclically in small slices and
-// compares the CRC-32 of every region once per round.
+// Checks that constant memory has not changed. The check reads the memory cyclically in small
+// slices, and compares the CRC-32 of every region once per round.
 //
 // A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
-// a round, so the load depends only on the number of bytes and not on the loop period. A late loop
-// catches up by a bounded number of slices per call.
+// a round, so the load depends on the number of bytes, but not on the loop period. If the loop is
+// late, each call catches up by a bounded number of slices.
 #pragma once
 
 #include <cstddef>
@@ -27,13 +27,13 @@ struct Region {
 class MemoryCheck {
  public:
   static constexpr std::size_t kSliceBytes = 1408;
-  // The duration of a round if the loop runs on time. The round takes longer if more than one slice
-  // per millisecond would be due. If a byte takes 4 cycles because all bytes are read from DDR, the
+  // The duration of a round if the loop runs on time. A round takes longer if more than one slice
+  // per millisecond would be due. If all bytes are read from DDR and each byte takes 4 cycles, the
   // load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // The maximum per step is 45 KB, which takes a quarter of a millisecond at 4 cycles per byte and
-  // 792 MHz.
+  // The maximum number of slices per step. These slices contain 45 KB, which take a quarter of a
+  // millisecond at 4 cycles per byte and 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 
   // The regions and their bytes must outlive the check. `regions` may be empty.
@@ -42,11 +42,11 @@ class MemoryCheck {
   // Checks all regions at once. Returns the index of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due by now. If a slice completes the check of a region and the
-  // region has changed, returns the index of the region. The first call only sets the start time.
+  // Checks the slices that are due. If a slice completes the check of a region and the region has
+  // changed, the function returns the index of the region. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
-  // The number of complete rounds, modulo 2^32.
+  // Returns the number of complete rounds, modulo 2^32.
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
 
   [[nodiscard]] std::span<const Region> regions() const { return regions_; }

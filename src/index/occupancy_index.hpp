@@ -1,8 +1,8 @@
-// The occupancy index: a small integer that represents the occupancy probability of a cell.
+// The occupancy index is a small integer that represents the occupancy probability of a cell.
 //
 // Index n represents the probability p_n of the recursive set (index/recursive_set.hpp;
-// docs/model.md section 2, thesis section 3.3). 0 means unknown, a negative index means likely
-// free, and a positive index means likely occupied.
+// docs/model.md section 2, thesis section 3.3). Index 0 means unknown, a negative index means
+// likely free, and a positive index means likely occupied.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace iog::index {
 
-// The index as stored in a grid. -128 never occurs, so the range is symmetric.
+// The index as stored in a grid. The value -128 never occurs, so the range is symmetric.
 using OccupancyIndex = std::int8_t;
 
 // The range of an index in a cell of type Cell. A smaller epsilon needs a wider cell type, but the
@@ -25,25 +25,25 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 
 inline constexpr OccupancyIndex kUnknown = 0;
 
-// Fuses two indexes (docs/model.md section 2). The result is their sum, saturated at +-127 for
-// int8. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to int32, the sum fits
-// into 64 bits.
+// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes, saturated at
+// +-127 for int8. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to int32,
+// the sum fits into 64 bits.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }
 
-// Same as above, if the second argument is known not to be positive, as in carving. The sum can
-// then saturate only at the lower end, which saves one comparison in the innermost loop. The second
-// argument may be a sum of many indexes, above -2^30.
+// Same as above, for a second argument that is not positive, as in carving. The sum saturates only
+// at the lower end, which saves one comparison in the innermost loop. The second argument may be a
+// sum of many indexes, but must be above -2^30.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_positive) {
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a byte that was carved with saturation at the minimum of int8 to an index: -128 becomes
-// -127.
+// Converts a byte that was carved with saturation at the minimum of int8 to an index. The value
+// -128 becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

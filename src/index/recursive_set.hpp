@@ -1,8 +1,8 @@
 // The recursive set S_epsilon, and the quantisation of a probability to an element of the set
 // (docs/model.md section 2, thesis section 3.3.3).
 //
-// p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of p_n equal n times the log-odds of
-// p_1, so fusion is a sum of indexes.
+// The probabilities of the set are p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of
+// p_n equal n times the log-odds of p_1, so fusion is a sum of indexes.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace iog::index {
 
-// How a probability between two elements of the set is rounded (thesis section 3.4.4.1).
+// The rounding of a probability that lies between two elements of the set (thesis section 3.4.4.1).
 enum class Quantisation : std::uint8_t {
   kBlurring,  // towards 1/2: never overstates a sensor's certainty
   kNearest,   // to the element whose probability is nearest; ties are rounded towards 1/2
@@ -19,7 +19,8 @@ enum class Quantisation : std::uint8_t {
 
 class RecursiveSet {
  public:
-  // 0 < epsilon < 1/2. epsilon is half the width of the interval around 1/2 between p_-1 and p_1.
+  // `epsilon` is half the width of the interval around 1/2 between p_-1 and p_1. `epsilon` must be
+  // above 0 and below 1/2.
   constexpr explicit RecursiveSet(double epsilon) : ratio_((0.5 - epsilon) / (0.5 + epsilon)) {}
 
   // Returns p_n, for |n| up to a few million.
@@ -27,7 +28,7 @@ class RecursiveSet {
     return 1 / (1 + power(ratio_, n));
   }
 
-  // Returns the index that represents a probability, 0 < probability < 1.
+  // Returns the index that represents a probability. The probability must be above 0 and below 1.
   [[nodiscard]] constexpr std::int32_t quantise(double probability, Quantisation policy) const {
     const std::int32_t below = floor_index(probability);
     const std::int32_t above = below + 1;
@@ -44,8 +45,8 @@ class RecursiveSet {
   }
 
  private:
-  // Returns the n with p_n <= probability < p_(n+1). An estimate from the log-odds is corrected by
-  // comparison.
+  // Returns the n with p_n <= probability < p_(n+1). The function estimates n from the log-odds and
+  // corrects the estimate by comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
     const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
     auto n = static_cast<std::int32_t>(estimate);

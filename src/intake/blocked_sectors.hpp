@@ -1,28 +1,32 @@
-// Detects blocked sectors. In a blocked sector a sensor gets almost no returns although it should.
-// The reason may be a cap, ice or mud on its window, or a defect. Open sky causes no returns
-// either. Each sector (watched_sectors.hpp) is therefore judged only by beams for which a return is
-// expected:
+// Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
+// are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
+// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore judged only
+// by beams for which a return is expected. There are ground, sky, level and open sectors.
 //
-// - ground: sectors of a spinning lidar with ground beams. Ground beams meet the car's plane within
-//   20 m and with a slope of at least 1 in 16. A turn blocks the sector if less than one sixteenth
-//   of its ground beams have a return, and one of two conditions holds: less than one sixteenth of
-//   all its beams have a return, or at least one quarter of its ground beams previously had one.
-//   The latter fraction is a running mean, updated by 1/32 per turn. The sector opens after three
-//   turns in which one eighth of its ground beams, or else of all its beams, have a return.
-// - sky: the other sectors of a spinning lidar. They are blocked while all its ground sectors are
-//   blocked.
-// - level: sectors of a unit that does not spin or has no ground beams, if one of their beams meets
-//   the car's plane within the unit's range. The sector is blocked after 32 scans without a return,
-//   and opens after two scans with a return. After three scans without any return, all sectors of
-//   the unit are blocked.
-// - open: all sectors of a unit whose beams never meet the car's plane within its range, such as a
-//   level 2D scanner. Only beams with any echo are judged. The sector is blocked after 32 scans in
-//   which less than one sixteenth of these echoes count as returns, and opens after two other
-//   scans.
+// Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
+// plane within 20 m and with a slope of at least 1 in 16. A turn blocks a ground sector if less
+// than one sixteenth of its ground beams have a return, and one of two conditions holds: less than
+// one sixteenth of all its beams have a return, or at least one quarter of its ground beams
+// previously had a return. The previous fraction is a running mean, updated by 1/32 per turn. A
+// ground sector opens after three turns in which one eighth of its ground beams, or else of all its
+// beams, have a return.
 //
-// Returns closer than the sensor's minimum range are ignored. So are returns that the sensor flags
-// as dirt or rain. Only whole turns and scans are judged. They are sums over packets, so the order
-// of packets does not matter.
+// Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
+// sectors of the lidar are blocked.
+//
+// Level sectors belong to units that do not spin or have no ground beams. At least one beam of a
+// level sector meets the car's plane within the unit's range. A level sector is blocked after 32
+// scans without a return, and opens after two scans with a return. After three scans without any
+// return, all sectors of the unit are blocked.
+//
+// Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
+// range, such as a level 2D scanner. Only beams with any echo are judged. An open sector is blocked
+// after 32 scans in which less than one sixteenth of these echoes count as returns, and opens after
+// two other scans.
+//
+// Returns closer than the sensor's minimum range, and returns that the sensor flags as dirt or
+// rain, are ignored. Only whole turns and scans are judged. Turns and scans are sums over packets,
+// so the order of packets does not matter.
 #pragma once
 
 #include <array>
@@ -37,8 +41,8 @@ namespace iog::intake {
 
 inline constexpr std::size_t kSectors = 64;
 
-// The azimuth interval in which a sensor sees each sector. The width is 0 if the sensor does not
-// reach the sector.
+// The azimuth interval in which a sensor sees each sector. The width of the interval is 0 if the
+// sensor does not reach the sector.
 using SectorView = std::array<lidar::Sector, kSectors>;
 
 // A set of azimuths, in units of 1/256 turn.
@@ -65,35 +69,36 @@ class AzimuthParts {
 // The blocked sectors of one sensor.
 class BlockedSectors {
  public:
-  // The sensor and the view must outlive this object.
+  // `sensor` and `view` must outlive this object.
   BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view);
   BlockedSectors() = default;
 
   // Adds a packet of the current frame.
   void add(const Packet& packet);
 
-  // True if the current frame has at least one return.
+  // Returns true if the current frame has at least one return.
   [[nodiscard]] bool has_returns() const { return frame_returns_ > 0; }
 
   struct State {
     std::array<std::int16_t, kSectors> levels{};
     std::array<std::uint16_t, kSectors> gave{};  // mean fraction of ground beams with a return
     std::uint8_t empty_turns = 0;
-    // Bit i of seen is set if the sensor has looked into sector i since start. Bit i of blocked is
-    // set if the sensor is blocked in sector i.
+    // Bit i of `seen` is set if the sensor has looked into sector i since start. Bit i of `blocked`
+    // is set if the sensor is blocked in sector i.
     std::uint64_t seen = 0;
     std::uint64_t blocked = 0;
   };
 
-  // The state after the current frame, given the number of ticks and the sectors that the sensor
-  // has swept in it.
+  // Returns the state after the current frame. The arguments are the number of ticks and the
+  // sectors that the sensor has swept in the current frame.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
   // Ends the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // The azimuths of a packet in which a missing return is no evidence of free space. Either their
-  // sector was blocked in earlier frames, or less than one sixteenth of the judged beams in this
-  // packet have a return. The azimuth parts adjacent to such azimuths are also included.
+  // Returns the azimuths of a packet at which a missing return is no evidence of free space. At
+  // such an azimuth, either the sector was blocked in earlier frames, or less than one sixteenth of
+  // the judged beams in the packet have a return. The result also includes the azimuth parts
+  // adjacent to these azimuths.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
@@ -139,8 +144,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet for the fusion code. At an azimuth marked as silent, a missing return is not
-// treated as evidence.
+// A view of a packet for the fusion code. At silent azimuths, a missing return is no evidence of
+// free space.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -1,8 +1,8 @@
 // Converts datagrams to packets and assigns them to frames.
 //
-// A datagram is decoded only once. The result contains the sensor that sent it and the decoded
-// contents. After a frame has been closed, the caller can therefore ask again whether the packet
-// belongs to the open frame. Every dropped datagram is counted by cause.
+// A datagram is decoded only once. The result contains the sensor and the decoded contents. After
+// the caller has closed a frame, it can therefore classify the same packet again for the next
+// frame. Dropped datagrams are counted by cause.
 #pragma once
 
 #include <array>
@@ -40,40 +40,42 @@ class Intake {
     kNextFrame,  // close the frame, then call classify() again
   };
 
-  // sensors must outlive the intake. replayer_ipv4 may send on behalf of every sensor; it is 0 if
-  // there is no replayer.
+  // `sensors` must outlive the intake. `replayer_ipv4` may send on behalf of every sensor.
+  // `replayer_ipv4` is 0 if there is no replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
-  // True if the datagram was sent to a sensor's port by a source that may send for this sensor.
+  // Returns true if the datagram was sent to a sensor's port by a source that may send for this
+  // sensor.
   [[nodiscard]] bool listens_to(const Datagram& datagram) const {
     return sensor_of(datagram) != kNobody;
   }
 
-  // Finds the sensor of a datagram and decodes it. Returns nothing if the datagram was dropped. The
-  // payload must outlive the result.
+  // Finds the sensor of a datagram and decodes the datagram. Returns nothing if the datagram was
+  // dropped. The payload must outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Decides whether the packet belongs to the open frame. Drops a packet that repeats earlier
-  // ranges.
+  // Determines whether the packet belongs to the open frame. A packet that repeats earlier ranges
+  // is dropped.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
-  // Adds the packet to the open frame. Call it only after classify() returned kThisFrame.
+  // Adds the packet to the open frame. Call this function only after classify() has returned
+  // kThisFrame.
   void accept(const SensorPacket& packet);
   // Drops the packet, regardless of its frame, because the target is too slow.
   void leave(const SensorPacket& packet);
 
-  // True if every sensor has delivered its scan.
+  // Returns true if every sensor has delivered its scan.
   [[nodiscard]] bool is_complete() const;
 
-  // Ends the frame and starts the next one.
+  // Ends the frame and starts the next frame.
   void start_frame();
 
-  // The report of a sensor for the current frame.
+  // Returns the report of a sensor for the current frame.
   [[nodiscard]] SensorReport report_of(std::size_t sensor) const;
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // True if more than this many ticks of a sector were not swept by the sensor in this frame.
+  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, std::size_t sensor,
                                       const lidar::Sector& sector) const {
     return trackers_[sensor].misses_more_than(ticks, sector);
@@ -83,7 +85,7 @@ class Intake {
     return points_dropped_[static_cast<std::size_t>(fate)];
   }
 
-  // Numbers of dropped datagrams by cause since start.
+  // Returns the number of dropped datagrams since start, by cause.
   [[nodiscard]] const std::array<std::uint32_t, kPacketDropCount>& packet_drops() const {
     return packet_drops_;
   }
@@ -95,7 +97,8 @@ class Intake {
   }
 
  private:
-  // The sensor that may send from this source to this port, or kNobody if there is none.
+  // Returns the sensor that may send from this source to this port, or kNobody if there is no such
+  // sensor.
   [[nodiscard]] std::size_t sensor_of(const Datagram& datagram) const;
   [[nodiscard]] bool is_of_unit(std::size_t sensor, const Packet& packet);
   void drop(PacketDrop cause);

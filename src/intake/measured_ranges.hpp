@@ -1,12 +1,12 @@
-// Detects a stuck sensor: a sensor that no longer measures, but sends earlier ranges again with new
+// Detects stuck sensors. A stuck sensor no longer measures, but sends earlier ranges again with new
 // timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
-// and a standard deviation of 5 mm. It measures the same range twice in 41 of 100 cases. The
-// probability that two packets agree in every one of at least 64 ranges is therefore at most
-// 10^-24. With 16 rows, a hash may cover only 32 ranges, and the probability is 10^-12. All other
-// units either have a resolution of 5 mm or better, or are noisier than the Ouster. Two of their
-// ranges agree in at most 27 of 100 cases, and the probability that 32 ranges agree is 10^-18.
+// and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. The
+// probability that two packets agree in all of at least 64 ranges is therefore at most 10^-24. With
+// 16 rows, a hash may cover only 32 ranges, and the probability is 10^-12. All other units either
+// have a resolution of 5 mm or better, or are noisier than the Ouster. With these units, two ranges
+// agree in at most 27 of 100 cases, and the probability that 32 ranges agree is 10^-18.
 #pragma once
 
 #include <array>
@@ -19,20 +19,20 @@
 
 namespace iog::intake {
 
-// Computes a hash of the ranges of a packet. For a spinning unit it covers up to 128 points,
-// distributed evenly over the layers and over the firings of the packet. For other units it covers
+// Computes a hash of the ranges of a packet. For a spinning unit, the hash covers up to 128 points,
+// distributed evenly over the layers and firings of the packet. For other units, the hash covers
 // all points.
 class RangeDigest {
  public:
-  // The value if there is no hash, because the sampled points have so few returns that their ranges
-  // may repeat by chance.
+  // The value that represents no hash. A packet has no hash if so few sampled points have returns
+  // that the ranges may repeat by chance.
   static constexpr std::uint64_t kNone = 0;
 
   explicit RangeDigest(const vehicle::Sensor& sensor);
   RangeDigest() = default;
 
-  // The hash of a valid packet of this sensor. It is kNone if there are fewer than 32 returns, or
-  // if less than half of the points of a spinning unit have a return.
+  // Returns the hash of a valid packet of this sensor. Returns kNone if the packet has fewer than
+  // 32 returns, or if less than half of the points of a spinning unit have a return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
@@ -43,18 +43,19 @@ class RangeDigest {
 };
 
 // The hashes of a sensor's latest packets. Hashes in the same bucket form a chain, like the strings
-// in a compressor (RFC 1951, section 4).
+// in a deflate compressor (RFC 1951, section 4).
 class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
 
-  // Sets the number of previous packets to search. It must be below kMaxPackets. Initially it is 0.
+  // Sets the number of previous packets to search. The number must be below kMaxPackets. Initially,
+  // it is 0.
   void look_back(std::size_t packets) { packets_ = static_cast<std::uint32_t>(packets); }
 
-  // True if one of these packets had this hash. Returns false for kNone. The search takes at most
-  // 16 steps.
+  // Returns true if one of the previous packets had this hash. Returns false for kNone. The search
+  // takes at most 16 steps.
   [[nodiscard]] bool knows(std::uint64_t digest) const;
-  // Records a packet with this hash, whether it is new or repeated.
+  // Records a new or repeated packet with this hash.
   void note(std::uint64_t digest);
 
  private:
@@ -72,26 +73,27 @@ class RangeMemory {
   std::uint32_t number_ = kMaxPackets;  // number of the latest packet; at the start, 0 is too old
 };
 
-// Decides whether a sensor still measures. The order of the packets of a frame matters only if two
-// packets have equal ranges. In this case the later packet is reported as frozen.
+// Determines whether a sensor still measures. The order of the packets of a frame matters only if
+// two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
-  // Sets the number of previous packets to search for a repetition. It must be below
+  // Sets the number of previous packets to search for a repetition. The number must be below
   // RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 
-  // True if a packet with this hash is frozen, which means that it repeats earlier ranges. A packet
-  // without a hash counts as frozen if its unit is frozen. A unit is frozen after a frame in which
-  // it repeated packets and sent no new ones.
+  // Returns true if a packet with this hash is frozen, that is, if the packet repeats earlier
+  // ranges. A packet without a hash counts as frozen if its unit is frozen. A unit is frozen after
+  // a frame in which it repeated packets and sent no new packets.
   [[nodiscard]] bool is_frozen(std::uint64_t digest) const {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }
 
-  // Records a packet that was accepted, or that was dropped because it is frozen.
+  // `note_taken()` records a packet that was accepted. `note_frozen()` records a packet that was
+  // dropped because it is frozen.
   void note_taken(std::uint64_t digest);
   void note_frozen(std::uint64_t digest);
 
-  // Ends the frame and starts the next one.
+  // Ends the frame and starts the next frame.
   void start_frame();
 
  private:

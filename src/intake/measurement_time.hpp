@@ -1,8 +1,8 @@
-// The measurement time of a packet, which is the middle of its sweep.
+// The measurement time of a packet is the middle of the packet's sweep.
 //
-// A LUX sends the start and the end of its scan, and each message contains the sector that it
-// covers. The mirror rotates at a constant speed, and the scan extends as far to the left as to the
-// right. A Velodyne sends the start of its packet in microseconds since the full hour.
+// A LUX sends the start and the end of a scan, and each message specifies the sector that it
+// covers. The mirror rotates at a constant speed, and the scan extends equally far to the left and
+// to the right. A Velodyne sends the start of a packet in microseconds since the full hour.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@
 
 namespace iog::intake {
 
-// Microseconds since 1970-01-01 UTC by the sensor's clock. If the clock counts from the full hour,
-// the result is the matching time that is nearest to near_us. Any decoded packet is accepted. A
-// scan that ends before it begins is treated as instantaneous, and a scan longer than one second is
-// treated as one second long.
+// Returns the measurement time in microseconds since 1970-01-01 UTC, on the sensor's clock. If the
+// clock counts from the full hour, the result is the matching time that is nearest to near_us. The
+// function accepts any decoded packet. A scan that ends before it begins is treated as
+// instantaneous, and a scan longer than one second is treated as one second long.
 [[nodiscard]] std::uint64_t measured_us(const vehicle::Sensor& sensor,
                                         const lidar::PacketInfo& packet, std::uint64_t near_us);
 

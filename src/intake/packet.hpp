@@ -1,4 +1,4 @@
-// A decoded packet of any format: its header and its scan points.
+// The header and scan points of a decoded packet of any format.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
   decoder.decode(std::span<const std::byte>(), unit.corrections);
 };
 
-// Passes the unit properties that each decoder needs to it.
+// Decodes the payload. The decoder gets only the unit properties that it needs.
 template <typename Decoder>
 [[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
                                               const lidar::Unit& unit) {
@@ -62,7 +62,7 @@ class Packet {
     with_decoder(*this, [&](const auto& decoder) { decoder.for_each_point(visit); });
   }
 
-  // Does the same for the sampled points of a spinning unit (lidar/sampling.hpp).
+  // Calls visit(const ScanPoint&) for the sampled points of a spinning unit (lidar/sampling.hpp).
   template <typename Visit>
   void for_each_sample(const lidar::Sampling& sampling, Visit&& visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -72,8 +72,9 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for raw ranges of a valid packet and returns visit. For a spinning
-  // unit these are the ranges of the sampled points; for other units they are all ranges.
+  // Calls visit(std::uint32_t) for raw ranges of a valid packet, and returns visit. For a spinning
+  // unit, the function visits the ranges of the sampled points. For other units, the function
+  // visits all ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -86,7 +87,7 @@ class Packet {
     return visit;
   }
 
-  // The properties of the unit that can be seen from a valid Velodyne packet. Null for other
+  // Returns the properties of the unit that a valid Velodyne packet shows. Returns null for other
   // packets.
   [[nodiscard]] const lidar::VelodyneLook* velodyne_look() const {
     const lidar::VelodyneLook* look = nullptr;
@@ -104,7 +105,7 @@ class Packet {
   }
 
  private:
-  // Calls visit(decoder) with the packet's decoder. std::visit() would need abort() from the C++
+  // Calls visit(decoder) with the packet's decoder. `std::visit()` would need abort() from the C++
   // library, which the target does not have.
   template <typename Self, typename Visit>
   static void with_decoder(Self& self, Visit&& visit) {

@@ -1,16 +1,17 @@
-// Decides which packets of one sensor belong to the current frame, and when its scan is complete.
+// Determines which packets of a sensor belong to the current frame, and when the sensor's scan is
+// complete.
 //
 // A scan is complete when the sectors of its packets cover every tick of the scan width in the car
 // file. The order of the packets does not matter.
 //
-// A LUX numbers its scans, and a frame contains at most one of them. A new number starts the next
-// scan. A packet is late if the frame of its scan has been closed. The scan of a spinning lidar has
-// no beginning or end, and a frame may be shorter than a turn. The next turn therefore begins when
-// a packet sweeps only azimuths that the frame has already swept. If turns are numbered, a packet
-// of an older turn does not start a new frame.
+// A LUX numbers its scans, and a frame contains at most one scan of each LUX. A new number starts
+// the next scan. A packet is late if the frame of its scan has been closed. The scan of a spinning
+// lidar has no beginning or end, and a frame may be shorter than a turn. The next turn therefore
+// begins when a packet sweeps only azimuths that the frame has already swept. If turns are
+// numbered, a packet of an older turn does not start a new frame.
 //
-// The next scan ends the frame. A unit whose timestamps imply impossibly fast scans would therefore
-// end frames at an unbounded rate. For this reason, scans that begin too soon are dropped.
+// The next scan ends the frame. Scans that begin too soon are dropped. Otherwise, a unit whose
+// timestamps imply impossibly fast scans would end frames at an unbounded rate.
 #pragma once
 
 #include <algorithm>
@@ -33,9 +34,9 @@ class ScanTracker {
     kTooSoon,      // its scan begins too soon after the last scan for any unit
   };
 
-  // turns: the scans are turns of a spinning lidar. scan_width_ticks: the width of a whole scan.
-  // packets: the maximum number of packets per scan. This many packets are remembered, but at least
-  // kRemembered.
+  // `turns` is true if the scans are turns of a spinning lidar. `scan_width_ticks` is the width of
+  // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers
+  // `packets` packets, but at least kRemembered.
   ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)
       : swept_(ticks_per_turn),
@@ -46,7 +47,8 @@ class ScanTracker {
 
   [[nodiscard]] Outcome classify(const lidar::PacketInfo& packet) const;
 
-  // Adds the packet to the current frame. Call it only after classify() returned kPartOfFrame.
+  // Adds the packet to the current frame. Call this function only after classify() has returned
+  // kPartOfFrame.
   void accept(const lidar::PacketInfo& packet);
 
   // Ends the frame and clears the swept sectors.
@@ -55,46 +57,47 @@ class ScanTracker {
   [[nodiscard]] bool is_complete() const {
     return packets_ > 0 && swept_.count() >= scan_width_ticks_;
   }
-  // The number of ticks of the turn that were swept in this frame.
+  // Returns the number of ticks that the sensor has swept in this frame.
   [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
-  // True if more than this many ticks of the sector were not swept in this frame.
+  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const {
     return swept_.misses_more_than(ticks, sector);
   }
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // packets in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // points in these packets
   [[nodiscard]] std::uint32_t scan_number() const { return scan_number_; }
-  // The number of previous packets among which a duplicate is detected.
+  // Returns the number of previous packets among which duplicates are detected.
   [[nodiscard]] std::size_t remembered_packets() const { return remembered_; }
   [[nodiscard]] bool was_ever_seen() const { return fingerprint_count_ > 0; }
   [[nodiscard]] std::uint16_t age_frames() const { return age_frames_; }
 
  private:
   static constexpr std::size_t kRemembered = 192;
-  // This exceeds 579, the number of packets in one dual-return turn of an HDL-64E S3 at 10 Hz.
+  // This maximum exceeds 579, the number of packets in one dual-return turn of an HDL-64E S3 at 10
+  // Hz.
   static constexpr std::size_t kMaxRemembered = 640;
   // Half the shortest scan period of any unit. A LUX scans 50 times per second, and other units
   // turn 20 times per second.
   static constexpr std::uint64_t kShortestScanUs = 10'000;
   static constexpr std::uint64_t kShortestTurnUs = 25'000;
-  // A packet is late if its scan is at most this many scans behind the last one. If it is further
-  // behind, the sensor has restarted.
+  // A packet is late if its scan is at most kLateScans scans before the newest scan. If the
+  // packet's scan is older, the sensor has restarted.
   static constexpr std::uint16_t kLateScans = 8;
 
   [[nodiscard]] bool is_known(std::uint64_t fingerprint) const;
-  // True if the scan of the packet is at most kLateScans before the newest scan.
+  // Returns true if the scan of the packet is at most kLateScans before the newest scan.
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
-  // True if this packet begins the next scan too soon after the last one. Never true if timestamps
-  // stop or go back.
+  // Returns true if the packet begins the next scan too soon after the last scan. If timestamps
+  // stop or go back, the function always returns false.
   [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // True if the packet sweeps a part of the turn that is already in the frame, and the two sweeps
-  // begin less than the shortest turn apart. Never true if the clock has stepped in between. A
-  // clock that counts from the full hour steps every hour.
+  // Returns true if the packet sweeps a part of the turn that is already in the frame, and the two
+  // sweeps begin less than the shortest turn apart. If the clock has stepped between the sweeps,
+  // the function always returns false. A clock that counts from the full hour steps every hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

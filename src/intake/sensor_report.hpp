@@ -1,4 +1,4 @@
-// Types for reports about sensors and their packets. The values are used on the wire
+// Defines the types of reports about sensors and their packets. The values are used on the wire
 // (docs/spec.md).
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace iog::intake {
 
-// The reason why a datagram was dropped before any of its points were used.
+// The reason why a datagram was dropped before any point was used.
 enum class PacketDrop : std::uint8_t {
   kStranger,  // no sensor of this vehicle may send from this source to this port
   kWrongLength,

@@ -1,5 +1,5 @@
-// The azimuths of a turn that have been swept. There is one bit per tick. A sector is therefore
-// counted completely however narrow it is, and the overlap of two sectors is counted once.
+// The azimuths of a turn that have been swept, stored as one bit per tick. Even a narrow sector is
+// therefore counted completely, and the overlap of two sectors is counted only once.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // The ticks per turn of an Ouster, the most of all formats.
+  // The number of ticks per turn of an Ouster, which is the maximum of all formats.
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
-  // ticks_per_turn: at most kMaxTicksPerTurn. Sectors must lie within one turn.
+  // `ticks_per_turn` must be at most kMaxTicksPerTurn. Sectors must lie within one turn.
   explicit SweptSectors(std::uint32_t ticks_per_turn);
   SweptSectors() = default;
 
   void add(const lidar::Sector& sector);
   void clear();
 
-  // The number of ticks that have been swept.
+  // Returns the number of ticks that have been swept.
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  // True if more than this many ticks of the sector have not been swept.
+  // Returns true if more than `ticks` ticks of the sector have not been swept.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const;
 
  private:
@@ -33,7 +33,7 @@ class SweptSectors {
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
   // Calls visit(word, bits) for each word that the sector overlaps, until visit returns false.
-  // bits: the sector's bits in that word.
+  // `bits` contains the sector's bits in the word.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
 

@@ -1,17 +1,18 @@
-// The directions around the vehicle that no sensor watches. A planner must know these before
-// anything else.
+// Determines the directions around the vehicle that no sensor watches. For a planner, these
+// directions are the most important information.
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle
-// with a radius of 20 m around the origin. A sensor watches a sector if it reaches this arc and has
-// swept the azimuths at which it sees the arc. If the sensor does not spin, it must have swept
-// seven eighths of these azimuths in the current frame. A spinning unit may sweep a sector in two
-// frames, and a frame may be shorter than a turn. For spinning units, half of the azimuths in one
-// frame are therefore enough, and the sector then counts as watched for 200 ms.
+// with a radius of 20 m around the origin. A sensor watches a sector if the sensor reaches the
+// sector's arc and has swept the azimuths at which it sees the arc. A sensor that does not spin
+// must have swept seven eighths of the arc's azimuths in the current frame. A spinning unit may
+// sweep a sector in two frames, and a frame may be shorter than a turn. For a spinning unit, it is
+// therefore enough to sweep half of the azimuths in one frame. The sector then counts as watched
+// for 200 ms.
 //
 // Radars and ultrasonic sensors watch no sector, because they do not report every object.
 //
-// A sensor watches no sector in a scan without any return, and it does not watch a sector in which
+// If a scan has no returns, the sensor watches no sector. A sensor does not watch a sector in which
 // it is blocked (blocked_sectors.hpp).
 #pragma once
 
@@ -28,10 +29,10 @@
 
 namespace iog::intake {
 
-// The azimuth interval in which the sensor sees each sector.
+// Returns the azimuth interval in which the sensor sees each sector.
 [[nodiscard]] SectorView view_of(const vehicle::Sensor& sensor);
 
-// Bit i of each member stands for sector i.
+// Bit i of `unwatched` and `blocked` represents sector i.
 struct Surroundings {
   std::uint64_t unwatched = 0;  // no sensor watches sector i
   std::uint64_t blocked = 0;    // a sensor that has looked into sector i is blocked there
@@ -46,17 +47,17 @@ class WatchedSectors {
   // The sensors must outlive this object.
   explicit WatchedSectors(std::span<const vehicle::Sensor> sensors);
 
-  // Not copyable because it contains pointers to its own members.
+  // This class is not copyable, because it contains pointers to its own members.
   WatchedSectors(const WatchedSectors&) = delete;
   WatchedSectors& operator=(const WatchedSectors&) = delete;
 
   // Adds a packet of the current frame.
   void add(std::size_t sensor, const Packet& packet);
 
-  // The surroundings at the end of the frame that `intake` has received.
+  // Returns the surroundings at the end of the frame that `intake` has received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
-  // The silent azimuths of a packet of this sensor, based on earlier frames.
+  // Returns the silent azimuths of a packet of this sensor, based on earlier frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
     return blocked_[sensor].silent_azimuths(packet);
   }
@@ -65,9 +66,10 @@ class WatchedSectors {
   void end_frame(const Intake& intake, std::uint64_t now_us);
 
  private:
-  // Bit i is set if the sensor has swept sector i in the current frame, with or without returns.
+  // Returns a mask in which bit i is set if the sensor has swept sector i in the current frame,
+  // with or without returns.
   [[nodiscard]] std::uint64_t find_swept(std::size_t sensor, const Intake& intake) const;
-  // The same as find_swept(), but cached after the sensor's last packet.
+  // Same as find_swept(), but the result is cached after the sensor's last packet.
   [[nodiscard]] std::uint64_t swept_by(std::size_t sensor, const Intake& intake) {
     std::optional<std::uint64_t>& swept = swept_[sensor];
     return swept ? *swept : swept.emplace(find_swept(sensor, intake));
@@ -77,8 +79,8 @@ class WatchedSectors {
   std::array<SectorView, vehicle::kMaxSensors> views_{};
   std::array<BlockedSectors, vehicle::kMaxSensors> blocked_{};
   std::array<std::optional<std::uint64_t>, vehicle::kMaxSensors> swept_{};
-  // Only for spinning units: the time at which each sector was last swept, and whether it was ever
-  // swept.
+  // `swept_us_` contains the time at which each sector was last swept. `was_swept_` contains the
+  // sectors that have ever been swept. Both members are used only for spinning units.
   std::array<std::array<std::uint64_t, kSectors>, vehicle::kMaxSensors> swept_us_{};
   std::array<std::uint64_t, vehicle::kMaxSensors> was_swept_{};
 };

@@ -1,5 +1,5 @@
-// Prefetches cache lines that will be needed soon. The compiler never removes an asm statement
-// without outputs.
+// Prefetches cache lines that will be needed soon. These functions use asm statements without
+// outputs, which the compiler never removes.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@ namespace iog::lanes {
 
 inline constexpr std::size_t kLineBytes = 32;
 
-// Prefetches the cache line of a byte by reading the byte. Two such reads can be in progress at the
-// same time, whereas stores that miss the cache wait for each other.
+// Prefetches the cache line of a byte by reading the byte. Two of these reads can be in progress at
+// the same time, whereas stores that miss the cache wait for each other.
 inline void bring_line(const void* byte) { asm("" : : "r"(*static_cast<const std::byte*>(byte))); }
 
-// Prefetches consecutive cache lines. This is faster than interleaving these reads with reads of
-// other lines.
+// Prefetches consecutive cache lines. Reading consecutive lines is faster than alternating with
+// reads of other lines.
 inline void bring(std::span<const std::byte> bytes) {
   for (std::size_t at = 0; at < bytes.size(); at += kLineBytes) {
     bring_line(&bytes[at]);

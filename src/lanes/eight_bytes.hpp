@@ -1,4 +1,4 @@
-// Eight adjacent indexes in one word, which are tested all at once.
+// Eight adjacent indexes in one word. All eight indexes are tested at once.
 #pragma once
 
 #include <bit>
@@ -38,14 +38,14 @@ class EightBytes {
 
   [[nodiscard]] bool is_zero() const { return word_ == 0; }
 
-  // Whether any byte is above 0.
+  // Returns true if any byte is above 0.
   [[nodiscard]] bool has_positive() const { return tops_of_positive() != 0; }
 
   // Returns a mask in which bit i is set if byte i is above 0.
   //
-  // The multiplication gathers the bits at positions 8 i. The product is the sum of copies that are
-  // shifted by 7 k bits, k = 1 ... 8. Bit i arrives at position 56 + i only if k + i = 8. The 64
-  // sums 8 i + 7 k are all different, so no carry occurs.
+  // The multiplication gathers the bits at positions 8 i. The product is the sum of eight copies of
+  // the word, shifted by 7 k bits for k = 1 ... 8. Bit i arrives at position 56 + i only if k + i =
+  // 8. The 64 sums 8 i + 7 k are all different, so no carry occurs.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
  private:
@@ -61,8 +61,8 @@ class EightBytes {
   }
 
   // Returns a word in which bit 7 of each byte is set if the byte is above 0. Adding 127 to the low
-  // seven bits carries into bit 7 if and only if one of these bits is set. It never carries into
-  // the next byte.
+  // seven bits carries into bit 7 if and only if one of these bits is set. The addition never
+  // carries into the next byte.
   [[nodiscard]] std::uint64_t tops_of_positive() const {
     return ((word_ & kSevenBits) + kSevenBits) & ~word_ & kTopBits;
   }

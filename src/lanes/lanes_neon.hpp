@@ -1,4 +1,5 @@
-// NEON version for the target: operations on sixteen indexes at once and on two rows of bits.
+// The NEON version, for the target, of the operations on sixteen indexes at once and on two rows of
+// bits.
 #pragma once
 
 #include <arm_neon.h>
@@ -11,7 +12,7 @@ namespace iog::lanes {
 
 class NeonLanes {
  public:
-  // memcpy with a known alignment saves one cycle.
+  // `memcpy` with a known alignment saves one cycle.
   static NeonLanes load(const LaneBytes& from) {
     int8x16_t lanes;
     __builtin_memcpy(&lanes, __builtin_assume_aligned(&from, kLaneCount), kLaneCount);
@@ -51,8 +52,8 @@ class NeonLanes {
     const int8x8_t halves = vorr_s8(vget_low_s8(lanes_), vget_high_s8(lanes_));
     return vget_lane_u64(vreinterpret_u64_s8(halves), 0) == 0;
   }
-  // The sign of each lane is copied to all bits of the lane, and a mask keeps only the lane's own
-  // bit. Sums of neighbouring lanes then gather the bits.
+  // First, the sign of each lane is copied to all bits of the lane, and a mask keeps only the
+  // lane's own bit. Then, sums of neighbouring lanes gather the bits.
   static std::array<std::uint32_t, 4> negative(const std::array<NeonLanes, 4>& left,
                                                const std::array<NeonLanes, 4>& right) {
     const uint8x8_t own = vcreate_u8(0x8040201008040201U);

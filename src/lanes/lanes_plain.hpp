@@ -1,5 +1,6 @@
-// Plain C++ version of the operations on sixteen indexes at once and on two rows of bits. It is the
-// specification of the other versions, and is used on machines without vector instructions.
+// The plain C++ version of the operations on sixteen indexes at once and on two rows of bits. This
+// version is the specification of the other versions. Machines without vector instructions use this
+// version.
 #pragma once
 
 #include <algorithm>
@@ -54,8 +55,8 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // The arguments are four rows, each in two halves. The result has one bit per lane, which is set
-  // if the lane is negative. Bit 0 is the leftmost lane.
+  // The arguments are four rows, each in two halves. The result has one bit per lane. A bit is set
+  // if its lane is negative. Bit 0 is the leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};
@@ -68,7 +69,7 @@ class PlainLanes {
     return rows;
   }
 
-  // Transposes four blocks to rows: result i contains quarter i of each block, for i = 0 ... 3.
+  // Transposes four blocks to rows. Row i contains quarter i of each block, for i = 0 ... 3.
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
     std::array<LaneBytes, 4> rows;
     for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {
@@ -102,7 +103,7 @@ class PlainRowPair {
     to[1] = second_;
   }
 
-  // Bits 16 to 47 of both rows.
+  // Stores bits 16 to 47 of both rows.
   void store_middle(std::uint32_t* to) const {
     to[0] = static_cast<std::uint32_t>(first_ >> 16);
     to[1] = static_cast<std::uint32_t>(second_ >> 16);
@@ -118,7 +119,7 @@ class PlainRowPair {
     return {first_ & ~other.first_, second_ & ~other.second_};
   }
 
-  // Shifts towards the higher bits (up) or the lower bits (down), and fills with zeros.
+  // `up()` shifts towards the higher bits and down() towards the lower bits. Both fill with zeros.
   template <int kBits>
   [[nodiscard]] PlainRowPair up() const {
     return {first_ << kBits, second_ << kBits};

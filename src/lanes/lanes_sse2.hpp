@@ -1,4 +1,4 @@
-// SSE2 version: operations on sixteen indexes at once. Every PC has SSE2.
+// The SSE2 version of the operations on sixteen indexes at once. Every PC has SSE2.
 #pragma once
 
 #include <array>

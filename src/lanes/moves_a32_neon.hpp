@@ -1,6 +1,6 @@
 // NEON loads and stores of ARM state that advance their own pointer, and other single instructions
-// which the compiler replaces by two or three. CMake generates lanes/moves_neon.hpp as a copy of
-// this header or of moves_a64_neon.hpp.
+// that the compiler would replace with two or three instructions. CMake generates
+// lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -19,7 +19,7 @@ inline poly8x8_t load_next_eight(const std::byte*& from) {
   return eight;
 }
 
-// T: 32 bytes, aligned to 32.
+// T has 32 bytes and is aligned to 32 bytes.
 template <typename T>
 inline poly8x16x2_t load_next_pair(const T*& from) {
   static_assert(sizeof(T) == sizeof(poly8x16x2_t) && alignof(T) == sizeof(T));
@@ -28,8 +28,8 @@ inline poly8x16x2_t load_next_pair(const T*& from) {
   return pair;
 }
 
-// T: eight values of 16 bits, aligned to 16 bytes. The compiler would use two half-register loads
-// with offsets.
+// T has eight values of 16 bits and is aligned to 16 bytes. Without asm, the compiler would use two
+// half-register loads with offsets.
 template <typename T>
 inline int16x8_t load_next(const T*& from) {
   static_assert(sizeof(T) == sizeof(int16x8_t) && alignof(T) >= sizeof(T));
@@ -56,8 +56,8 @@ inline void store_some(uint8x8_t bytes, std::uint32_t count, std::uint8_t*& to) 
       : [bytes] "w"(bytes), [count] "r"(count));
 }
 
-// Returns `cells`, with `others` in lanes where `is_other` is set. The compiler would copy a
-// register first.
+// Returns `others` in lanes where `is_other` is set, and `cells` in all other lanes. Without asm,
+// the compiler would copy a register first.
 inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_other) {
   asm("vbit %q[cells], %q[others], %q[is_other]"
       : [cells] "+w"(cells)
@@ -65,7 +65,8 @@ inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_ot
   return cells;
 }
 
-// sum := a + b, 1024 bits. The flags hold the carry, so no other instruction here may change them.
+// Adds two numbers of 1024 bits: sum := a + b. The flags hold the carry, so no other instruction
+// here may change the flags.
 inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::uint32_t, 32>& b,
                 std::array<std::uint32_t, 32>& sum) {
   const std::uint32_t* from_a = a.data();
@@ -86,8 +87,8 @@ inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::ui
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// Copies 16 bytes from each of two rows, one after the other. All pointers advance by 32 bytes, the
-// length of a row. All are aligned to 16.
+// Copies 16 bytes from each of two rows, one after the other. All pointers advance by the length of
+// a row, 32 bytes. All pointers are aligned to 16 bytes.
 inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right,
                              std::int8_t*& to) {
   constexpr std::int32_t kRow = 32;
@@ -104,7 +105,8 @@ inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right
       : "memory");
 }
 
-// cells + stride * (fine_row >> 16), in one instruction; |stride| < 2^15.
+// Returns cells + stride * (fine_row >> 16), computed in one instruction. The absolute value of
+// `stride` must be less than 2^15.
 inline const std::int8_t* row_at(const std::int8_t* cells, std::int32_t fine_row,
                                  std::int32_t stride) {
   const std::int8_t* row;

@@ -1,17 +1,16 @@
-// Decoder of the detection lists of a Continental ARS548 RDI radar. It converts wire bytes to scan
-// points.
+// Decodes the detection lists of a Continental ARS548 RDI radar into scan points.
 //
 // One datagram contains a whole list: a header of 101 bytes, 800 slots of 44 bytes for detections,
 // and a tail of 35 bytes. The tail contains the number of slots in use, counted from the first
-// slot. All numbers are big-endian. Angles and distances are binary32 in radians and metres
-// (docs/spec.md, section 1.2.4). The manufacturer's document is not public. The layout is therefore
-// taken from two drivers, tier4/nebula and robotics-upo/ars548_ros.
+// slot. All numbers are big-endian. Angles are in radians and distances in metres, both as binary32
+// (docs/spec.md, section 1.2.4). The manufacturer's document is not public, so the layout is taken
+// from two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
-// A detection is a reflection with its own direction. Its elevation is far less accurate than its
-// azimuth, and the radar reports the standard deviation. The decoder moves the elevation towards
-// the horizon by one standard deviation, at most to the horizon, and rounds it to a layer. The
-// height band therefore drops a detection only if it is outside the band even with this tolerance.
-// Speeds are ignored.
+// A detection is a reflection with its own direction. The elevation of a detection is far less
+// accurate than its azimuth. The radar reports the standard deviation of the elevation. The decoder
+// moves the elevation towards the horizon by one standard deviation, but not past the horizon, and
+// rounds the result to a layer. The height band therefore drops a detection only if it is outside
+// the band by more than one standard deviation. The decoder ignores speeds.
 #pragma once
 
 #include <array>
@@ -29,8 +28,8 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // The radar reports a precision of 0.2 m and 0.5 degrees. 1D cells with twice the range precision
-  // give the strongest hit (docs/model.md, section 10).
+  // The radar reports a precision of 0.2 m and 0.5 degrees. Hits are strongest if a 1D cell is
+  // twice as long as the range precision (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
@@ -67,10 +66,11 @@ class ContinentalArs548 {
     return kMostDetections;
   }
 
-  // Checks the whole list, including every detection, and keeps a view of it. The view is valid as
-  // long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint. kWrongType
-  // means that the radar sent another type of message, such as an object list or a status message.
-  // kWrongPoint means more than 800 detections, or a valid detection at an impossible position.
+  // Checks the whole list, including every detection, and keeps a view of the datagram. The view is
+  // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
+  // `kWrongType` means that the radar sent another type of message, such as an object list or a
+  // status message. `kWrongPoint` means more than 800 detections, or a valid detection at an
+  // impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -80,10 +80,10 @@ class ContinentalArs548 {
     detections_ = copy.subspan(kHeadBytes, detections_.size());
   }
 
-  // Calls visit(const ScanPoint&) for each detection, in wire order. Requires decode() == kOk.
-  // Detections that are not targets are flagged as rain. These are detections outside the field of
-  // view, and detections that the radar reports as invalid, as noise, with an existence probability
-  // below kLeastExistence, or as high enough to drive under.
+  // Calls visit(const ScanPoint&) for each detection, in wire order. Requires decode() == kOk. A
+  // detection is flagged as rain if it is outside the field of view, if its existence probability
+  // is below kLeastExistence, or if the radar reports it as invalid, as noise, or as high enough to
+  // drive under.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (auto rest = detections_; rest.size() >= kDetectionBytes;
@@ -108,7 +108,7 @@ class ContinentalArs548 {
   [[nodiscard]] static std::uint32_t range_at(DetectionBytes bytes) {
     return wire::load_be32(bytes.subspan<17, 4>());
   }
-  // An invalid detection results in a point without a range.
+  // An invalid detection becomes a point without a range.
   [[nodiscard]] static ScanPoint point(DetectionBytes bytes);
   [[nodiscard]] static bool is_place(DetectionBytes bytes);
 

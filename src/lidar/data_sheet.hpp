@@ -1,4 +1,4 @@
-// Values from the data sheet of a scanner. A car file need not repeat them.
+// The values that are taken from a scanner's data sheet. Car files need not repeat these values.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct DataSheet {
   std::uint32_t precision_mm = 30;
   double sigma_m = 0.03;
   std::uint16_t scan_width_ticks = 0;  // width of a whole scan; 0 means a turn
-  // Maximum number of points per turn, with a small margin. 0 if it depends on the settings of the
-  // unit. In this case the car file must specify it.
+  // The maximum number of points per turn, with a small margin. The value is 0 if the maximum
+  // depends on the unit's settings. In this case, the car file must specify the maximum.
   std::uint32_t max_points_per_scan = 0;
-  // Standard deviation of a radar's azimuth or of the cone of an ultrasonic sensor.
+  // The standard deviation of a radar's azimuth, or of an ultrasonic sensor's cone.
   double azimuth_sigma_deg = 0;
 };
 

@@ -1,7 +1,7 @@
 // A hash of a packet, used to recognise duplicates.
 //
-// FNV-1a with 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few dozen
-// bytes per packet. They are chosen so that two packets of the same sensor differ in them.
+// The hash is 64-bit FNV-1a (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few
+// dozen bytes that differ between any two packets of the same sensor.
 #pragma once
 
 #include <cstddef>

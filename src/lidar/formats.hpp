@@ -1,4 +1,4 @@
-// All wire formats and their decoders.
+// Lists all wire formats and their decoders.
 //
 // A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if the elevations
 // differ between units), points_of_packet(), decode(), info(), move_to() and for_each_point(). See
@@ -60,7 +60,7 @@ using AnyDecoder = std::variant<ContinentalArs548,  //
 
 inline constexpr std::size_t kFormatCount = std::variant_size_v<AnyDecoder>;
 
-// A wire format, given by its index in the list.
+// A wire format, given by its index in AnyDecoder.
 enum class Format : std::uint8_t {};
 
 namespace formats_detail {

@@ -1,17 +1,17 @@
-// Data packets of Hesai Pandar, PandarXT, PandarQT and QT128. This file contains the common
-// properties of these units and one decoder for all of them.
+// Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars. All Hesai units
+// share one decoder.
 //
-// One datagram is little endian. It contains a header with the numbers of lasers and blocks, then
-// the blocks, each with an azimuth and a range for each laser, and a tail with time, return mode
-// and the manufacturer's byte (docs/spec.md). A Pandar40P has no header. Instead, each of its
-// blocks begins with a flag. The azimuth is clockwise from straight ahead. In dual return mode, the
-// blocks form pairs with the same azimuth. The position of the nearer return in a pair depends on
-// the unit, so the decoder compares the ranges. All other differences between units are described
-// by HesaiUnit, from which the compiler generates a decoder.
+// A datagram is little-endian and contains a header with the numbers of lasers and blocks, the
+// blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
+// Each block contains an azimuth and one range per laser. Packets of a Pandar40P have no header.
+// Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
+// return mode, the blocks form pairs with the same azimuth. The position of the nearer return in a
+// pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all other
+// differences between units. The compiler generates a decoder from each HesaiUnit.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
-// turns by up to 0.2 degrees while the lasers of a block fire. This rotation is ignored, as in the
-// manufacturer's own conversion.
+// turns by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
+// conversion, the decoder ignores the rotation of the head during a block.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@
 namespace iog::lidar {
 
 // Describes a unit. Offsets (*_at) are relative to the start of the packet. Times are in ns.
-// stamped_block_ns is the time from the packet's timestamp to the last block, or to the first block
-// if is_first_stamped is set. first_laser_ns and last_laser_ns are the times from the start of a
-// block to its first and last laser. firing_ns is the time between two firings.
+// `stamped_block_ns` is the time from the packet's timestamp to the last block, or to the first
+// block if is_first_stamped is set. `first_laser_ns` and last_laser_ns are the times from the start
+// of a block to its first and last laser. `firing_ns` is the time between two firings.
 struct HesaiUnit {
   std::array<std::uint8_t, 2> model{};  // bytes 2 and 3 of the header
   std::uint8_t flags = 0;               // byte 11 of a long header; also implied by the length
@@ -58,7 +58,7 @@ struct HesaiUnit {
   std::int64_t last_laser_ns = 0;
   std::int64_t firing_ns = 0;
 
-  // Offset of the azimuth of a block.
+  // Returns the offset of a block's azimuth.
   [[nodiscard]] constexpr std::size_t block_at(std::size_t block) const {
     return header_bytes + flag_bytes + block * (flag_bytes + 2 + lasers * channel_bytes);
   }
@@ -71,8 +71,8 @@ class HesaiPacket {
   // At 20 Hz, a firing covers at most 1.2 degrees of azimuth. If two adjacent blocks are more than
   // 3 degrees apart, the packet is not a single sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
-  // Packets do not contain the rotation of the head during the last block; see
-  // VelodynePacket::kSeamTicks.
+  // Packets do not contain the rotation of the head during the last block (see
+  // VelodynePacket::kSeamTicks).
   static constexpr std::uint32_t kSeamTicks = 10;
   static constexpr std::size_t kMaxBlocks = 10;
 
@@ -82,14 +82,14 @@ class HesaiPacket {
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
-  // Checks the whole packet and keeps a view of it.
+  // Checks the whole packet and keeps a view of the datagram.
   [[nodiscard]] DecodeStatus read(const HesaiUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
   [[nodiscard]] bool is_dual() const { return is_dual_; }
 
-  // Inlined because it is called for every point. If the unit is known at compile time, most of it
-  // is optimised away.
+  // This function is inlined because it is called for every point. If the unit is known at compile
+  // time, the compiler optimises most of the function away.
   [[nodiscard]] ScanPoint point(const HesaiUnit& unit, std::size_t block,
                                 std::size_t channel) const {
     ScanPoint point;
@@ -155,9 +155,9 @@ class HesaiDecoder : public HesaiPacket {
     return kUnit.blocks * kUnit.lasers;
   }
 
-  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
-  // corrections exist. There is one correction for each laser, or none. Returns kOk, kWrongLength,
-  // kWrongType or kWrongAngle.
+  // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
+  // and the corrections exist. `corrections` contains one correction per laser, or is empty.
+  // Returns kOk, kWrongLength, kWrongType or kWrongAngle.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);

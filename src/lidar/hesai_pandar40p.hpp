@@ -1,6 +1,6 @@
-// Data packets of the Hesai Pandar40P (Pandar40P User Manual, "Point Cloud UDP Data"). They contain
-// ten blocks, each with a flag, and no header. The elevations differ between units and are given in
-// the car file.
+// Decodes the data packets of the Hesai Pandar40P (Pandar40P User Manual, "Point Cloud UDP Data").
+// A packet contains ten blocks, each with a flag, but no header. The elevations differ between
+// units, so the car file specifies them.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 10 fires 28.58 us before the timestamp, and
-// each block fires 55.56 us before the next block. The lasers of a block fire 3.62 to 54.67 us
-// before that time.
+// The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 10
+// fires 28.58 us before the timestamp, and each block fires 55.56 us before the next block. The
+// lasers of a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
                                           .blocks = 10,
                                           .lasers = 40,

@@ -1,5 +1,5 @@
-// Data packets of the Hesai Pandar64 (Pandar64 User Manual, "Point Cloud Data Packet"). The
-// elevations differ between units and are given in the car file.
+// Decodes the data packets of the Hesai Pandar64 (Pandar64 User Manual, "Point Cloud Data Packet").
+// The elevations differ between units, so the car file specifies them.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 6 fires 42.58 us before the timestamp, and
-// each block fires 55.56 us before the next block. The lasers of a block fire 3.62 to 54.67 us
-// before that time.
+// The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 6 fires
+// 42.58 us before the timestamp, and each block fires 55.56 us before the next block. The lasers of
+// a block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,

@@ -1,6 +1,7 @@
-// Data packets of the Hesai QT128, QT128C2X (QT128C2X User Manual, "Point Cloud Data Packet"). The
-// lasers point up to 53 degrees up and down and up to 11 degrees to the sides. The angles differ
-// between units. They come from the manufacturer's file and are given in the car file.
+// Decodes the data packets of the Hesai QT128, also called QT128C2X (QT128C2X User Manual, "Point
+// Cloud Data Packet"). The lasers point up to 53 degrees up and down and up to 11 degrees to the
+// sides. The angles differ between units, so the car file contains the angles from the
+// manufacturer's file.
 #pragma once
 
 #include <array>
@@ -10,11 +11,12 @@
 
 namespace iog::lidar {
 
-// Each firing uses 96 lasers: first 33 to 128, then 1 to 32 and 65 to 128. The other lasers have no
-// range. In dual return mode, a packet contains one firing. Checksums are not checked. The 32-byte
-// signature cannot be checked. Appendix "Absolute time of point cloud data": block 1 fires 9 us
-// after the timestamp, and each block fires 111.11 us before the next block. The lasers of a block
-// fire 0.6 to 100.52 us after that time. In tier4/nebula, block 2 fires first.
+// Each firing uses 96 lasers: first 33 to 128, then 1 to 32 and 65 to 128. The other 32 lasers have
+// no range. In dual return mode, a packet contains one firing. The decoder does not verify
+// checksums, and it cannot verify the 32-byte signature. The manual's appendix "Absolute time of
+// point cloud data" defines the firing times. Block 1 fires 9 us after the timestamp, and each
+// block fires 111.11 us before the next block. The lasers of a block fire 0.6 to 100.52 us after
+// the block's firing time. In tier4/nebula, block 2 fires first.
 inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
                                       .flags = 0x1D,
                                       .header_bytes = 12,
@@ -41,8 +43,8 @@ inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
 class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
-  // In single return mode, one turn takes 450 packets of 256 points. In each packet, 64 of the
-  // points did not fire. In dual return mode, one turn has more points than a frame can mark.
+  // In single return mode, one turn takes 450 packets of 256 points. Each packet contains 64 points
+  // whose lasers did not fire. In dual return mode, one turn has more points than a frame can mark.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

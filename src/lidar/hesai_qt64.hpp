@@ -1,6 +1,6 @@
-// Data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data Packet"). The
-// lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The angles differ
-// between units. They come from the manufacturer's file and are given in the car file.
+// Decodes the data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data
+// Packet"). The lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The
+// angles differ between units, so the car file contains the angles from the manufacturer's file.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@
 
 namespace iog::lidar {
 
-// Appendix "Absolute time of point cloud data": block 1 fires 25.71 us after the timestamp, and
-// each block fires 166.67 us before the next block. The lasers of a block fire 12.31 to 146.45 us
-// after that time. HesaiLidar_SDK_2.0 uses 2.31 to 136.45 us.
+// The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 1 fires
+// 25.71 us after the timestamp, and each block fires 166.67 us before the next block. The lasers of
+// a block fire 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to
+// 136.45 us for these times.
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .flags = 0x01,
                                      .header_bytes = 12,

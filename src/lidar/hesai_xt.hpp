@@ -1,6 +1,6 @@
-// Data packets of the Hesai PandarXT-16, PandarXT-32 and PandarXT-32M (PandarXT User Manual, "Point
-// Cloud Data Packet"). The units differ in the numbers of lasers and blocks and in the unit of
-// distance.
+// Decodes the data packets of the Hesai PandarXT-16, PandarXT-32 and PandarXT-32M (PandarXT User
+// Manual, "Point Cloud Data Packet"). XT units differ in the numbers of lasers and blocks and in
+// the unit of distance.
 #pragma once
 
 #include <array>
@@ -20,9 +20,10 @@ struct HesaiXtLayout {
   std::uint32_t distance_unit_mm = 4;
 };
 
-// Appendix "Absolute time of point cloud data": the last block fires 5.632 us after the timestamp,
-// and each block fires 50 us before the next block. The first laser of a block fires 0.368 us after
-// that time, and each further laser fires laser_ns after the previous laser.
+// The manual's appendix "Absolute time of point cloud data" defines the firing times. The last
+// block fires 5.632 us after the timestamp, and each block fires 50 us before the next block. The
+// first laser of a block fires 0.368 us after the block's firing time. Each further laser fires
+// laser_ns after the previous laser.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,
@@ -57,7 +58,7 @@ class HesaiXt16 : public HesaiDecoder<kXt16Unit> {
   // One turn takes 250 packets of 128 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt16", .range_min_mm = 500, .max_points_per_scan = 512 * 128};
-  // Elevations by channel, in wire order.
+  // The elevation of each channel, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{15, 13, 11, 9,  7,  5,   3,   1,
                                                          -1, -3, -5, -7, -9, -11, -13, -15};
 };
@@ -68,7 +69,7 @@ class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
   // One turn takes 250 packets of 256 points, or 500 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32", .range_min_mm = 500, .max_points_per_scan = 512 * 256};
-  // Elevations by channel, in wire order.
+  // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg{
       15, 14, 13, 12, 11, 10, 9,  8,  7,  6,   5,   4,   3,   2,   1,   0,
       -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
@@ -90,7 +91,7 @@ class HesaiXt32m : public HesaiDecoder<kXt32mUnit> {
   // One turn takes 334 packets of 192 points, or 667 packets in dual return mode.
   static constexpr DataSheet kDataSheet{
       .type = "hesai_xt32m", .range_min_mm = 500, .max_points_per_scan = 682 * 192};
-  // Elevations by channel, in wire order.
+  // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = elevations_of_xt32m();
 };
 

@@ -1,9 +1,9 @@
-// Decoder of ibeo LUX scan messages, data type 0x2202. It converts wire bytes to scan points.
+// Decodes ibeo LUX scan messages (data type 0x2202) into scan points.
 //
-// One datagram contains one whole message: a big-endian header of 24 bytes, then a little-endian
-// body of 44 bytes plus 10 bytes per point (docs/spec.md; SICK "Ethernet data protocol LD-MRS"). A
-// scan may be split into several messages with the same scan number. Each message contains the
-// sector that it covers.
+// A datagram contains one message, which consists of a big-endian header of 24 bytes and a
+// little-endian body of 44 bytes plus 10 bytes per point (docs/spec.md; SICK "Ethernet data
+// protocol LD-MRS"). A scan may be split into several messages with the same scan number. Each
+// message specifies the sector that it covers.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ namespace iog::lidar {
 class IbeoLux {
  public:
   static constexpr std::string_view kName = "ibeo LUX";
-  // The values of docs/model.md section 8 (thesis section 4.1.4): a field of view of 100 degrees, a
-  // precision of 10 cm, and a range of up to 50 m. The maximum number of points per scan depends on
-  // the angular resolution.
+  // These values are from docs/model.md section 8 (thesis section 4.1.4): a field of view of 100
+  // degrees, a precision of 10 cm, and a range of up to 50 m. The maximum number of points per scan
+  // depends on the angular resolution.
   static constexpr DataSheet kDataSheet{.type = "ibeo_lux",
                                         .range_min_mm = 300,
                                         .range_max_mm = 50'000,
@@ -40,13 +40,15 @@ class IbeoLux {
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
 
-  // The points of one direction. The number of directions in a message depends on the unit.
+  // Returns the number of points in one direction. The number of directions in a message depends on
+  // the unit.
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kElevationsDeg.size() * kMaxEchoes;
   }
 
-  // Checks the whole message, including every point, and keeps a view of it. The view is valid as
-  // long as the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint.
+  // Checks the whole message, including every point, and keeps a view of the datagram. The view is
+  // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
+  // kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }

@@ -1,10 +1,10 @@
-// Decoder for ibeo LUX and SICK LD-MRS with eight layers. It converts wire bytes to scan points.
+// Decodes the messages of ibeo LUX and SICK LD-MRS units with eight layers into scan points.
 //
 // The messages have the format of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
-// mirror are tilted relative to its axis, one downwards and one upwards, and scan alternately. Each
-// message contains four layers. A flag specifies which side of the mirror was used, and therefore
-// whether these are the lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). A unit with
-// four layers also sets this flag, so a message does not distinguish the two kinds of units.
+// mirror scan alternately. One side is tilted downwards and the other upwards, relative to the
+// mirror's axis. Each message contains four layers. A flag specifies whether a message contains the
+// lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). Units with four layers also set
+// this flag, so a message does not show whether its unit has four or eight layers.
 #pragma once
 
 #include <array>
@@ -30,11 +30,12 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // Elevations for a mirror without tilt. tools/car/tilted_mirror.hpp adds the tilt of the mirror.
+  // The elevations for a mirror without tilt. `tools/car/tilted_mirror.hpp` adds the tilt of the
+  // mirror.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
-  // The field of view in the manufacturer's manual: from 60 degrees to the right to 50 degrees to
-  // the left.
+  // The manufacturer's manual specifies a field of view from 60 degrees to the right to 50 degrees
+  // to the left.
   static constexpr std::int32_t kRightmostTicks = -1920;
   static constexpr std::int32_t kLeftmostTicks = 1600;
 
@@ -43,8 +44,9 @@ class IbeoLux8 {
   }
   [[nodiscard]] static constexpr bool looks_up(std::size_t layer) { return layer >= kLayersOfSide; }
 
-  // Like IbeoLux::decode(), but also returns kWrongAngle for a sector that the unit cannot see, and
-  // kOtherUnit if the unit is mounted upside down. In that case its beam directions are unknown.
+  // Works like IbeoLux::decode(), but also returns kWrongAngle for a sector that the unit cannot
+  // see, and kOtherUnit if the unit is mounted upside down. The beam directions of a unit mounted
+  // upside down are unknown.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }

@@ -5,8 +5,8 @@
 
 namespace iog::lidar {
 
-// The calibration of one laser as given in the car file. docs/sensors.md describes how a
-// manufacturer's file is converted to a table of these.
+// The calibration of one laser, as given in the car file. `docs/sensors.md` describes how to
+// convert a manufacturer's file to a table of lasers.
 struct Laser {
   double elevation_deg = 0;  // -90 to 90, positive up
   double azimuth_deg = 0;    // offset to the left of the direction in the packet, -30 to 30
@@ -20,7 +20,7 @@ struct LaserCorrection {
   std::int16_t range_mm = 0;
 };
 
-// Corrects a range. No return (0) remains 0, and a return remains above 0.
+// Corrects a range. A range of 0 (no return) remains 0, and all other ranges remain above 0.
 [[nodiscard]] constexpr std::uint32_t corrected_range_mm(std::uint32_t range_mm,
                                                          std::int32_t correction_mm) {
   if (range_mm == 0) {

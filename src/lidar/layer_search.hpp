@@ -1,7 +1,8 @@
 // Finds the layer of a unit that is nearest to the elevation of a point.
 //
 // The first guess assumes equally spaced layers, which is nearly correct for most units. If the
-// guess is wrong, a binary search finds the layer. It takes seven steps for 128 layers.
+// guess is wrong, a binary search finds the layer. For 128 layers, the binary search takes seven
+// steps.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +13,13 @@ namespace iog::lidar {
 
 class LayerSearch {
  public:
-  // Elevation tolerance of a unit with a single layer: half a degree, in units of 1/3,200 degree.
+  // The elevation tolerance of a unit with a single layer is half a degree. The unit of this
+  // constant is 1/3,200 degree.
   static constexpr std::int32_t kAlone = 1'600;
 
   LayerSearch() = default;
-  // rising: at least one elevation. The elevations must be in ascending order and within a quarter
-  // turn, which has at most 2^20 units. The array must outlive the search.
+  // `rising` must contain at least one elevation. The elevations must be in ascending order and
+  // within a quarter turn, which has at most 2^20 units. The array must outlive the search.
   explicit LayerSearch(std::span<const std::int32_t> rising) : rising_(rising) {
     const std::size_t last = rising.size() - 1;
     lowest_ = rising.front() - (last == 0 ? kAlone : (rising[1] - rising[0]) / 2);
@@ -29,21 +31,21 @@ class LayerSearch {
     }
   }
 
-  // True if an elevation is within the layers or at most half a layer spacing beyond the lowest or
-  // highest layer.
+  // Returns true if the elevation is between the lowest and highest layers, or at most half a layer
+  // spacing beyond them.
   [[nodiscard]] bool sees(std::int32_t elevation) const {
     return elevation >= lowest_ && elevation <= highest_;
   }
 
-  // The nearest layer. If two layers are equally near, returns the upper one.
+  // Returns the nearest layer. If two layers are equally near, returns the upper layer.
   [[nodiscard]] std::size_t nearest(std::int32_t elevation) const {
     const std::size_t layer = guess(elevation);
     return is_nearest(layer, elevation) ? layer : found(elevation);
   }
 
  private:
-  // Layers are at least one elevation unit apart. Therefore layers_per_part_ is at most 1, and its
-  // product with fewer than 2^20 units fits in 64 bits.
+  // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. The product of
+  // layers_per_part_ and fewer than 2^20 units therefore fits in 64 bits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

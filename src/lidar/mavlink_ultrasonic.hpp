@@ -1,12 +1,12 @@
-// Decoder for an ultrasonic sensor that sends MAVLink 2. It converts wire bytes to a scan point.
+// Decodes the MAVLink 2 messages of an ultrasonic sensor. Each message becomes one scan point.
 //
-// One datagram contains one DISTANCE_SENSOR message (number 132 of the common message set) in
-// little-endian order. It contains the distance of the first echo in the sensor's cone, in
-// centimetres (docs/spec.md, section 1.2.5). The layout is public: see common.xml on mavlink.io.
-// Zeros at the end of a payload are omitted.
+// A datagram contains one little-endian DISTANCE_SENSOR message (number 132 of the common message
+// set). The message contains the distance of the first echo in the sensor's cone, in centimetres
+// (docs/spec.md, section 1.2.5). The layout is published in common.xml on mavlink.io. Senders omit
+// zeros at the end of a payload.
 //
-// The distance has no direction. The point therefore lies on the sensor's axis, and the sensor's
-// arc is as wide as its cone (sensor_model/arc.hpp).
+// The message contains no direction. The point therefore lies on the sensor's axis, and the
+// sensor's arc is as wide as the sensor's cone (sensor_model/arc.hpp).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class MavlinkUltrasonic {
  public:
   static constexpr std::string_view kName = "MAVLink ultrasonic";
   // Distances are sent in centimetres. Unless the air temperature is measured, the speed of sound
-  // is known only to within 1 %. 1D cells of twice sigma give the strongest hit.
+  // is known only to within 1 %. Hits are strongest if a 1D cell is twice as long as sigma.
   static constexpr DataSheet kDataSheet{.type = "mavlink_ultrasonic",
                                         .range_min_mm = 200,
                                         .range_max_mm = 5'000,
@@ -44,14 +44,15 @@ class MavlinkUltrasonic {
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) { return 1; }
 
-  // Returns kOk, kWrongLength, kWrongType or kWrongAngle. kWrongLength: the length differs from the
-  // length in the header or exceeds the maximum of the message. kWrongType: not MAVLink 2, signed
-  // or with other flags, another message, a wrong checksum, or not an ultrasonic sensor.
-  // kWrongAngle: according to the message, the sensor does not point to a side of its carrier.
+  // Returns kOk, kWrongLength, kWrongType or kWrongAngle. `kWrongLength` means that the length
+  // differs from the length in the header or exceeds the maximum for the message. `kWrongType`
+  // means that the message is not MAVLink 2, is signed or has other flags, has another message
+  // number, has a wrong checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
+  // according to the message, the sensor does not point to a side of its carrier.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
-  // Checksum of a message that does not include the checksum field. The message must have at least
-  // one byte.
+  // Returns the checksum of a message. `message` must not include the checksum field, and must have
+  // at least one byte.
   [[nodiscard]] static std::uint16_t checksum_of(std::span<const std::byte> message);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }

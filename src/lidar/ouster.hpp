@@ -1,15 +1,15 @@
-// Decoder of Ouster OS lidar packets. It converts wire bytes to scan points.
+// Decodes the packets of Ouster OS lidars into scan points.
 //
-// One datagram is little endian and contains 16 columns. Each column contains a time, its number in
-// the turn and a range for each row of the unit (docs/spec.md; Ouster "Firmware User Manual",
-// chapter "Lidar Data Packet Format"). There are four profiles: the only profile before firmware
-// 2.0 (LEGACY), "low data rate" (RNG15), "single return" (RNG19) and "dual return" (RNG19 dual). A
-// packet does not contain its profile, its number of rows or the number of columns per turn. They
-// are given in the car file.
+// A datagram is little-endian and contains 16 columns. Each column contains a time, the column's
+// number in the turn, and a range for each row of the unit (docs/spec.md; Ouster "Firmware User
+// Manual", chapter "Lidar Data Packet Format"). The decoder supports four profiles: the only
+// profile before firmware 2.0 (LEGACY), "low data rate" (RNG15), "single return" (RNG19) and "dual
+// return" (RNG19 dual). The car file specifies the profile, the number of rows and the number of
+// columns per turn, because packets do not contain them.
 //
-// Column i of W is measured when the head has turned clockwise by i / W of a turn, starting in the
-// direction opposite to x. The head is 16 mm wide. Beams are assumed to start at its centre, which
-// moves a point by less than 1 mm.
+// Column i of W columns is measured when the head has turned clockwise by i / W of a turn, starting
+// in the direction opposite to x. The head is 16 mm wide. The decoder assumes that beams start at
+// the centre of the head. This assumption moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,8 @@
 
 namespace iog::lidar {
 
-// The differences between profiles. A range in mm is the first word of the pixel, masked and
-// shifted left. If each beam has two returns, a second such word follows.
+// The differences between profiles. To obtain a range in mm, the decoder masks the first word of
+// the pixel and shifts it left. If each beam has two returns, the pixel contains a second range.
 struct OusterProfile {
   std::size_t header_bytes = 0;
   std::size_t column_header_bytes = 0;
@@ -59,7 +59,7 @@ class OusterPacket {
   static constexpr std::size_t kColumns = 16;
   static constexpr std::uint32_t kEncoderPerTurn = 90'112;
 
-  // True if units with this number of rows exist.
+  // Returns true if units with this number of rows exist.
   [[nodiscard]] static constexpr bool can_have_layers(std::size_t layers) {
     return layers == 16 || layers == 32 || layers == 64 || layers == 128;
   }
@@ -78,7 +78,7 @@ class OusterPacket {
     bool is_measured = false;
   };
 
-  // Checks the whole packet and keeps a view of it.
+  // Checks the whole packet and keeps a view of the datagram.
   [[nodiscard]] DecodeStatus read(const OusterProfile& profile, std::span<const std::byte> datagram,
                                   const Unit& unit);
 
@@ -150,7 +150,7 @@ class OusterPacket {
 template <const OusterProfile& kProfile>
 class OusterDecoder : public OusterPacket {
  public:
-  // The packet size in bytes of a unit with this many rows.
+  // Returns the packet size, in bytes, of a unit with this many rows.
   [[nodiscard]] static constexpr std::size_t packet_bytes(std::size_t rows) {
     return kProfile.header_bytes + kProfile.footer_bytes + kColumns * kProfile.column_bytes(rows);
   }
@@ -161,12 +161,13 @@ class OusterDecoder : public OusterPacket {
 
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
-  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
-  // unit's corrections exist. There is one correction for each row. Returns kOk, kWrongLength,
-  // kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. kWrongType: another type of packet, or the
-  // times between columns do not match the unit's mode. kWrongAngle: a column number is too high or
-  // contradicts its encoder, or the columns are not consecutive. kWrongPoint: no column was
-  // measured. kOtherUnit: the pixels have the format of another profile.
+  // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
+  // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
+  // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
+  // packet has another type, or that the times between columns do not match the unit's mode.
+  // `kWrongAngle` means that a column number is too high or contradicts its encoder, or that the
+  // columns are not consecutive. `kWrongPoint` means that no column was measured. `kOtherUnit`
+  // means that the pixels have the format of another profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }
@@ -190,8 +191,8 @@ class OusterDecoder : public OusterPacket {
                    });
   }
 
-  // Calls visit(std::uint32_t) for the range of each sampled point before the unit's corrections,
-  // and returns visit. Requires decode() == kOk.
+  // Calls visit(std::uint32_t) for the uncorrected range of each sampled point, and returns visit.
+  // Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_pixel(sampling, [&](std::span<const std::byte> pixel, std::size_t /*column*/,
@@ -236,8 +237,8 @@ inline constexpr OusterProfile kOusterRng19DualProfile{.header_bytes = 32,
                                                        .range_mask = 0x0007'FFFF,
                                                        .second_range_at = 4};
 
-// The minimum range of the units is 0.3 m (Hardware User Manual). The number of points per turn
-// depends on the rows and the mode.
+// The minimum range of all units is 0.3 m (Hardware User Manual). The number of points per turn
+// depends on the number of rows and on the mode.
 constexpr DataSheet data_sheet_of_ouster(std::string_view type) {
   return {.type = type, .range_min_mm = 300};
 }

@@ -1,14 +1,13 @@
-// Decoder for scan points of any lidar in iogrid's own datagram format. It converts wire bytes to
-// scan points (docs/spec.md, section 1.2.6).
+// Decodes iogrid's own datagram format, which can carry the scan points of any lidar (docs/spec.md,
+// section 1.2.6).
 //
-// One datagram is little endian and contains a header and up to 85 points of a scan. A point
-// consists of a direction and a range, or of x, y and z, in the sensor frame. Angles are in units
-// of 1/3,200 degree. In these units, the angle steps of a LUX, a Velodyne, a Hesai and an Ouster
-// are integers. The car file specifies the elevations of the layers, and a point belongs to the
-// layer nearest to it.
+// A datagram is little-endian and contains a header and up to 85 points of a scan. A point consists
+// of a direction and a range, or of x, y and z, in the sensor frame. Angles are in units of 1/3,200
+// degree. In these units, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers.
+// The car file specifies the elevations of the layers. Each point belongs to the nearest layer.
 //
-// Two formats use this layout. In the format for spinning units, kTurns is true, as in the decoders
-// of these units. The other format is for all other units.
+// Two formats use this layout. PointsTurning is for spinning units, and kTurns is true in this
+// format. Points is for all other units.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +40,7 @@ class PointsPacket {
   static constexpr std::size_t kMostPoints = 85;
   static constexpr std::uint32_t kOffsetUs = 10;  // time unit of a point's time
 
-  // Flags in the header.
+  // The flags in the header.
   static constexpr std::uint8_t kArePlaces = 0x01;  // x, y and z instead of directions and ranges
   static constexpr std::uint8_t kIsShare = 0x02;    // the sector describes the whole scan
   // Flags of a point.
@@ -79,11 +78,11 @@ class PointsPacket {
     return turns ? angle * 32 / 1'125 : (angle + 50) / 100;
   }
 
-  // Checks the whole datagram, including every point, and keeps a view of it.
+  // Checks the whole datagram, including every point, and keeps a view of the datagram.
   [[nodiscard]] DecodeStatus read(std::span<const std::byte> datagram, const Unit& unit,
                                   bool turns);
 
-  // The raw range. If the point has x, y and z, it is a hash of all three.
+  // Returns the raw range. If the point has x, y and z, returns a hash of these coordinates.
   [[nodiscard]] std::uint32_t range_at(PointBytes bytes) const {
     if ((flags_at(bytes) & kNothing) != 0) {
       return 0;
@@ -141,13 +140,13 @@ class PointsDecoder : public PointsPacket {
   static constexpr bool kTurns = kHeadTurns;
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
-  // Checks the datagram and keeps a view of it. The view is valid only while the datagram and the
-  // unit's elevations exist. There is one elevation for each layer. Returns kOk, kWrongLength,
-  // kWrongType, kWrongAngle or kWrongPoint. kWrongLength: the length differs from the length in the
-  // header or exceeds the maximum, or the unit has no layers. kWrongType: another magic number or
-  // version, or unknown flags. kWrongAngle: a sector of more than a turn, or a datagram number that
-  // its scan does not have. kWrongPoint: an impossible point, or a point outside the sector of its
-  // datagram.
+  // Checks the datagram and keeps a view of its points. The view is valid only while the datagram
+  // and the unit's elevations exist. The unit has one elevation per layer. Returns kOk,
+  // kWrongLength, kWrongType, kWrongAngle or kWrongPoint. `kWrongLength` means that the length
+  // differs from the length in the header or exceeds the maximum, or that the unit has no layers.
+  // `kWrongType` means that the magic number, the version or a flag is unknown. `kWrongAngle` means
+  // that the sector is larger than a turn, or that the scan has no datagram of this number.
+  // `kWrongPoint` means that a point is impossible or outside the sector of the datagram.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
   }
@@ -162,9 +161,10 @@ class PointsDecoder : public PointsPacket {
     }
   }
 
-  // Calls visit(const ScanPoint&) for each first echo in the sampled layers. It uses all firings,
-  // because a datagram contains only a few. In a datagram with x, y and z, it reads only every
-  // third point, because each direction has to be computed. Requires decode() == kOk.
+  // Calls visit(const ScanPoint&) for each first echo in the sampled layers. The function uses all
+  // firings, because a datagram contains only a few firings. In a datagram with x, y and z, the
+  // function reads only every third point, because computing a direction is slow. Requires decode()
+  // == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};
@@ -193,7 +193,8 @@ class PointsDecoder : public PointsPacket {
   // For spinning units, echo 1 represents all later echoes.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
-  // Points outside the layers are flagged as rain, because the car file defines no such beams.
+  // Points outside the layers are flagged as rain, because the car file defines no beams in their
+  // directions.
   template <bool kArePlacesHere>
   [[nodiscard]] ScanPoint point(PointBytes bytes) const {
     const std::uint8_t flags = flags_at(bytes);
@@ -216,7 +217,7 @@ class PointsDecoder : public PointsPacket {
   }
 };
 
-// Range and precision depend on the unit and are given in the car file.
+// Range and precision depend on the unit, so the car file specifies them.
 class Points : public PointsDecoder<false> {
  public:
   static constexpr std::string_view kName = "points";

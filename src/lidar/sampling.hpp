@@ -1,5 +1,5 @@
-// A sample of the points of a packet. It consists of some layers in some of the packet's firings,
-// which are spread evenly over the packet. A firing is one measurement by all layers of a unit in
+// Selects a sample of a packet's points. The sample consists of selected layers in selected
+// firings, which are spread evenly over the packet. In a firing, all layers of a unit measure in
 // one direction.
 #pragma once
 

@@ -1,7 +1,7 @@
-// A scan point and the packet header. All sensors use these types.
+// Defines the scan point and the packet header for all sensors.
 //
-// Directions are in the sensor frame: x forward, y left, z up. The azimuth is counter-clockwise
-// from x, as in the vehicle frame (ISO 8855).
+// Directions are in the sensor frame: x points forward, y left and z up. The azimuth is
+// counter-clockwise from x, as in the vehicle frame (ISO 8855).
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// A range beyond the reach of every unit. Longer ranges in a packet, or after the unit's
-// correction, are clamped to it.
+// This constant is beyond the reach of every unit. Longer ranges, in a packet or after the unit's
+// correction, are clamped to kMaxRangeMm.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 struct ScanPoint {
@@ -34,18 +34,18 @@ enum class DecodeStatus : std::uint8_t {
 };
 inline constexpr std::size_t kDecodeStatusCount = 6;
 
-// The azimuths that a packet has swept, counter-clockwise from `first_ticks`. The sectors of the
-// packets of a scan are adjacent. Together they show whether the scan is complete.
+// The azimuths that a packet has swept, counter-clockwise from `first_ticks`. Consecutive packets
+// of a scan have adjacent sectors. The sectors of all packets show whether the scan is complete.
 struct Sector {
   std::uint16_t first_ticks = 0;  // 0 to ticks_per_turn - 1
   std::uint16_t width_ticks = 0;  // 0 to ticks_per_turn
 };
 
-// The time at which a packet was measured, in microseconds of its sensor's own clock. The epoch of
-// that clock depends on the format: 1970-01-01 UTC for a LUX and a Hesai, and the full hour for a
-// Velodyne. For an Ouster it depends on the configuration, and with PTP it is also 1970. For a LUX,
-// the times refer to the whole scan, even if the packet contains only a part of it. For spinning
-// units, they refer to the packet.
+// The time at which a packet was measured, in microseconds of the sensor's own clock. The epoch of
+// this clock is 1970-01-01 UTC for a LUX and a Hesai, and the full hour for a Velodyne. For an
+// Ouster, the epoch depends on the configuration. With PTP, an Ouster's epoch is also 1970. For a
+// LUX, the times refer to the whole scan, even if the packet contains only a part of the scan. For
+// spinning units, the times refer to the packet.
 struct Sweep {
   std::uint64_t begin_us = 0;
   std::uint64_t end_us = 0;
@@ -54,7 +54,7 @@ struct Sweep {
   bool is_of_packet = false;  // the times refer to the packet, otherwise to the whole scan
 };
 
-// The contents of a packet's header, before any of its points is checked.
+// The contents of a packet's header, which are available before any point is checked.
 struct PacketInfo {
   std::uint64_t fingerprint = 0;  // two packets have the same value only if they are identical
   std::uint32_t scan_number = 0;  // scan counter of the sensor; 0 if the format has none

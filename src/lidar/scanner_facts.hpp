@@ -1,4 +1,5 @@
-// Properties of a scanner that follow from its format. They are taken from its decoder.
+// The properties of a scanner that follow from its format. The format's decoder defines these
+// properties.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ struct ScannerFacts {
   bool is_radar = false;        // it reports objects but no free space
   bool is_ultrasonic = false;   // it reports the distance of the nearest object in a cone
 
-  // True if its detections have no sharp direction.
+  // Returns true if the sensor's detections have no sharp direction.
   [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
@@ -96,8 +97,8 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
   return can;
 }
 
-// The number of points in a packet of a unit with this many layers. For a LUX, this is the number
-// of points in one direction.
+// Returns the number of points in a packet of a unit with this many layers. For a LUX, returns the
+// number of points in one direction.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

@@ -1,4 +1,5 @@
-// Properties of a unit that are given in the car file because its packets do not contain them.
+// The properties of a unit that the car file specifies because the unit's packets do not contain
+// them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@ struct TurnMode {
   std::uint16_t turns_per_second = 0;
 
   [[nodiscard]] constexpr bool is_valid() const;
-  // The time from one column to the next, rounded down. The mode must be valid.
+  // Returns the time from one column to the next, rounded down. The mode must be valid.
   [[nodiscard]] constexpr std::uint32_t column_ns() const {
     return 1'000'000'000U / (std::uint32_t{columns_per_turn} * turns_per_second);
   }
@@ -32,14 +33,15 @@ constexpr bool TurnMode::is_valid() const {
 }
 
 struct Unit {
-  // One correction per layer, or none. If the packets of a format do not contain the number of
-  // layers, it is the size of this span. The storage must be static or must outlive the packets.
+  // One correction per layer, or no corrections. If the packets of a format do not contain the
+  // number of layers, the size of this span is the number of layers. The storage must be static or
+  // must outlive the packets.
   std::span<const LaserCorrection> corrections{};
-  // Only for units whose points contain their own elevations: the elevations of the layers in
-  // ascending order, in units of 1/3,200 degree. The storage must also be static or outlive the
-  // packets.
+  // The elevations of the layers in ascending order, in units of 1/3,200 degree. The elevations are
+  // used only for units whose points contain their own elevations. The storage must also be static
+  // or outlive the packets.
   std::span<const std::int32_t> elevations{};
-  // Used for formats whose packets do not contain these two values.
+  // The following two values are used only for formats whose packets do not contain these values.
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
 };

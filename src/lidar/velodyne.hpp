@@ -1,10 +1,10 @@
-// Data packets of Velodyne lidars. This file contains the common properties of these units and one
-// decoder for all of them.
+// Decodes the data packets of Velodyne lidars. All Velodyne units share one decoder.
 //
-// One datagram has 1206 bytes and is little endian. It contains 12 blocks, each with a flag, an
-// azimuth and 32 ranges, and then time, return mode and product (docs/spec.md). Units differ in the
-// lasers of a block, in the firing time of each laser and in the unit of range. VelodyneUnit
-// describes these properties, and the compiler generates a decoder from it.
+// A datagram has 1206 bytes and is little-endian. The datagram contains 12 blocks, followed by the
+// time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
+// 32 ranges. Units differ in the lasers of a block, in the firing time of each laser and in the
+// unit of range. VelodyneUnit describes these differences, and the compiler generates a decoder
+// from each VelodyneUnit.
 #pragma once
 
 #include <array>
@@ -25,35 +25,36 @@ namespace iog::lidar {
 
 struct VelodyneUnit {
   std::uint8_t layers = 0;
-  // The number of blocks that share one azimuth if each beam has one return. It is 2 or 4 if a
-  // block is too short for all lasers.
+  // The number of blocks that share one azimuth if each beam has one return. The number is 2 or 4
+  // if a block is too short for all lasers.
   std::uint8_t banks = 1;
   std::uint8_t product = 0;      // byte 1205; if there are two banks, this byte has another meaning
   std::uint8_t old_product = 0;  // value of the same byte in old firmware
   std::uint8_t range_unit_mm = 0;
   bool has_two_returns = true;  // if the unit is configured for it
   std::uint32_t block_ns = 0;   // time from one azimuth to the next
-  // A channel fires fires_at / block_parts * block_ns after the azimuth of its block was measured.
+  // Each channel fires fires_at / block_parts * block_ns after the azimuth of the channel's block
+  // is measured.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
-  // The azimuth offset of each channel from the unit's direction, clockwise, in units of 0.01
+  // The clockwise azimuth offset of each channel from the unit's direction, in units of 0.01
   // degrees.
   std::array<std::int16_t, 32> azimuth_offsets{};
   // The time at which each bank begins to fire, in units of block_ns / block_parts. If all values
   // are zero, all banks fire at the same time.
   std::array<std::uint8_t, 4> bank_fires_at{};
 
-  // The time at which a channel of a bank fires, in units of block_ns / block_parts.
+  // Returns the time at which a channel of a bank fires, in units of block_ns / block_parts.
   [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
     return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
   }
-  // The number of banks that fire at different times.
+  // Returns the number of banks that fire at different times.
   [[nodiscard]] constexpr std::size_t bank_times() const {
     return bank_fires_at == std::array<std::uint8_t, 4>{} ? 1 : banks;
   }
 };
 
-// packets: the number of packets per turn. The minimum range of the units is 1 m.
+// `packets` is the number of packets per turn. The minimum range of the units is 1 m.
 constexpr DataSheet data_sheet_of_velodyne(std::string_view type, std::uint32_t packets) {
   return {.type = type, .range_min_mm = 1'000, .max_points_per_scan = packets * 384};
 }
@@ -71,8 +72,8 @@ class VelodynePacket {
   // If two adjacent blocks are more than 3 degrees apart, the packet is not a single sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // Packets do not contain the rotation of the head during the last block, and the rotation speed
-  // varies by up to a tenth. The sector of a packet is therefore widened by this value, so that
-  // adjacent sectors overlap instead of leaving a gap.
+  // varies by up to a tenth. The sector of a packet is therefore widened by kSeamTicks. As a
+  // result, adjacent sectors overlap instead of leaving a gap.
   static constexpr std::uint32_t kSeamTicks = 10;
 
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
@@ -81,19 +82,19 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // The properties of the unit that can be seen from a valid packet.
+  // Returns the properties of the unit that a valid packet shows.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
   // Moves the view to this copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
-  // Checks the whole packet and keeps a view of it.
+  // Checks the whole packet and keeps a view of the datagram.
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // For each channel of a block: the rotation of the unit until the channel fires, plus the
-  // channel's own offset.
+  // The azimuth of each channel of a block: the rotation of the unit until the channel fires, plus
+  // the channel's own offset.
   struct Firing {
     std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
@@ -118,7 +119,7 @@ class VelodynePacket {
     return packet_.subspan(block * kBlockBytes).first<kBlockBytes>();
   }
 
-  // The common properties of all points of a block, computed once.
+  // The properties that all points of a block share, computed once per block.
   struct Block {
     std::span<const std::byte, kBlockBytes> bytes;
     std::span<const std::byte, kBlockBytes> other;  // contains the other echo of each point
@@ -130,8 +131,8 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // The number of blocks with the same azimuth, which is the number of banks times the number of
-  // echoes.
+  // Returns the number of blocks with the same azimuth, that is, the number of banks times the
+  // number of echoes.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }
@@ -166,9 +167,9 @@ class VelodyneDecoder : public VelodynePacket {
 
   [[nodiscard]] static constexpr const VelodyneUnit& unit() { return kUnit; }
 
-  // Checks the packet and keeps a view of it. The view is valid only while the datagram and the
-  // corrections exist. There is one correction for each layer, or none. Returns kOk, kWrongLength,
-  // kWrongType, kWrongAngle or kOtherUnit.
+  // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
+  // and the corrections exist. `corrections` contains one correction per layer, or is empty.
+  // Returns kOk, kWrongLength, kWrongType, kWrongAngle or kOtherUnit.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram,
                                     std::span<const LaserCorrection> corrections = {}) {
     return read(kUnit, datagram, corrections);
@@ -205,7 +206,8 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
   // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit as
-  // std::for_each() does. This keeps counters inside visit in registers. Requires decode() == kOk.
+  // std::for_each() does. The compiler can then keep counters inside visit in registers. Requires
+  // decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
@@ -246,7 +248,8 @@ class VelodyneDecoder : public VelodynePacket {
     std::array<std::array<Firing, 2>, kTimes> firings_;
   };
 
-  // If the unit is known at compile time, most of this is optimised away, including the division.
+  // If the unit is known at compile time, the compiler optimises most of this function away,
+  // including the division.
   template <bool kIsDual>
   [[nodiscard]] static ScanPoint point(const Block& block, const Firing& firing,
                                        std::size_t channel) {
@@ -263,8 +266,8 @@ class VelodyneDecoder : public VelodynePacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The azimuth is at most one turn, the rotation 3 degrees and the offset 34.2 degrees, so a
-    // single wrap is enough.
+    // The azimuth is at most one turn, the rotation at most 3 degrees and the offset at most 34.2
+    // degrees, so a single wrap is enough.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

@@ -1,4 +1,4 @@
-// Byte offsets and byte values of a Velodyne data packet (docs/spec.md).
+// The byte offsets and byte values of a Velodyne data packet (docs/spec.md).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline constexpr std::size_t kTimeOffset = 1200;
 inline constexpr std::size_t kModeOffset = 1204;
 inline constexpr std::size_t kProductOffset = 1205;
 inline constexpr std::uint16_t kBlockFlag = 0xEEFF;
-// Flags of the banks in order: an HDL-64E has two banks, a VLS-128 four.
+// The flags of the banks, in order. An HDL-64E has two banks, and a VLS-128 has four.
 inline constexpr std::array<std::uint16_t, 4> kBankFlags{kBlockFlag, 0xDDFF, 0xCCFF, 0xBBFF};
 inline constexpr std::uint8_t kModeStrongest = 0x37;
 inline constexpr std::uint8_t kModeLast = 0x38;
@@ -39,7 +39,7 @@ inline std::uint8_t byte_at(std::span<const std::byte> packet, std::size_t offse
   return wire::load_u8(packet.subspan(offset).first<1>());
 }
 
-// The clockwise angle from one azimuth to another. The heads rotate clockwise.
+// Returns the clockwise angle from one azimuth to another. The heads rotate clockwise.
 constexpr std::uint32_t gained(std::uint32_t from, std::uint32_t to) {
   return (to + kTurn - from) % kTurn;
 }

@@ -1,5 +1,5 @@
-// Data packets of the Velodyne HDL-32E (HDL-32E User Manual 63-9113). A block contains one firing
-// of all 32 lasers.
+// Decodes the data packets of the Velodyne HDL-32E (HDL-32E User Manual 63-9113). A block contains
+// one firing of all 32 lasers.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace iog::lidar {
 
-// A block takes 46.08 us. Channel k fires 1.152 k us after the start of the block, at k / 40 of the
-// block. There is a pause after the 32nd channel.
+// A block takes 46.08 us. Channel k fires 1.152 k us after the start of the block, that is, at k /
+// 40 of the block's duration. The unit pauses after the 32nd channel.
 consteval VelodyneUnit make_hdl32e() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductHdl32e,
@@ -29,7 +29,7 @@ consteval VelodyneUnit make_hdl32e() {
 inline constexpr VelodyneUnit kHdl32eUnit = make_hdl32e();
 
 // The elevations of even channels are from -30.67 to -10.67 degrees, and the elevations of odd
-// channels are from -9.33 to 10.67 degrees. Both are in steps of 4/3 degrees.
+// channels are from -9.33 to 10.67 degrees. Both sets of elevations have steps of 4/3 degrees.
 consteval std::array<double, 32> make_hdl32e_elevations() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < 32; ++channel) {
@@ -43,10 +43,10 @@ consteval std::array<double, 32> make_hdl32e_elevations() {
 class VelodyneHdl32e : public VelodyneDecoder<kHdl32eUnit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-32E";
-  // The data sheet specifies a precision of 2 cm, but 3 cm is used. One turn at 10 Hz takes 181
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 181
   // packets, or 362 packets in dual return mode.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl32e", 370);
-  // Elevations by channel, in wire order.
+  // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg = make_hdl32e_elevations();
 };
 

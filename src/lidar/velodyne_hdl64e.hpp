@@ -1,9 +1,9 @@
-// Data packets of the Velodyne HDL-64E (HDL-64E S2 manual 63-HDL64ES2, S3 manual 63-HDL64ES3,
-// appendix on timing). Two blocks with the same azimuth contain a firing of all 64 lasers. The
-// block with flag 0xEEFF contains the upper bank, and the block with flag 0xDDFF contains the lower
-// bank. The lasers of a bank fire in eight groups of four, and both banks fire at the same time.
-// Bytes 1204 and 1205 contain a status that changes from packet to packet. The elevations differ
-// between units and are given in the car file.
+// Decodes the data packets of the Velodyne HDL-64E (HDL-64E S2 manual 63-HDL64ES2, S3 manual
+// 63-HDL64ES3, appendix on timing). Two blocks with the same azimuth contain a firing of all 64
+// lasers. The block with flag 0xEEFF contains the upper bank, and the block with flag 0xDDFF
+// contains the lower bank. The lasers of a bank fire in eight groups of four, and both banks fire
+// at the same time. Bytes 1204 and 1205 contain a status that changes from packet to packet. The
+// elevations differ between units, so the car file specifies them.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct Hdl64eTiming {
 inline constexpr Hdl64eTiming kHdl64eS2Timing{48'000, 6'000, {0, 1'260, 2'460, 3'660}};
 inline constexpr Hdl64eTiming kHdl64eS3Timing{57'600, 7'200, {0, 1'300, 2'500, 3'700}};
 
-// Firing times are rounded to multiples of 200 ns (S2) or 240 ns (S3). In half of this time, the
-// head rotates by less than 0.001 degrees.
+// Firing times are rounded to multiples of 200 ns (S2) or 240 ns (S3). The head rotates by less
+// than 0.001 degrees in half of this time.
 consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing, bool has_two_returns) {
   constexpr std::uint32_t kParts = 240;
   VelodyneUnit unit{.layers = 64,
@@ -45,7 +45,8 @@ inline constexpr VelodyneUnit kHdl64eS3Unit = make_hdl64e(kHdl64eS3Timing, true)
 class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S2";
-  // The precision is specified as 2 cm, but 3 cm is used. One turn at 10 Hz takes 348 packets.
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 348
+  // packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s2", 360);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };
@@ -53,8 +54,9 @@ class VelodyneHdl64eS2 : public VelodyneDecoder<kHdl64eS2Unit> {
 class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
-  // The precision is specified as 2 cm, but 3 cm is used. One turn at 10 Hz takes 290 packets. In
-  // dual return mode it takes 579 packets, and the car file must allow for them.
+  // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz takes 290
+  // packets. In dual return mode, one turn takes 579 packets, and the car file must allow for this
+  // number.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

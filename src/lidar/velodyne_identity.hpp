@@ -1,12 +1,14 @@
 // Identifies the unit that sends Velodyne packets. Packets do not always identify their unit. If
-// packets of one unit are decoded as packets of another, the result looks plausible but is wrong.
+// packets of one unit are decoded as packets of another unit, the points look plausible but are
+// wrong.
 //
-// Byte 1205 identifies the unit. However, 0x21 is used by both an HDL-32E and a VLP-16 with
-// firmware before 3.0.29, and an HDL-64E has no such byte. The duration of a block distinguishes
-// these units. It can be computed from any two packets, however many packets were lost between
-// them: multiply the azimuth increment per block of a packet by the time between the two packets,
-// and divide by the azimuth increment in that time. A single packet is enough only if its azimuth
-// increment is too small or too large for one of the two units at 5 to 20 turns per second.
+// Byte 1205 identifies most units. However, an HDL-32E and a VLP-16 with firmware before 3.0.29
+// both use 0x21, and an HDL-64E does not have this byte. The duration of a block distinguishes
+// these units. This duration can be computed from any two packets, even if packets between them
+// were lost. To compute it, multiply the azimuth increment per block of a packet by the time
+// between the two packets, and divide by the azimuth increment in that time. A single packet is
+// enough only if its azimuth increment is too small or too large for one of two units at 5 to 20
+// turns per second.
 #pragma once
 
 #include <array>
@@ -30,7 +32,7 @@ class FormatSet {
   [[nodiscard]] constexpr bool has(Format format) const {
     return (bits_ >> static_cast<unsigned>(format) & 1U) != 0;
   }
-  // The first format of the set in the order of the enum. The set must not be empty.
+  // Returns the first format of the set, in enum order. The set must not be empty.
   [[nodiscard]] constexpr Format first() const {
     return static_cast<Format>(std::countr_zero(bits_));
   }
@@ -42,14 +44,14 @@ class FormatSet {
   std::uint32_t bits_ = 0;
 };
 
-// A format that is consistent with the bytes of a packet, and the duration of its blocks.
+// A format that is consistent with the bytes of a packet, and the block duration of this format.
 struct VelodyneCandidate {
   Format format{};
   std::uint32_t block_ns = 0;
   friend constexpr bool operator==(const VelodyneCandidate&, const VelodyneCandidate&) = default;
 };
 
-// The formats that are consistent with a packet. There are at most four.
+// The formats, at most four, that are consistent with a packet.
 struct VelodyneCandidates {
   std::size_t count = 0;
   std::array<VelodyneCandidate, 4> list{};
@@ -62,12 +64,12 @@ struct VelodyneCandidates {
 
 class VelodyneIdentity {
  public:
-  // The formats that the sender can have according to this packet and the previous packets. It
-  // contains one format if the result is certain, and no format if the packet is not from a
-  // Velodyne. Accepts any bytes. It checks only flags, azimuths and time; the decoder detects other
-  // faults.
+  // Returns the formats that are consistent with this packet and the previous packets of the
+  // sender. The set contains one format if the result is certain, and no format if the packet is
+  // not from a Velodyne. The function accepts any bytes, and checks only flags, azimuths and time.
+  // The decoder detects other faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
-  // Does the same for a packet that its decoder has accepted.
+  // Same as above, for a packet that its decoder has accepted.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);
 
  private:
@@ -79,7 +81,7 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // Sums over all pairs of consecutive packets since the last result.
+  // The sums over all pairs of consecutive packets since the last result.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

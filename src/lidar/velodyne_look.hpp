@@ -1,6 +1,6 @@
-// The properties of a unit that can be seen from one of its data packets: the bytes that identify
-// the unit, and the rotation of the head during the packet. lidar/velodyne.hpp decodes the points
-// of the packet.
+// The properties of a unit that a single data packet shows: the bytes that identify the unit, and
+// the rotation of the head during the packet. `lidar/velodyne.hpp` decodes the points of the
+// packet.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// Data packets of the Velodyne Puck Hi-Res (VLP-16 User Manual 63-9243, chapter 9 and appendix on
-// the Puck Hi-Res). They have the format of VLP-16 packets, but the lasers are 1.33 degrees apart.
+// Decodes the data packets of the Velodyne Puck Hi-Res (VLP-16 User Manual 63-9243, chapter 9 and
+// appendix on the Puck Hi-Res). The packets have the same format as VLP-16 packets, but the lasers
+// are 1.33 degrees apart.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ class VelodynePuckHires : public VelodyneDecoder<kPuckHiresUnit> {
   static constexpr std::string_view kName = "Velodyne Puck Hi-Res";
   // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_puck_hires", 160);
-  // Elevations by laser id, in wire order.
+  // The elevation of each laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{
       -10,    0.667, -8.667, 2,     -7.333, 3.333, -6,     4.667,  //
       -4.667, 6,     -3.333, 7.333, -2,     8.667, -0.667, 10};

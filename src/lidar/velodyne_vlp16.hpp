@@ -1,5 +1,5 @@
-// Data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block contains two
-// firings of the 16 lasers, but only the azimuth of the first firing.
+// Decodes the data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block
+// contains two firings of the 16 lasers, but only the azimuth of the first firing.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace iog::lidar {
 
 // A block takes 110.592 us. Laser j of firing s fires (2.304 j + 55.296 s) us after the start of
-// the block, that is after (j + 24 s) / 48 of its time.
+// the block, that is, at (j + 24 s) / 48 of the block's duration.
 consteval VelodyneUnit make_vlp16() {
   VelodyneUnit unit{.layers = 16,
                     .product = velodyne::kProductVlp16,
@@ -32,7 +32,7 @@ class VelodyneVlp16 : public VelodyneDecoder<kVlp16Unit> {
   static constexpr std::string_view kName = "Velodyne VLP-16";
   // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 151 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp16", 160);
-  // Elevations by laser id, in wire order.
+  // The elevation of each laser id, in wire order.
   static constexpr std::array<double, 16> kElevationsDeg{-15, 1, -13, 3,  -11, 5,  -9, 7,
                                                          -7,  9, -5,  11, -3,  13, -1, 15};
 };

@@ -1,6 +1,6 @@
-// Data packets of the Velodyne VLP-32C (VLP-32C User Manual 63-9325, chapter 9). A block contains
-// one firing of all 32 lasers. The lasers fire in pairs, slightly to the left or right of the
-// block's azimuth. The unit of range is 4 mm.
+// Decodes the data packets of the Velodyne VLP-32C (VLP-32C User Manual 63-9325, chapter 9). A
+// block contains one firing of all 32 lasers. The lasers fire in pairs, slightly to the left or
+// right of the block's azimuth. The unit of range is 4 mm.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace iog::lidar {
 
-// A block takes 55.296 us. Channel k fires 2.304 floor(k / 2) us after the start of the block, at
-// floor(k / 2) / 24 of the block.
+// A block takes 55.296 us. Channel k fires 2.304 floor(k / 2) us after the start of the block, that
+// is, at floor(k / 2) / 24 of the block's duration.
 consteval VelodyneUnit make_vlp32c() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductVlp32c,
@@ -37,7 +37,7 @@ class VelodyneVlp32c : public VelodyneDecoder<kVlp32cUnit> {
   static constexpr std::string_view kName = "Velodyne VLP-32C";
   // The precision is 3 cm. One turn at 10 Hz in dual return mode takes 302 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vlp32c", 310);
-  // Elevations by channel, in wire order.
+  // The elevation of each channel, in wire order.
   static constexpr std::array<double, 32> kElevationsDeg{
       -25,    -1,    -1.667, -15.639, -11.31, 0,     -0.667, -8.843,  //
       -7.254, 0.333, -0.333, -6.148,  -5.333, 1.333, 0.667,  -4,      //

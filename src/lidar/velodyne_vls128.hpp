@@ -1,8 +1,9 @@
-// Data packets of the Velodyne VLS-128, Alpha Prime (VLS-128 User Manual 63-9483, chapter 9). Four
-// blocks with the same azimuth contain a firing of all 128 lasers. Each block is a bank of 32
-// lasers with its own flag. The banks fire one after another. Within a bank, eight lasers fire at a
-// time, to the left or right of the block's azimuth. The unit of range is 4 mm. The mode with two
-// returns per beam is not supported, because no recording of it is available.
+// Decodes the data packets of the Velodyne VLS-128 (Alpha Prime; VLS-128 User Manual 63-9483,
+// chapter 9). Four blocks with the same azimuth contain a firing of all 128 lasers. Each block is a
+// bank of 32 lasers with its own flag. The banks fire one after another. Within a bank, eight
+// lasers fire at a time, to the left or right of the block's azimuth. The unit of range is 4 mm.
+// The mode with two returns per beam is not supported, because no recording of this mode is
+// available.
 #pragma once
 
 #include <array>
@@ -14,9 +15,9 @@
 
 namespace iog::lidar {
 
-// Chapter 9.4: a firing consists of 20 slots. Groups 0 to 7 use the first slots, one slot is a
-// pause, and groups 8 to 15 use the next slots. The manual specifies 53.3 us per firing. In a
-// recording, the three firings of a packet take 165.84 us.
+// According to chapter 9.4, a firing consists of 20 slots. Groups 0 to 7 use the first slots, one
+// slot is a pause, and groups 8 to 15 use the next slots. The manual specifies 53.3 us per firing.
+// In a recording, the three firings of a packet take 165.84 us.
 consteval VelodyneUnit make_vls128() {
   VelodyneUnit unit{.layers = 128,
                     .banks = 4,
@@ -41,7 +42,7 @@ class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
   static constexpr std::string_view kName = "Velodyne VLS-128";
   // The precision is 3 cm. One turn at 10 Hz takes 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
-  // Elevations by laser id: bank by bank, and in each bank channel by channel.
+  // The elevation of each laser id, bank by bank and then channel by channel.
   static constexpr std::array<double, 128> kElevationsDeg{
       -11.742, -1.99,   3.4,    -5.29,  -0.78, 4.61,    -4.08,   1.31,     //
       -6.5,    -1.11,   4.28,   -4.41,  0.1,   6.48,    -3.2,    2.19,     //

@@ -1,10 +1,11 @@
-// Detects a map that contradicts the sensors, because beams cannot pass through houses.
+// Detects maps that contradict the sensors. Beams cannot pass through houses, so free cells inside
+// buildings indicate a wrong map.
 //
-// Counts free cells deep inside buildings, where only a building is possible even after the blur.
-// The blur covers the errors of the map and the poses. In simulated drives, no such cells occur
-// with the correct map or with houses that are offset by 25 cm, but up to 8 % occur with a map that
-// is offset by 7 m (figures in docs/map.md). Standing cells on roads are not evidence against a
-// map, because cars park there.
+// The detector counts free cells deep inside buildings, where only a building is possible even
+// after the blur. The blur covers the errors of the map and the poses. In simulated drives, no free
+// cells are inside buildings if the map is correct or if houses are offset by 25 cm. If the map is
+// offset by 7 m, up to 8 % of the free cells are inside buildings (figures in docs/map.md).
+// Standing cells on roads are no evidence against a map, because cars park on roads.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace iog::map {
 
-// The number of frames in a round. Each tile is examined once per round.
+// The number of frames per round. Each tile is examined once per round.
 inline constexpr std::uint32_t kRoundFrames = 16;
 
 // Returns the cells in which only a building is possible.
@@ -28,8 +29,8 @@ class Agreement {
   // buildings.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  // Areas in cells of 0.1 m. A round with fewer than kFewestFree free cells (50 m2) is ignored. The
-  // second area (5 m2) is needed because the map may show a wall too far out.
+  // The minimum areas, in cells of 0.1 m. A round with fewer than kFewestFree free cells (50 m2) is
+  // ignored. `kFewestInside` (5 m2) is needed because the map may show a wall too far out.
   static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
@@ -40,7 +41,7 @@ class Agreement {
   void add(const window::Plane& free, const window::Plane& inside);
   void end_round(std::int32_t cell_mm = geometry::kCellMm);
 
-  // Becomes true after kContradictingRounds contradicting rounds in a row, and becomes false after
+  // Returns true after kContradictingRounds contradicting rounds in a row, and false again after
   // kAgreeingRounds agreeing rounds in a row.
   [[nodiscard]] bool is_contradicted() const { return is_contradicted_; }
 

@@ -1,8 +1,8 @@
-// A map block. It contains buildings and roads as polygons, with an index of buckets. docs/spec.md,
+// A map block contains buildings and roads as polygons, with an index of buckets. `docs/spec.md`,
 // section 6, describes each byte.
 //
-// A block is untrusted until check() has accepted the whole block. After that, a Block reads the
-// bytes without further checks, as long as the bytes do not change.
+// A block is untrusted until check() has accepted the whole block. A Block reads accepted bytes
+// without further checks. The bytes must not change after check().
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,7 @@ inline constexpr std::size_t kRefusalCount = 21;
 
 [[nodiscard]] Refusal check(std::span<const std::uint8_t> bytes);
 
-// Offsets of a block's tables from its first byte.
+// The offsets of a block's tables from the block's first byte.
 struct Tables {
   BoxCm extent;                 // of the block
   Buckets buckets;              // of the whole extent
@@ -73,7 +73,7 @@ class Check {
   explicit Check(std::span<const std::uint8_t> bytes);
 
   // Continues the check until it has processed about `budget` bytes. Features and buckets are not
-  // split, so a single feature or bucket may exceed the budget. Returns whether the check has
+  // split, so a single feature or bucket may exceed the budget. Returns true if the check has
   // ended.
   bool advance(std::size_t budget);
 
@@ -117,28 +117,30 @@ class Block {
   [[nodiscard]] const BoxCm& extent() const { return tables_.extent; }
   [[nodiscard]] Source source() const { return static_cast<Source>(words_.u8(6)); }
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
-  // Seconds since 1970 (UTC), or 0 if the date is unknown.
+  // Returns the date in seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // 95 of 100 vertices are closer than this to their true position.
+  // Returns the map's accuracy. Of 100 vertices, 95 are closer to their true positions than this
+  // distance.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
   [[nodiscard]] std::uint32_t size_bytes() const { return words_.u32(8); }
   [[nodiscard]] std::uint32_t feature_count() const { return tables_.features; }
   [[nodiscard]] std::string_view attribution() const;  // UTF-8
 
-  // number must be below feature_count().
+  // `number` must be below feature_count().
   [[nodiscard]] Feature feature(std::uint32_t number) const {
     return Feature(
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
-  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. Features
-  // are visited in the order of buckets, row by row, and within a bucket in the order of feature
-  // numbers.
+  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. The
+  // function visits buckets row by row. Within a bucket, the function visits features in the order
+  // of their numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
-  // Access to the index: the range of entries of a bucket, and the feature number of an entry.
+  // These functions access the index. `entries_of()` returns the range of entries of a bucket, and
+  // feature_of_entry() returns the feature of an entry.
   struct Entries {
     std::uint32_t next = 0;
     std::uint32_t end = 0;
@@ -160,8 +162,8 @@ class Block {
   Tables tables_;
 };
 
-// Iterates over the features of a block whose box overlaps a given box. It visits one index entry
-// at a time, so the iteration can be suspended. The bytes of the block must outlive this object.
+// Iterates over the features of a block whose boxes overlap a given box. The iteration visits one
+// index entry at a time, so it can be suspended. The bytes of the block must outlive this object.
 class FeatureWalk {
  public:
   FeatureWalk(const Block& block, const BoxCm& box) : block_(block), box_(box) {
@@ -176,9 +178,9 @@ class FeatureWalk {
 
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  // Examines one entry, or continues with the next bucket. A feature is listed in all buckets that
-  // its box overlaps, but it is returned only in the first visited bucket. Must not be called if
-  // is_over() is true.
+  // Examines one entry, or continues with the next bucket. Each feature is listed in all buckets
+  // that its box overlaps, but is returned only in the first visited bucket. Do not call this
+  // function if is_over() returns true.
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {
       leave_bucket();

@@ -1,4 +1,4 @@
-// Blurs a bit plane: dilation by a disc.
+// Blurs a bit plane, that is, dilates the plane by a disc.
 #pragma once
 
 #include <cstdint>

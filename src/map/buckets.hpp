@@ -1,4 +1,4 @@
-// The index grid of a map. It consists of square buckets that cover the map's extent.
+// The index grid of a map consists of square buckets that cover the map's extent.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// A chunk of a map block in transmission: SOME/IP and E2E headers as in every message
-// (protection/protected_message.hpp), followed by a header of 20 bytes and up to 1280 bytes of the
-// block, in big-endian byte order. docs/spec.md, section 7.1, describes each byte.
+// Defines the messages that transmit chunks of a map block. Each message consists of SOME/IP and
+// E2E headers (protection/protected_message.hpp), a header of 20 bytes, and up to 1280 bytes of the
+// block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each byte.
 //
-// Sender and target share this file, so both use the same format.
+// The sender and the target share this file, so both use the same format.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@ namespace iog::map {
 
 inline constexpr std::uint16_t kMapPort = 15011;  // UDP
 
-// On this channel, each message is checked only by itself, because chunks may arrive in any order.
+// On this channel, each message is checked independently of other messages, because chunks may
+// arrive in any order.
 inline constexpr protection::Channel kMapChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8004, .interface_version = 1},
     .data_id = 0x494F4704,
@@ -31,7 +32,8 @@ inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Two blocks are different if they differ in either member.
+// Identifies the block of a chunk. Two blocks are different if the CRC or the number of bytes
+// differs.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
@@ -50,15 +52,15 @@ struct Chunk {
 };
 
 // Returns the chunk with this number. The number must be below chunk_count(). `block` contains all
-// bytes of the block, at least one and at most kMaxBlockBytes.
+// bytes of the block. The size of `block` must be 1 ... kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 
 // Encodes and numbers the messages of a sender.
 class ChunkEncoder {
  public:
-  // Returns the whole message, valid until the next call. The chunk must have at most kChunkBytes
-  // bytes. The fields are not checked here, because the decoder checks them.
+  // Returns the whole message, which is valid until the next call. The chunk must have at most
+  // kChunkBytes bytes. The encoder does not check the fields, because the decoder checks them.
   [[nodiscard]] std::span<const std::byte> encode(const Chunk& chunk);
 
  private:
@@ -71,7 +73,8 @@ struct DecodedChunk {
   Chunk chunk{};                // only if the chunk is valid; refers to the datagram
 };
 
-// Accepts any bytes. The outcome is kTaken, or one of the values from kTooShort to kOutOfRange.
+// Decodes a chunk. The function accepts any bytes. The outcome is kTaken, or one of the values from
+// kTooShort to kOutOfRange.
 [[nodiscard]] DecodedChunk decode_chunk(std::span<const std::byte> datagram);
 
 }  // namespace iog::map

@@ -1,17 +1,17 @@
-// Receives map blocks in chunks. There are two buffers, and chunks are stored in the buffer that is
-// not in use.
+// Receives map blocks in chunks. Of the two buffers, chunks are stored in the buffer that does not
+// contain the block in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the whole block is checked, with a limited number of bytes per frame. A valid block is
-// used from the frame in which the check ends. If the new block is invalid, it is dropped and the
-// previous block stays in use.
+// in use as soon as the check has ended. An invalid block is dropped, and the previous block stays
+// in use.
 //
-// Only one block is delivered at a time, so a late or forged chunk cannot interrupt it. The
+// Only one block is delivered at a time, so a late or forged chunk cannot interrupt a delivery. The
 // delivery of another block may start if no new chunk of the current block has arrived for
 // kPatienceUs.
 //
-// The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
-// send from the configured address can replace the map.
+// The CRC detects damage on the network, but does not authenticate the sender. Anyone who can send
+// from the configured address can replace the map.
 #pragma once
 
 #include <array>
@@ -49,34 +49,36 @@ struct DeliveryReport {
   Refusal last_refusal = Refusal::kNone;          // reason for the last rejection
 };
 
-// Uses 8.4 MB, so it must be in static memory.
+// A Delivery uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
-  // replayer_ipv4 is 0 if there is no replayer.
+  // `description.is_valid()` must be true. `replayer_ipv4` may also send on behalf of the source.
+  // `replayer_ipv4` is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 
-  // Whether this port receives maps.
+  // Returns true if this port receives maps.
   [[nodiscard]] bool listens_to(std::uint16_t udp_port) const {
     return udp_port == description_.udp_port;
   }
 
-  // Processes a datagram on the map port. Accepts any bytes. Arrival times must not decrease.
+  // Processes a datagram on the map port. The function accepts any bytes. Arrival times must not
+  // decrease.
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
-  // Sets a block that is available from the start, such as a block in the firmware image. Call it
-  // before the first frame. The block must outlive this object. The block is checked immediately,
-  // and a rejection is counted like any other rejection.
+  // Sets a block that is available from the start, such as a block in the firmware image. Call this
+  // function before the first frame. The block must outlive this object. The function checks the
+  // block immediately, and counts a rejection like any other rejection.
   void begin_with(std::span<const std::uint8_t> block);
 
   // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the
-  // block in use. Call it once per frame.
+  // block in use. Call this function once per frame.
   void work();
 
-  // The block in use, valid until the next work(). Null if no block is in use.
+  // Returns the block in use, which is valid until the next work(). Returns null if no block is in
+  // use.
   [[nodiscard]] const Block* in_use() const { return in_use_ ? &*in_use_ : nullptr; }
 
   [[nodiscard]] const DeliveryReport& report() const { return report_; }
@@ -93,10 +95,10 @@ class Delivery {
   [[nodiscard]] bool is_in_use(const BlockName& block) const;
   void begin(const BlockName& block);
   void put(const Chunk& chunk);
-  // The bytes of the incoming block.
+  // Returns the bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // The result of the check. It is kDamaged if the block's CRC differs from the CRC in the block's
-  // chunks.
+  // Returns the result of the check. Returns kDamaged if the block's CRC differs from the CRC in
+  // the block's chunks.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 

@@ -1,4 +1,5 @@
-// Outcomes of datagrams on the map port. The values are defined in docs/spec.md, section 7.2.
+// Defines the outcomes of datagrams on the map port. `docs/spec.md`, section 7.2, defines the
+// values.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 namespace iog::map {
 
-// The outcome of a datagram. All outcomes except the first are drops, which change nothing.
+// The outcome of a datagram. All outcomes except kTaken are drops, which change nothing.
 enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored

@@ -1,4 +1,4 @@
-// One feature of a block. docs/spec.md, section 6.3, describes each byte.
+// One feature of a block. `docs/spec.md`, section 6.3, describes each byte.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
 inline constexpr std::size_t kFeatureHeaderBytes = 24;
 inline constexpr std::size_t kRingHeaderBytes = 12;
 
-// Bits of the map's classes (decision/decision.hpp). All other space is intermediate space.
+// The bits of the map's classes (decision/decision.hpp). All other space is intermediate space.
 enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
 
-// A building or a part of a road. Its area is the inside of its rings according to the even-odd
-// rule.
+// A building or a part of a road. According to the even-odd rule, the area of a feature is the
+// inside of its rings.
 class Feature {
  public:
   explicit Feature(std::span<const std::byte> checked) : words_{checked} {}
@@ -28,8 +28,8 @@ class Feature {
   [[nodiscard]] std::uint32_t edge_count() const { return words_.u32(4); }
   [[nodiscard]] BoxCm box() const { return words_.box(8); }
 
-  // Calls visit(PointCm from, PointCm to) for each edge of all rings. The closing edge of a ring
-  // comes last.
+  // Calls visit(PointCm from, PointCm to) for each edge of all rings. The closing edge of a ring is
+  // visited last.
   template <typename Visit>
   void for_each_edge(Visit&& visit) const;
 
@@ -54,7 +54,7 @@ class EdgeWalk {
 
   [[nodiscard]] bool is_over() const { return rings_ == 0; }
 
-  // Must not be called if is_over() is true.
+  // Returns the next edge. Do not call this function if is_over() returns true.
   [[nodiscard]] Edge next() {
     const PointCm from = from_;
     if (deltas_ == 0) {

@@ -1,19 +1,20 @@
-// The map layer of the window. It schedules the drawing of tiles: it determines which tiles are
-// drawn, which tiles wait, and which tiles must be drawn again.
+// The map layer of the window. The layer schedules the drawing of tiles, that is, it determines
+// which tiles are drawn, which tiles are pending, and which tiles must be drawn again.
 //
-// A tile starts to wait when it enters the window or when the map changes. It also starts to wait
-// when the transform has moved one of its corners by more than a cell since it was drawn, or when
-// the blur becomes wider than the blur with which it was drawn. If the blur becomes narrower, the
-// tile is not drawn again: its mask is still correct, but less specific than it could be. While a
-// tile waits, its cells may have any class. The tile that has waited longest is drawn first. If
-// several tiles have waited equally long, the tile with the lowest slot is drawn first.
+// A tile becomes pending when it enters the window or when the map changes. A drawn tile also
+// becomes pending if the transform has moved any corner by more than a cell since the drawing, or
+// if the blur is now wider than the blur of the drawing. If the blur becomes narrower, the tile is
+// not drawn again, because its mask is still correct, although less specific than possible. The
+// cells of a pending tile may have any class. The tile that has been pending longest is drawn
+// first. If several tiles have been pending equally long, the tile with the lowest slot is drawn
+// first.
 //
-// If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. It is still
-// drawn, so that renewed agreement can be detected.
+// If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. The layer
+// still draws the map, so that it can detect renewed agreement.
 //
-// Each frame has a budget of work, kWorkPerFrame, which is measured in edges. If the budget is used
-// up, the remaining work waits, even in the middle of a tile. A tile takes effect only when its
-// drawing is complete.
+// The budget of a frame, kWorkPerFrame, is measured in edges. If the budget is used up, the
+// remaining work is postponed to the next frame, even in the middle of a tile. A tile takes effect
+// only when its drawing is complete.
 #pragma once
 
 #include <algorithm>
@@ -34,13 +35,14 @@
 namespace iog::map {
 
 // Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing, and an
-// entry of the block's index costs 1. The costs of other work on a tile are defined below.
+// entry of the block's index costs 1. The constants below define the costs of other work on a tile.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 
-// Returns the radius of the blur in cells, rounded up. It is the sum of the map's accuracy, two
-// standard deviations of the transform at 50 m, and the diagonal of a cell. It is at most 2^18.
+// Returns the radius of the blur in cells, rounded up. The radius is the sum of the map's accuracy,
+// two standard deviations of the transform at 50 m, and the diagonal of a cell. The result is at
+// most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
                                                   const pose::Sigma& sigma,
                                                   std::uint32_t cell_mm = geometry::kCellMm) {
@@ -56,18 +58,18 @@ class Layer {
   Layer(const Layer&) = delete;
   Layer& operator=(const Layer&) = delete;
 
-  // Call it once per frame, after the window has followed the vehicle. `block` is the block in use,
-  // or null. Its bytes must stay valid until the next call. `transform` is the transform of the
-  // newest pose, if it has one.
+  // Call this function once per frame, after the window has followed the vehicle. `block` is the
+  // block in use, or null. The bytes of the block must stay valid until the next call. `transform`
+  // is the transform of the newest pose, if the pose has a transform.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call it instead of work() if the window has no frame. It updates only the report, so a pause
-  // without data has no effect on the drawing of tiles.
+  // Call this function instead of work() if the window has no frame. The function updates only the
+  // report, so a pause without data has no effect on the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
-  // The report of the last frame.
+  // Returns the report of the last frame.
   [[nodiscard]] const LayerReport& report() const { return report_; }
 
  private:
@@ -115,7 +117,8 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // Stored by slot in separate arrays, so that a scan over all states reads no other data.
+  // These members are stored by slot in separate arrays, so that a scan over all states reads no
+  // other data.
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
   std::array<Basis, window::kSlotCount> bases_{};          // of drawn or outside tiles
@@ -130,7 +133,7 @@ class Layer {
   std::int32_t cell_mm_ = geometry::kCellMm;
   std::uint32_t budget_ = 0;  // remaining work of this frame
   Basis now_{};
-  // Basis of the last frame in which no cause prevented drawing:
+  // The following members describe the last frame in which no cause prevented drawing.
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;

@@ -10,7 +10,7 @@
 
 namespace iog::map {
 
-// The reason why no tile has a mask. The first cause that applies is reported.
+// The reason why no tile has a mask. If several causes apply, the first cause is reported.
 enum class Cause : std::uint8_t {
   kNone,
   kNoMap,         // no block
@@ -29,8 +29,8 @@ inline constexpr std::uint16_t kMaxSigmaMm = 300;
 
 struct LayerReport {
   Cause cause = Cause::kNoMap;
-  // The number of times that each cause began since start-up. The count for kNone is the number of
-  // times that the map started to have an effect.
+  // The number of times that each cause has begun since start-up. The count of kNone is the number
+  // of times that the map has begun to have an effect.
   std::array<std::uint32_t, kCauseCount> begun{};
 
   std::uint32_t crc = 0;                          // identifies the map; 0 if there is none

@@ -28,8 +28,8 @@ struct BoxCm {
 };
 
 // The largest coordinate of a map, 84 km from the map's origin. At this distance, positions in the
-// plane deviate from positions on the earth by metres. Signed differences of coordinates fit into
-// 25 bits, and products of two differences fit into 49 bits.
+// plane differ from positions on the earth by several metres. Signed differences of coordinates fit
+// into 25 bits, and products of two differences fit into 49 bits.
 inline constexpr std::int32_t kMaxCoordinateCm = 1 << 23;
 
 }  // namespace iog::map

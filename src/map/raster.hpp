@@ -1,11 +1,12 @@
-// Rasterises polygons: finds the cells of a tile's frame whose centre is inside a polygon.
+// Rasterises polygons. The raster finds the cells of a tile's frame whose centres are inside a
+// polygon.
 //
-// Each row is stored in a word, starting with the lowest y. Bit i is the cell in column i.
-// According to the even-odd rule, a centre is inside if the edges cross its row an odd number of
-// times at the centre or to the left of it. An edge crosses the rows from its lower end (inclusive)
-// to its upper end (exclusive). Borders are therefore half open: polygons that share an edge have
-// no cell in common, and there is no gap between them. The only inexact step is the rounding of
-// vertices to fine units (map/tile_place.hpp).
+// Each row is stored in a word, starting with the lowest y. Bit i represents the cell in column i.
+// According to the even-odd rule, a centre is inside if the edges cross the centre's row an odd
+// number of times at or left of the centre. An edge crosses the rows from its lower end (inclusive)
+// to its upper end (exclusive). Borders are therefore half open, so polygons that share an edge
+// have no common cell and leave no gap. The only inexact step is the rounding of vertices to fine
+// units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The range of rows and of columns within a distance of the tile.
+// The range of rows and columns within a distance from the tile.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive
@@ -32,28 +33,28 @@ struct RowRange {
   }
 };
 
-// Collects the edges of a polygon in any order, then returns the cells inside the polygon.
+// Collects the edges of a polygon in any order, and then returns the cells inside the polygon.
 class Raster {
  public:
-  // Discards all edges. Later results are valid only in these rows, and in the columns with the
-  // same numbers.
+  // Discards all edges. Later results are valid only in `rows`, and in the columns with the same
+  // numbers.
   void clear(RowRange rows);
 
-  // Returns the rows that an edge between these y coordinates crosses. If the edge crosses no row,
-  // it need not be added.
+  // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row need
+  // not be added.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
   }
 
-  // Whether a polygon in this box can contain a cell of the valid range.
+  // Returns true if a polygon in this box can contain a cell of the valid range.
   [[nodiscard]] bool reaches(const FineBox& box) const {
     return !crossed(box.low.y, box.high.y).is_empty() && first_from(box.low.x) < wanted_.end &&
            first_from(box.high.x) > wanted_.first;
   }
 
-  // Differences of coordinates must be below 2^30.2. `rows` contains the rows that the edge
-  // crosses, at least one.
+  // Adds an edge. Differences of coordinates must be below 2^30.2. `rows` contains the rows that
+  // the edge crosses. The edge must cross at least one row.
   void add_edge(RowRange rows, FinePoint from, FinePoint to);
 
   // Adds the cells inside the polygon to `bits`, and clears the raster for the next polygon.

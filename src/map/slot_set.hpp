@@ -18,7 +18,8 @@ class SlotSet {
     word = is_in ? word | bit : word & ~bit;
   }
 
-  // Returns the lowest slot of the set from `slot` on, or kSlotCount if there is none.
+  // Returns the lowest slot of the set that is not below `slot`, or kSlotCount if there is no such
+  // slot.
   [[nodiscard]] std::size_t first_from(std::size_t slot) const {
     if (slot >= window::kSlotCount) {
       return window::kSlotCount;

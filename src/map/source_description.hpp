@@ -1,4 +1,4 @@
-// The description of the sender of maps, which is part of a vehicle's description.
+// Describes the sender of maps. This description is part of a vehicle's description.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,11 @@
-// Draws one tile of the window from a block: determines the classes that each cell of the tile may
-// have.
+// Draws one tile of the window from a block, that is, determines the classes that each cell of the
+// tile may have.
 //
 // A cell's own classes are the classes of all features that contain the cell's centre. If no
-// feature contains it, the cell's own class is intermediate space. Outside the extent of the block,
-// any class is possible. A cell may have all classes that any cell within the radius has as its own
-// class. A drawing can be suspended. It has no result until it is complete.
+// feature contains the centre, the cell's own class is intermediate space. Outside the extent of
+// the block, any class is possible. The allowed classes of a cell are the own classes of all cells
+// within the radius. A drawing can be suspended. The result is available only when the drawing is
+// complete.
 #pragma once
 
 #include <cstdint>
@@ -22,24 +23,24 @@ inline constexpr std::uint32_t kWorkPerCrossing = 8;
 
 class TileDrawing {
  public:
-  // The bytes of the block must outlive the drawing. is_outside() must be false for the tile.
+  // The bytes of the block must outlive the drawing. `is_outside()` must be false for the tile.
   // `radius` is in cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 
-  // Whether all cells within the radius are outside the extent. In this case, all cells of the tile
-  // may have any class.
+  // Returns true if all cells within the radius are outside the extent. In this case, all cells of
+  // the tile may have any class.
   [[nodiscard]] static bool is_outside(const Block& block, const TilePlace& place,
                                        std::int32_t radius) {
     return !place.box(radius).meets(block.extent());
   }
 
-  // Continues until the budget is used up or the drawing is complete. Returns whether the drawing
-  // is complete. An entry of the block's index costs 1. An edge of a feature whose box reaches the
-  // tile's rows and columns also costs 1. If the edge crosses a row, it costs kWorkPerCrossing
+  // Continues until the budget is used up or the drawing is complete. Returns true if the drawing
+  // is complete. An entry of the block's index costs 1. An edge also costs 1 if the box of its
+  // feature reaches the tile's rows and columns. An edge that crosses a row costs kWorkPerCrossing
   // instead, but at most the remaining budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
-  // Valid only when the drawing is complete.
+  // Returns the mask. The mask is valid only when the drawing is complete.
   [[nodiscard]] TileMask mask();
 
  private:

@@ -1,4 +1,4 @@
-// The classes that the map allows in the cells of a tile.
+// Defines the classes that the map allows in the cells of a tile.
 #pragma once
 
 #include "window/tile.hpp"

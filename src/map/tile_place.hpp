@@ -1,10 +1,11 @@
 // Transforms between a tile of the window and the plane of a map.
 //
-// Vertices are rounded to fine units. There are kFine units per cell, so a unit is 0.4 mm for cells
-// of 0.1 m. Cells have 50, 100, 200 or 500 mm. Fine units are counted from the lower corner of the
-// tile's frame, which is the tile with kHalo additional cells on each side. The rounding depends
-// only on the position in the local frame. A vertex therefore has the same position for all tiles
-// and features, and operations on rounded vertices are exact (map/raster.hpp).
+// Vertices are rounded to fine units. A cell has kFine units per side, so a unit is 0.4 mm for
+// cells of 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower
+// corner of the tile's frame, which is the tile with kHalo additional cells on each side. The
+// rounding depends only on the position in the local frame. A vertex therefore has the same
+// position for all tiles and features, and operations on rounded vertices are exact
+// (map/raster.hpp).
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,7 @@ struct FineBox {
 
 class TilePlace {
  public:
-  // local_frame is the pose of the local frame in the plane of the map, within
+  // `local_frame` is the pose of the local frame in the plane of the map, within
   // pose::kMaxCoordinateMm.
   TilePlace(const pose::Pose& local_frame, window::TileNumber tile,
             std::int32_t cell_mm = geometry::kCellMm);
@@ -49,10 +50,10 @@ class TilePlace {
   [[nodiscard]] FinePoint fine(PointCm point) const;
 
   // Returns the smallest box in the tile's frame that contains the corners of the given box, and
-  // therefore all of its contents.
+  // therefore the whole given box.
   [[nodiscard]] FineBox fine_box(const BoxCm& box) const;
 
-  // Returns a box in the plane that contains the tile and this many cells around it.
+  // Returns a box in the plane that contains the tile and `cells_around` cells on each side.
   [[nodiscard]] BoxCm box(std::int32_t cells_around) const;
 
  private:
@@ -69,8 +70,8 @@ class TilePlace {
   std::int32_t cell_mm_;
 };
 
-// Whether any corner of the tile has moved by more than a cell in the plane. The result is accurate
-// to 2^-10 mm.
+// Returns true if any corner of the tile has moved by more than a cell in the plane. The result is
+// accurate to 2^-10 mm.
 [[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to,
                              std::int32_t cell_mm = geometry::kCellMm);
 

@@ -6,14 +6,14 @@
 
 namespace iog::net {
 
-// A 48-bit Ethernet address with its octets in wire order.
+// A 48-bit Ethernet address, with the octets in wire order.
 struct MacAddress {
   std::array<std::uint8_t, 6> octets{};
 
   friend constexpr bool operator==(const MacAddress&, const MacAddress&) = default;
 
-  // False for group addresses, in which the lowest bit of the first octet is set, and for the
-  // all-zero address.
+  // Returns false for the all-zero address and for group addresses. In a group address, the lowest
+  // bit of the first octet is set.
   [[nodiscard]] constexpr bool is_unicast() const {
     return (octets[0] & 1U) == 0 && *this != MacAddress{};
   }
@@ -21,7 +21,7 @@ struct MacAddress {
 
 inline constexpr MacAddress kBroadcastMac{{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}};
 
-// An IPv4 address in host byte order: 10.0.2.15 is 0x0A00020F on every machine.
+// An IPv4 address in host byte order. On every machine, 10.0.2.15 is 0x0A00020F.
 struct Ipv4Address {
   std::uint32_t value = 0;
 
@@ -35,7 +35,7 @@ struct Ipv4Address {
 
 inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
 
-// The mask of the host bits. Requires prefix_bits from 1 to 32.
+// Returns the mask of the host bits. Requires 1 <= prefix_bits <= 32.
 [[nodiscard]] constexpr std::uint32_t host_mask(std::uint8_t prefix_bits) {
   return (std::uint32_t{1} << (32 - prefix_bits)) - 1;
 }
@@ -45,14 +45,15 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return ((left.value ^ right.value) & ~host_mask(prefix_bits)) == 0;
 }
 
-// The broadcast address of the subnet that contains `address`, such as 10.0.2.255 (RFC 919).
+// Returns the broadcast address of the subnet that contains `address`, such as 10.0.2.255 (RFC
+// 919).
 [[nodiscard]] constexpr Ipv4Address directed_broadcast(Ipv4Address address,
                                                        std::uint8_t prefix_bits) {
   return {address.value | host_mask(prefix_bits)};
 }
 
-// True for multicast addresses. group_mac() returns the corresponding Ethernet address (RFC 1112,
-// section 6.4).
+// Returns true for multicast addresses. `group_mac()` returns the Ethernet address of a multicast
+// group (RFC 1112, section 6.4).
 [[nodiscard]] constexpr bool is_group(Ipv4Address address) { return address.value >> 28 == 0xE; }
 
 [[nodiscard]] constexpr MacAddress group_mac(Ipv4Address group) {
@@ -60,7 +61,7 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
            static_cast<std::uint8_t>(group.value >> 8), static_cast<std::uint8_t>(group.value)}};
 }
 
-// True if the address can belong to a single host. The ranges 0/8 ("this network"), 127/8
+// Returns true if the address can belong to a single host. The ranges 0/8 ("this network"), 127/8
 // (loopback) and 224/3 (multicast, reserved, limited broadcast) are excluded. See RFC 1122, section
 // 3.2.1.3.
 [[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {
@@ -68,8 +69,8 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
   return network != 0 && network != 127 && network < 224;
 }
 
-// True if `address` is a host address in the same subnet as `member`. The network address and the
-// broadcast address of the subnet are not host addresses.
+// Returns true if `address` is a host address in the same subnet as `member`. The network address
+// and the broadcast address of the subnet are not host addresses.
 [[nodiscard]] constexpr bool is_host_in_subnet(Ipv4Address address, Ipv4Address member,
                                                std::uint8_t prefix_bits) {
   const std::uint32_t host = address.value & host_mask(prefix_bits);

@@ -1,4 +1,4 @@
-// ARP for IPv4 on Ethernet (RFC 826): parses, writes and interprets packets.
+// Parses, writes and interprets ARP packets for IPv4 on Ethernet (RFC 826).
 #pragma once
 
 #include <cstddef>
@@ -30,15 +30,15 @@ struct ArpPacket {
 
 void write_arp(wire::ByteWriter& writer, const ArpPacket& packet);
 
-// True if another station uses our address (RFC 5227, section 2.4).
+// Returns true if another station uses our address (RFC 5227, section 2.4).
 [[nodiscard]] bool claims_our_address(const ArpPacket& packet, const Config& config);
 
-// True if the packet is a request for our address that we may answer. The sender must be another
-// station with a unicast address. Its IPv4 address must be a host of our subnet, or 0.0.0.0 for an
-// address probe (RFC 5227, section 2.1.1).
+// Returns true if the packet is a request for our address that we may answer. The sender must be
+// another station with a unicast address. The sender's IPv4 address must be a host of our subnet,
+// or 0.0.0.0 for an address probe (RFC 5227, section 2.1.1).
 [[nodiscard]] bool asks_for_us(const ArpPacket& packet, const Config& config);
 
-// True if the packet, request or reply, gives the Ethernet address of `host`.
+// Returns true if the packet, a request or a reply, contains the Ethernet address of `host`.
 [[nodiscard]] bool tells_mac_of(Ipv4Address host, const ArpPacket& packet, const Config& config);
 
 }  // namespace iog::net

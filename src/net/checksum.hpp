@@ -1,4 +1,4 @@
-// The Internet checksum (RFC 1071): the one's complement of the one's complement sum of 16-bit
+// The Internet checksum (RFC 1071) is the one's complement of the one's complement sum of 16-bit
 // words.
 //
 // Ranges: 2^16 = 1 modulo 2^16 - 1, so the carries can be added back at the end. A sum of n words
@@ -13,7 +13,7 @@
 namespace iog::net {
 
 // Sums several pieces as if they were contiguous in memory. Each piece may have an odd number of
-// bytes. The sum of data that contains its own correct checksum is 0.
+// bytes. If the data contains its own correct checksum, its sum is 0.
 class Checksum {
  public:
   void add(std::span<const std::byte> bytes);
@@ -23,11 +23,12 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies `bytes` to the front of `to` and sums them. `bytes` and `to` must not overlap. `to` is
-  // written sequentially, exactly once, and never read, so it may be uncached memory.
+  // Copies `bytes` to the front of `to` and adds `bytes` to the sum. `bytes` and `to` must not
+  // overlap. Each byte of `to` is written exactly once, in order, and is never read, so `to` may be
+  // uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // The value for the checksum field. The field itself must have been summed as 0.
+  // Returns the value for the checksum field. The field itself must have been summed as 0.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }
@@ -37,15 +38,15 @@ class Checksum {
     return static_cast<std::uint16_t>(word << 8 | word >> 8);
   }
 
-  // The first addition leaves at most 2 (2^16 - 1): a carry of 1 and a lower half of at most 2^16 -
-  // 2. The second addition therefore leaves at most 2^16 - 1.
+  // The first addition leaves at most 2 (2^16 - 1), consisting of a carry of 1 and a lower half of
+  // at most 2^16 - 2. The second addition therefore leaves at most 2^16 - 1.
   static constexpr std::uint16_t fold(std::uint32_t sum) {
     const std::uint32_t once = (sum >> 16) + (sum & 0xFFFFU);
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));
   }
 
-  // After an odd number of bytes, each byte of this piece belongs to the other half of its 16-bit
-  // word. The sum of byte-swapped words is the byte-swapped sum.
+  // After an odd number of bytes, each byte of the next piece belongs to the other half of its
+  // 16-bit word. The sum of byte-swapped words is the byte-swapped sum.
   constexpr void add_sum(std::uint16_t sum, std::size_t size) {
     sum_ += odd_ ? swapped(sum) : sum;
     odd_ ^= (size % 2 != 0);

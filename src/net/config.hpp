@@ -1,4 +1,4 @@
-// Network addresses of the target and its peer. They come from the car block of the image.
+// Network addresses of the target and its peer, taken from the car block of the image.
 #pragma once
 
 #include <cstdint>
@@ -8,38 +8,40 @@
 namespace iog::net {
 
 // The multicast group and port of service discovery. AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol
-// calls them SD_MULTICAST_IP and SD_PORT. These are the usual values.
+// calls them SD_MULTICAST_IP and SD_PORT. The group and the port have the usual values.
 inline constexpr Ipv4Address kDiscoveryGroup = ipv4(224, 244, 224, 245);
 inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
 inline constexpr std::uint16_t kDiscoveryPort = 30490;
 
 struct Config {
-  // The target's Ethernet address. It must be unicast and unique on the segment.
+  // The target's Ethernet address. The address must be unicast and unique on the segment.
   MacAddress mac;
 
-  // The target's IPv4 address. It must be a host address in the subnet.
+  // The target's IPv4 address. The address must be a host address in the subnet.
   Ipv4Address address;
 
-  // Length of the subnet prefix, 8 to 30. There is no router, so hosts outside the subnet are
-  // unreachable.
+  // The length of the subnet prefix, from 8 to 30. The network has no router, so hosts outside the
+  // subnet are unreachable.
   std::uint8_t prefix_bits;
 
-  // The only host that receives messages and ping replies. It must be another host in the subnet.
+  // The only host that receives messages and ping replies. The peer must be another host in the
+  // subnet.
   Ipv4Address peer;
 
-  // The peer's UDP port for messages, 1 to 65535.
+  // The peer's UDP port for messages, from 1 to 65535.
   std::uint16_t peer_port;
 
-  // The target's UDP source port for messages, 1 to 65535.
+  // The target's UDP source port for messages, from 1 to 65535.
   std::uint16_t source_port;
 
-  // The instance ID of the service that is offered through SOME/IP service discovery. If it is not
-  // 0, the target also listens on the discovery port and group. 0 disables service discovery.
+  // The instance ID of the service that is offered through SOME/IP service discovery. If the ID is
+  // not 0, the target also listens on the discovery port and group. If the ID is 0, service
+  // discovery is disabled.
   std::uint8_t service_instance = 0;
 };
 
-// True if the configuration meets the preconditions of Host. Use it in a static_assert next to the
-// configuration.
+// Returns true if the configuration meets the preconditions of Host. Use is_valid() in a
+// static_assert next to the configuration.
 [[nodiscard]] constexpr bool is_valid(const Config& config) {
   // The prefix must be checked first, because the other checks use it as a shift count.
   return config.prefix_bits >= 8 && config.prefix_bits <= 30 && config.mac.is_unicast() &&

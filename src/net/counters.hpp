@@ -1,6 +1,6 @@
 // Counts the outcome of every received frame and of every outgoing message.
 //
-// Two invariants always hold modulo 2^32, because every counter wraps:
+// Two equations always hold modulo 2^32, because every counter wraps around:
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
 //     + fragments.joined
 //   failed calls of send_message() = the sum of refusals
@@ -14,7 +14,7 @@
 namespace iog::net {
 
 // The reason why a received frame was dropped. If several reasons apply to a frame, only the first
-// one is counted.
+// reason is counted.
 enum class Drop : std::uint8_t {
   kShort,            // shorter than an Ethernet header
   kNotForUsMac,      // destination is neither our Ethernet address nor broadcast nor our group
@@ -46,9 +46,9 @@ enum class Refusal : std::uint8_t {
 };
 inline constexpr std::size_t kRefusalCauses = 3;
 
-// Outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames. The
-// other counters count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are also
-// counted as Drop::kFragment.
+// The outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames.
+// The other counters count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are
+// also counted as Drop::kFragment.
 struct FragmentCounters {
   std::uint32_t joined = 0;      // stored; the datagram is still incomplete
   std::uint32_t duplicates = 0;  // same bytes at the same offset as an earlier fragment
@@ -72,8 +72,8 @@ struct Counters {
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};
 
-  // Names of the counters in the stream (stream/target_table.hpp), in the order of the members and
-  // their enumerators.
+  // The names of the counters in the stream (stream/target_table.hpp), in the order of the members
+  // and their enumerators.
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
        "messages sent", "ARP requested",

@@ -1,4 +1,4 @@
-// Ethernet II framing: a frame consists of destination, source, type and payload, without preamble
+// Ethernet II framing. A frame consists of destination, source, type and payload, without preamble
 // and FCS.
 #pragma once
 
@@ -30,8 +30,8 @@ struct EthernetFrame {
   std::span<const std::byte> payload;  // may include padding at the end
 };
 
-// Returns nothing if `frame` is shorter than a header. Frames below kMinFrameBytes are accepted,
-// because some virtual links do not pad.
+// Returns nothing if `frame` is shorter than a header. Frames shorter than kMinFrameBytes are
+// accepted, because some virtual links do not pad frames.
 [[nodiscard]] std::optional<EthernetFrame> parse_ethernet(std::span<const std::byte> frame);
 
 void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,

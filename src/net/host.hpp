@@ -1,8 +1,9 @@
-// A small network host on one Ethernet port. It receives datagrams and sends messages to one peer.
+// A small network host on one Ethernet port. The host receives datagrams and sends messages to one
+// peer.
 //
-// It answers ARP requests from every host in its subnet, so sensors can reach it. It answers pings
-// only from the peer. send_message() sends only to the peer; send_to() sends to any given
-// destination. The host can also resolve one more address by ARP, the neighbour.
+// The host answers ARP requests from every host in its subnet, so sensors can reach it. The host
+// answers pings only from the peer. `send_message()` sends only to the peer. `send_to()` sends to
+// any given destination. The host can also use ARP to resolve one more address, the neighbour.
 //
 // The host reads no clock and owns no memory except the port's buffers. The caller provides the
 // memory for reassembly. Received data is copied only during reassembly. Sent data is copied once,
@@ -29,42 +30,44 @@
 
 namespace iog::net {
 
-// poll() returns after this many frames without a datagram, so a flood of unrelated frames cannot
-// block the loop. At 100 Mbit/s, 32 frames of the minimum size arrive in 215 us.
+// `poll()` returns after kMaxFramesPerPoll frames without a datagram, so a flood of unrelated
+// frames cannot block the loop. At 100 Mbit/s, 32 frames of the minimum size arrive in 215 us.
 inline constexpr int kMaxFramesPerPoll = 32;
 
 template <hal::EthernetPort Port>
 class Host {
  public:
-  // is_valid(config) must be true. The host has exclusive use of the port, which must outlive the
-  // host.
+  // is_valid(config) must be true. The host has exclusive use of the port. The port must outlive
+  // the host.
   Host(Port& port, const Config& config) : port_{port}, config_{config} {}
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // Returns the next datagram addressed to us. The datagram is valid until the next poll(). Returns
-  // nothing if no datagram has arrived, or after kMaxFramesPerPoll other frames. `now_us` must not
-  // decrease.
+  // Returns the next datagram addressed to us. The datagram is valid until the next call of poll().
+  // Returns nothing if no datagram has arrived, or after kMaxFramesPerPoll other frames. `now_us`
+  // must not decrease.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // From now on, fragments are reassembled in this memory. Before this call they are dropped.
+  // Provides the memory in which fragments are reassembled from now on. Before this call, all
+  // fragments are dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
-  // True once the peer's Ethernet address has been learnt.
+  // Returns true if the peer's Ethernet address is known.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
-  // Sends a copy of `payload` to the peer. Returns false, sends nothing and counts the cause if the
-  // payload is longer than kMaxUdpPayloadBytes, the peer is unresolved, or the transmit ring is
-  // full.
+  // Sends a copy of `payload` to the peer. The call fails if the payload is longer than
+  // kMaxUdpPayloadBytes, the peer is unresolved, or the transmit ring is full. If the call fails,
+  // it returns false, sends nothing and counts the cause.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
-  // Sends a copy of `payload` to a destination whose Ethernet address is known to the caller.
+  // Sends a copy of `payload` to a destination whose Ethernet address the caller knows.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Sets the neighbour, which is another host in the subnet to be resolved by ARP, or clears it.
+  // Sets or clears the neighbour. The neighbour is another host in the subnet, and its address is
+  // resolved by ARP.
   void know(std::optional<Ipv4Address> neighbour);
 
-  // The neighbour's Ethernet address and the time of its last confirmation by ARP.
+  // Returns the neighbour's Ethernet address and the time at which ARP last confirmed the address.
   [[nodiscard]] std::optional<Told> neighbour() const;
 
   [[nodiscard]] const Counters& counters() const { return counters_; }
@@ -80,7 +83,7 @@ class Host {
 
   void release_frame();
   void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
-  // Returns the datagram if this fragment completes it. Otherwise the fragment is stored or
+  // Returns the complete datagram if `fragment` completes it. Otherwise, the fragment is stored or
   // dropped.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
@@ -232,9 +235,10 @@ void Host<Port>::release_frame() {
   }
 }
 
-// The first poll() sends an ARP request immediately. It also announces the target: QEMU's user
-// network forwards nothing to the target before this request. If the ring is full, the request is
-// not stored. The next request is due one second later.
+// Sends an ARP request if one is due. The first poll() sends an ARP request immediately. The first
+// ARP request also announces the target. QEMU's user network forwards nothing to the target before
+// the first ARP request. If the ring is full, the request is not stored. The next request is due
+// one second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
   const std::optional<MacAddress> whom = resolver.request_due(now_us);
@@ -247,7 +251,7 @@ void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t
   }
 }
 
-// True if the packet gives the Ethernet address of the peer or the neighbour.
+// Returns true if the packet contains the Ethernet address of the peer or the neighbour.
 template <hal::EthernetPort Port>
 bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   const bool tells_peer = tells_mac_of(config_.peer, packet, config_);
@@ -261,8 +265,8 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// RFC 826, "Packet Reception": learn the sender first, then answer the request. A request from the
-// peer is both learnt and answered, but it is counted only as answered.
+// According to RFC 826, "Packet Reception", the sender is learnt first, and then the request is
+// answered. A request from the peer is both learnt and answered, but is counted only as answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {

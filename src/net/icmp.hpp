@@ -1,4 +1,4 @@
-// ICMP echo (RFC 792). We answer no other ICMP messages.
+// ICMP echo (RFC 792). Other ICMP messages are not answered.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,13 @@ inline constexpr std::size_t kIcmpHeaderBytes = 8;
 
 enum class IcmpStatus : std::uint8_t { kEchoRequest, kOther, kBad };
 
-// kBad: the message is shorter than a header, or the checksum over all of `message` is wrong.
+// Returns kBad if the message is shorter than a header, or if the checksum over all of `message` is
+// wrong.
 [[nodiscard]] IcmpStatus classify_icmp(std::span<const std::byte> message);
 
-// Writes the reply to `request`, which classify_icmp() classified as an echo request. Identifier,
-// sequence number and data are copied. `target` must be as long as `request` and must not overlap
-// it.
+// Writes the reply to `request`, which classify_icmp() must have classified as an echo request.
+// Copies the identifier, the sequence number and the data. `target` must be as long as `request`
+// and must not overlap it.
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request);
 
 }  // namespace iog::net

@@ -1,5 +1,5 @@
-// Classifies a received frame. The result is its kind or the reason for dropping it. Accepts any
-// bytes and is stateless.
+// Classifies a received frame. The result is the frame's kind or the reason for dropping the frame.
+// The functions accept any bytes and are stateless.
 #pragma once
 
 #include <cstddef>

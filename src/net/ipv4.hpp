@@ -23,8 +23,8 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // Offset of the payload in its datagram, in bytes. It is a multiple of 8 below 2^16.
-  // has_more_fragments is true unless this is the last fragment.
+  // The offset of the payload in its datagram, in bytes. The offset is a multiple of 8 below 2^16.
+  // `has_more_fragments` is false only for the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
   std::span<const std::byte> payload{};  // length from the header; without options and padding
@@ -35,12 +35,12 @@ struct [[nodiscard]] Ipv4Result {
   Ipv4Packet packet{};  // valid only for kOk and kFragment
 };
 
-// kBadHeader: version, header length or total length is inconsistent with the others or with the
-// number of bytes. kBadChecksum: the header checksum is wrong. kFragment: the packet is valid and
-// is part of a datagram.
+// Returns kBadHeader if the version, header length or total length is inconsistent with the other
+// fields or with the number of bytes. Returns kBadChecksum if the header checksum is wrong. Returns
+// kFragment if the packet is valid and is part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
-// The fields that differ between our packets.
+// The header fields that differ between the packets that we send.
 struct Ipv4Header {
   Ipv4Address source{};
   Ipv4Address destination{};
@@ -51,8 +51,8 @@ struct Ipv4Header {
   bool has_more_fragments = false;
 };
 
-// Sets Don't Fragment unless the packet is a fragment, sets the time to live to 64 (RFC 1700), and
-// computes the checksum.
+// Sets the Don't Fragment flag unless the packet is a fragment. Sets the time to live to 64 (RFC
+// 1700), and computes the checksum.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
 
 }  // namespace iog::net

@@ -1,6 +1,6 @@
-// Builds outgoing frames: ARP packets, echo replies and datagrams. Each function writes to the
-// front of a buffer for the largest frame, pads with zeros to the minimum length, and returns the
-// length to commit.
+// Builds outgoing ARP packets, echo replies and datagrams. Each function writes to the front of a
+// buffer for the largest frame, pads with zeros to the minimum length, and returns the length to
+// commit.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace iog::net {
 
 using FrameBuffer = std::span<std::byte, kMaxFrameBytes>;
 
-// Offset of the message payload in the frame.
+// The offset of the message payload in the frame.
 inline constexpr std::size_t kMessageOffset =
     kEthernetHeaderBytes + kIpv4HeaderBytes + kUdpHeaderBytes;
 
@@ -32,22 +32,24 @@ struct Destination {
   friend constexpr bool operator==(const Destination&, const Destination&) = default;
 };
 
-// Requests the Ethernet address of `host` from one station or, by broadcast, from all stations.
+// Builds a request for the Ethernet address of `host`. The request is sent to one station or is
+// broadcast to all stations.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Sends our Ethernet address only to the sender of `request`.
+// Builds a reply that sends our Ethernet address only to the sender of `request`.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 
-// Answers an ICMP echo request from the peer. The request must be at most kMaxIpv4PayloadBytes
-// long.
+// Builds the answer to an ICMP echo request from the peer. The request must be at most
+// kMaxIpv4PayloadBytes long.
 [[nodiscard]] std::size_t build_echo_reply(FrameBuffer frame, const Config& config,
                                            const MacAddress& peer_mac, std::uint16_t identification,
                                            std::span<const std::byte> request);
 
 // Builds a datagram with a copy of the payload. The payload must be at most kMaxUdpPayloadBytes
-// long. The frame is written but never read, because it is in uncached memory on the target.
+// long. The function writes the frame but never reads it, because on the target the frame is in
+// uncached memory.
 [[nodiscard]] std::size_t build_datagram(FrameBuffer frame, const Config& config,
                                          const Destination& to, std::uint16_t identification,
                                          std::span<const std::byte> payload);

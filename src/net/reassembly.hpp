@@ -1,18 +1,19 @@
 // Reassembles fragmented UDP datagrams (RFC 791, section 3.2) in bounded memory.
 //
 // Some lidars send packets that do not fit in one frame and therefore arrive as fragments. A
-// datagram is identified by source, destination, protocol and identification. Its fragments must
-// not overlap. It is complete when they cover the length given by the last fragment. A fragment
-// that contradicts another fragment invalidates its datagram. All further fragments of that
-// datagram are dropped (RFC 5722, section 4). A fragment that repeats another fragment byte for
-// byte is ignored as a duplicate.
+// datagram is identified by source, destination, protocol and identification. The fragments of a
+// datagram must not overlap. A datagram is complete when its fragments cover the length given by
+// the last fragment. A fragment that contradicts another fragment invalidates its datagram. All
+// further fragments of that datagram are dropped (RFC 5722, section 4). A fragment that repeats
+// another fragment byte for byte is ignored as a duplicate.
 //
 // Only fragments from listed senders are stored. Each listed sender may have as many incomplete
-// datagrams as it has streams. Slots are reserved for them. If a sender starts too many datagrams,
-// its own oldest datagram is evicted. If unlisted senders are allowed, they share the remaining
-// slots. If these slots are full, a datagram of the unlisted sender with the most datagrams is
-// evicted: its datagram with the fewest fragments, and in a tie the oldest. A flood of orphaned
-// fragments is therefore evicted before the datagram of a sensor.
+// datagrams as it has streams. Slots are reserved for the incomplete datagrams of each listed
+// sender. If a sender starts too many datagrams, its own oldest datagram is evicted. If unlisted
+// senders are allowed, they share the remaining slots. If all shared slots are in use, a datagram
+// of the unlisted sender with the most datagrams is evicted. The evicted datagram is the one with
+// the fewest fragments, and in a tie the oldest one. A flood of orphaned fragments is therefore
+// evicted before the datagram of a sensor.
 #pragma once
 
 #include <array>
@@ -24,8 +25,8 @@
 
 namespace iog::net {
 
-// The senders whose fragments are stored. There are at most kMostSenders addresses, which have at
-// most kMostDatagrams in total.
+// The senders whose fragments are stored. The list has at most kMostSenders addresses, with at most
+// kMostDatagrams incomplete datagrams in total.
 class FragmentSenders {
  public:
   // A car has eight sensors that each send one datagram at a time, a pose source, a map source, and
@@ -33,13 +34,13 @@ class FragmentSenders {
   static constexpr std::size_t kMostDatagrams = 8 + 2 + 8;
   static constexpr std::size_t kMostSenders = 8 + 2 + 1;
 
-  // Increases the number of incomplete datagrams that this sender may have at the same time.
-  // 0.0.0.0 means all unlisted senders. Unlisted senders use the slots that are not reserved for
-  // listed senders.
+  // Increases the number of incomplete datagrams that the sender may have at the same time. The
+  // address 0.0.0.0 represents all unlisted senders. Unlisted senders use the slots that are not
+  // reserved for listed senders.
   void add(Ipv4Address address, std::size_t datagrams = 1);
 
-  // The number of incomplete datagrams allowed for a sender (0 if none), and whether slots are
-  // reserved for them.
+  // `datagrams_of()` returns the number of incomplete datagrams allowed for a sender, or 0 if the
+  // sender may not send fragments. `is_listed()` returns true if slots are reserved for the sender.
   [[nodiscard]] std::size_t datagrams_of(Ipv4Address address) const {
     return of(address).datagrams;
   }
@@ -60,16 +61,18 @@ class FragmentSenders {
   std::size_t datagrams_ = 0;  // sum over all listed senders
 };
 
-// The object takes up 642 KB, which is 35.7 KB for each datagram.
+// The object takes up 642 KB (35.7 KB for each datagram).
 class Reassembly {
  public:
   static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
-  // The UDP header and the longest payload of any sensor. The longest payload is 35,336 bytes, from
-  // a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024 bytes per packet.
+  // The size of the UDP header plus the longest payload of any sensor. The longest payload is
+  // 35,336 bytes, from a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024
+  // bytes per packet.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
-  // 35,344 bytes take 24 fragments of 1480 bytes. No sender uses fragments of less than 984 bytes.
+  // A datagram of 35,344 bytes takes 24 fragments of 1480 bytes. No sender uses fragments of less
+  // than 984 bytes.
   static constexpr std::size_t kMaxPieces = 36;
-  // The timeout starts when the first fragment is received. At 100 Mbit/s the fragments of a
+  // The timeout starts when the first fragment is received. At 100 Mbit/s, the fragments of a
   // datagram arrive within 3 ms. With 1,280 datagrams per second, the 16-bit identification of a
   // lidar wraps around after 51 s.
   static constexpr std::uint64_t kTimeoutUs = 100'000;
@@ -81,19 +84,19 @@ class Reassembly {
   };
   struct [[nodiscard]] Result {
     Fate fate = Fate::kDropped;
-    // Valid only for kCompleted. The payload is valid until the next add(). `pieces` is the number
-    // of fragments.
+    // `packet` is valid only for kCompleted. The payload is valid until the next call of add().
+    // `pieces` is the number of fragments.
     Ipv4Packet packet{};
     std::size_t pieces = 0;
   };
 
   explicit Reassembly(const FragmentSenders& senders) : senders_(senders) {}
-  // This constructor accepts every sender. It is used to read captures.
+  // This constructor accepts every sender. The constructor is used to read captures.
   Reassembly() { senders_.add({}, kDatagrams); }
 
-  // `piece` must be a packet with Ipv4Status::kFragment. now_us must not decrease. Each call
-  // increments one of `joined`, `completed`, `duplicates`, `overlaps`, `bad` and `refused`. It also
-  // counts displaced and expired datagrams.
+  // `piece` must be a packet with Ipv4Status::kFragment. `now_us` must not decrease. Each call
+  // increments one of the counters `joined`, `completed`, `duplicates`, `overlaps`, `bad` and
+  // `refused`. Each call also counts displaced and expired datagrams.
   Result add(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
 
  private:
@@ -120,7 +123,7 @@ class Reassembly {
   [[nodiscard]] static bool is_possible(const Joining& joining, const Extent& extent,
                                         bool has_more);
 
-  // The open flags are stored separately so that scans do not touch the memory of unused slots.
+  // The open flags are stored separately, so that scans do not touch the memory of unused slots.
   [[nodiscard]] std::uint32_t bit_of(const Joining& joining) const {
     return std::uint32_t{1} << (&joining - joinings_.data());
   }

@@ -29,8 +29,9 @@ struct [[nodiscard]] UdpResult {
   Datagram datagram{};  // valid only for kOk
 };
 
-// kBadLength: the UDP length is less than a header or extends beyond the packet's payload. Bytes
-// after the UDP length are ignored. kBadChecksum: a checksum is present (not 0) but wrong.
+// Returns kBadLength if the UDP length is less than a header or extends beyond the packet's
+// payload. Returns kBadChecksum if a checksum is present (not 0) but wrong. Bytes after the UDP
+// length are ignored.
 UdpResult parse_udp(const Ipv4Packet& packet);
 
 struct UdpHeader {
@@ -41,8 +42,8 @@ struct UdpHeader {
 };
 
 // Writes the header and a copy of the payload to the front of `target`. The payload must be at most
-// kMaxUdpPayloadBytes long. `target` must have enough room for both and is never read. The checksum
-// is always computed and is never 0. Returns the number of bytes written.
+// kMaxUdpPayloadBytes long. `target` must be large enough for the header and the payload, and is
+// never read. The checksum is always computed and is never 0. Returns the number of bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

@@ -1,13 +1,13 @@
-// Exact division by a divisor known only at run time, without a divide instruction.
+// Divides exactly by a divisor known only at run time, without a divide instruction.
 //
-// The Cortex-A9 has no integer divide instruction, and the compiler's routine takes about 400
-// instructions for 64 bits. This follows Moeller and Granlund, "Improved division by invariant
-// integers" (IEEE Transactions on Computers 60, 2011). The divisor d is first shifted until its top
-// bit is set. Algorithm 2 then computes
+// The Cortex-A9 has no integer divide instruction, and the compiler's 64-bit division takes about
+// 400 instructions. This class follows Moeller and Granlund, "Improved division by invariant
+// integers" (IEEE Transactions on Computers 60, 2011). The divisor d is first shifted left until
+// its top bit is set. Algorithm 2 then computes
 //     inverse = floor((2^64 - 1) / d) - 2^32
-// from a table of 512 entries and two Newton steps. Algorithm 4 divides 64 bits by d with one
-// multiplication by the inverse and two corrections. All words may wrap; the paper proves that the
-// result is still correct.
+// from a table of 512 entries and two Newton steps. Algorithm 4 divides a 64-bit dividend by d with
+// one multiplication by the inverse and two corrections. All operations may wrap around. The paper
+// proves that the result is still correct.
 #pragma once
 
 #include <array>
@@ -28,22 +28,22 @@ consteval Inverses make_inverses() {
   return inverses;
 }
 
-// floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor. The index is u
-// without its top bit. The table is global because a local table would be copied to the stack in
-// each call.
+// The entries are floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor. The
+// index of an entry is u without its top bit. The table is global because the compiler would copy a
+// local table to the stack in each call.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail
 
 class Divisor {
  public:
-  // divisor > 0.
+  // Requires divisor > 0.
   explicit constexpr Divisor(std::uint32_t divisor)
       : shift_(std::countl_zero(divisor)),
         divisor_(divisor << shift_),
         inverse_(inverse_of(divisor_)) {}
 
-  // floor(dividend / divisor). The quotient must be below 2^32.
+  // Returns floor(dividend / divisor). The quotient must be below 2^32.
   [[nodiscard]] constexpr std::uint32_t divide(std::uint64_t dividend) const {
     const std::uint64_t shifted = dividend << shift_;
     const std::uint64_t estimate = (shifted >> 32) * inverse_ + shifted;
@@ -61,7 +61,7 @@ class Divisor {
     return static_cast<std::uint32_t>(product >> 32);
   }
 
-  // Algorithm 2; 2^31 <= d.
+  // Implements algorithm 2. Requires d >= 2^31.
   static constexpr std::uint32_t inverse_of(std::uint32_t d) {
     const std::uint32_t v0 = divisor_detail::kInverses[(d >> 22) - 512];
     const std::uint32_t square = v0 * v0;  // below 2^30

@@ -1,10 +1,11 @@
-// exp, log, sin and cos for tables computed at compile time.
+// Computes exp, log, sin and cos for tables at compile time.
 //
-// On the target they are called only from consteval functions, and a check at link time ensures
-// that the image contains no floating-point instruction. The reference implementations on the PC
-// also call them at run time. They use only +, -, * and / of IEEE doubles, each correctly rounded,
-// so every compiler computes the same table. The relative error is below 1e-14 in the stated
-// ranges. tests/host/numeric/ compares the results with the C library.
+// On the target, only consteval functions call the functions in this file. A check at link time
+// ensures that the image contains no floating-point instruction. On the PC, the reference
+// implementations also call the functions in this file at run time. The functions use only +, -, *
+// and / of IEEE doubles. Each operation is correctly rounded, so every compiler computes the same
+// table. The relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/
+// compare the results with the C library.
 #pragma once
 
 namespace iog::numeric {
@@ -12,7 +13,8 @@ namespace iog::numeric {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kLn2 = 0.69314718055994530942;
 
-// 2^n for |n| <= 1022, exact. Uses squaring, because the compiler evaluates it for many tables.
+// Returns the exact value of 2^n for |n| <= 1022. Repeated squaring is used because the compiler
+// evaluates the function for many tables.
 constexpr double power_of_two(int n) {
   double square = n < 0 ? 0.5 : 2;
   double result = 1;
@@ -27,8 +29,8 @@ constexpr double power_of_two(int n) {
   return result;
 }
 
-// e^x for -700 < x < 700. Reduces x to n ln 2 + f with |f| <= ln 2 / 2, then uses the Taylor series
-// of e^f.
+// Returns e^x for -700 < x < 700. The argument is reduced to n ln 2 + f with |f| <= ln 2 / 2, and
+// e^f is computed as a Taylor series.
 constexpr double exp(double x) {
   const double scaled = x / kLn2;
   const int n = static_cast<int>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
@@ -42,8 +44,8 @@ constexpr double exp(double x) {
   return sum * power_of_two(n);
 }
 
-// The natural logarithm of x for 1e-300 < x < 1e300. Reduces x to m 2^n with m near 1, then uses
-// the series of atanh((m - 1) / (m + 1)).
+// Returns the natural logarithm of x for 1e-300 < x < 1e300. The argument is reduced to m 2^n with
+// m near 1, and log(m) is computed with the series of atanh((m - 1) / (m + 1)).
 constexpr double log(double x) {
   int n = 0;
   while (x > 1.5) {
@@ -64,8 +66,8 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// Sum of (-1)^i x^(2i + first) / (2i + first)!, the Taylor series of sine or cosine for |x| <= pi /
-// 4.
+// Returns the sum of (-1)^i x^(2i + first) / (2i + first)! for |x| <= pi / 4. The result is the
+// Taylor series of cosine if `first` is 0, and of sine if `first` is 1.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;
@@ -76,12 +78,12 @@ constexpr double alternating_series(double x, int first) {
   return sum;
 }
 
-// Sine of an angle in the first quadrant, 0 <= x <= pi / 2.
+// Returns the sine of an angle in the first quadrant, 0 <= x <= pi / 2.
 constexpr double sin_first_quadrant(double x) {
   return x <= kPi / 4 ? alternating_series(x, 1) : alternating_series(kPi / 2 - x, 0);
 }
 
-// Sine for |x| < 1000.
+// Returns the sine of x for |x| < 1000.
 constexpr double sin(double x) {
   while (x < 0) {
     x += 2 * kPi;
@@ -96,7 +98,7 @@ constexpr double sin(double x) {
 
 constexpr double cos(double x) { return sin(x + kPi / 2); }
 
-// The nearest integer; ties are rounded away from zero. Requires |x| < 2^62.
+// Returns the nearest integer. Ties are rounded away from zero. Requires |x| < 2^62.
 constexpr long long round(double x) { return static_cast<long long>(x < 0 ? x - 0.5 : x + 0.5); }
 
 }  // namespace iog::numeric

@@ -1,5 +1,5 @@
-// Sorts in place in O(n log n) steps without recursion. std::sort is recursive, so its stack depth
-// would depend on the data.
+// Sorts in place without recursion, in O(n log n) steps. `std::sort` is not used because it is
+// recursive, so its stack depth depends on the data.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace iog::numeric {
 
-// is_less(a, b) must be a strict weak order. Equivalent values may end up in either order.
+// `is_less(a, b)` must be a strict weak order. The order of equivalent values is unspecified.
 template <typename T, typename IsLess>
 constexpr void heap_sort(std::span<T> values, IsLess is_less) {
   std::ranges::make_heap(values, is_less);

@@ -5,7 +5,7 @@
 
 namespace iog::numeric {
 
-// value must not be the minimum of its type.
+// `value` must not be the minimum of its type.
 template <std::signed_integral T>
 constexpr T magnitude(T value) {
   return value < 0 ? -value : value;

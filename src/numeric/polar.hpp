@@ -1,5 +1,5 @@
-// Converts a position to direction and distance using CORDIC (Volder, 1959), without a
-// multiplication per bit. CORDIC runs twice: once about z and once about the remaining horizontal
+// Converts a position to direction and distance with CORDIC (Volder, 1959), which needs no
+// multiplication per bit. CORDIC runs twice: first about z and then about the remaining horizontal
 // axis.
 #pragma once
 
@@ -13,9 +13,9 @@ struct Polar {
   std::uint32_t range = 0;     // in the unit of x, y and z, rounded to the nearest integer
 };
 
-// Requires |x|, |y|, |z| <= 2^20. The error of the range is at most 0.55. The error of the angles
-// is at most 2^-21 turns if the elevation is within 89 degrees. All results are 0 for (0, 0, 0).
-// The azimuth is 0 for a position straight up or down.
+// Requires |x|, |y|, |z| <= 2^20. The range error is at most 0.55. If the elevation is within 89
+// degrees, the angle errors are at most 2^-21 turns. All results are 0 for (0, 0, 0). The azimuth
+// is 0 for a position straight up or down.
 [[nodiscard]] Polar polar_of(std::int32_t x, std::int32_t y, std::int32_t z);
 
 }  // namespace iog::numeric

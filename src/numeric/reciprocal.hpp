@@ -1,15 +1,14 @@
-// Exact division without a divide instruction, for a divisor that is known long before the
+// Divides exactly without a divide instruction, for a divisor that is known long before the
 // dividend.
 //
 // The Cortex-A9 has no integer divide instruction, and every beam needs several divisions by the
-// range of its sensor. Granlund and Montgomery, "Division by invariant integers using
-// multiplication" (PLDI 1994), theorem 4.2: let l = ceil(log2 d), s = N + l and m = ceil(2^s / d).
-// Then the error m*d - 2^s is in [0, 2^l). Therefore floor(n * m / 2^s) = floor(n / d) for every 0
-// <= n < 2^N.
+// sensor's range. Granlund and Montgomery, "Division by invariant integers using multiplication"
+// (PLDI 1994), theorem 4.2: let l = ceil(log2 d), s = N + l and m = ceil(2^s / d). Then the error
+// m*d - 2^s is in [0, 2^l). Therefore floor(n * m / 2^s) = floor(n / d) for every 0 <= n < 2^N.
 //
-// Here N = 31. Because d > 2^(l - 1), m < 2^32. If d is a power of two, m = 2^31. Therefore n * m <
-// 2^63, and the 32 x 32-bit product does not overflow. n * m / 2^31 fits in one word: it is the
-// upper word of 2n * m.
+// In this class, N = 31. Because d > 2^(l - 1), m < 2^32. If d is a power of two, m = 2^31.
+// Therefore n * m < 2^63, and the 32 x 32-bit product does not overflow. The quotient n * m / 2^31
+// fits in one word, the upper word of 2n * m.
 #pragma once
 
 #include <bit>
@@ -23,13 +22,13 @@ class Reciprocal {
 
   constexpr Reciprocal() = default;
 
-  // divisor: from 1 to 2^31 - 1.
+  // Requires 1 <= divisor <= 2^31 - 1.
   explicit constexpr Reciprocal(std::uint32_t divisor)
       : log2_(static_cast<int>(std::bit_width(divisor - 1))),
         multiplier_(static_cast<std::uint32_t>(
             ((std::uint64_t{1} << (kDividendBits + log2_)) + divisor - 1) / divisor)) {}
 
-  // floor(dividend / divisor) for dividend < 2^31.
+  // Returns floor(dividend / divisor). Requires dividend < 2^31.
   [[nodiscard]] constexpr std::uint32_t divide(std::uint32_t dividend) const {
     const std::uint64_t product = std::uint64_t{dividend << 1U} * multiplier_;
     return static_cast<std::uint32_t>(product >> 32) >> log2_;

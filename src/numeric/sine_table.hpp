@@ -1,4 +1,4 @@
-// Sine and cosine of an integer angle by table look-up.
+// Looks up the sine and cosine of an integer angle in a table.
 #pragma once
 
 #include <array>
@@ -10,10 +10,11 @@
 
 namespace iog::numeric {
 
-// Unit of all sines and cosines: 2^-30.
+// All sines and cosines are in units of 2^-30.
 inline constexpr int kSineFractionBits = 30;
 
-// The first quadrant of the sine: kTicksPerTurn / 4 + 1 values, each rounded to the nearest 2^-30.
+// Computes the first quadrant of the sine. The table has kTicksPerTurn / 4 + 1 values, each rounded
+// to the nearest 2^-30.
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
@@ -29,7 +30,7 @@ consteval auto make_sine_quadrant() {
 template <std::int32_t kTicksPerTurn>
 inline constexpr auto kSineQuadrant = make_sine_quadrant<kTicksPerTurn>();
 
-// Computes a whole turn from a table of one quadrant.
+// Returns sines and cosines for a full turn from a table of one quadrant.
 class SineTable {
  public:
   constexpr SineTable() = default;
@@ -39,7 +40,7 @@ class SineTable {
     return static_cast<std::uint32_t>(quadrant_.size() - 1) * 4;
   }
 
-  // ticks: 0 to ticks_per_turn() - 1.
+  // Requires 0 <= ticks <= ticks_per_turn() - 1.
   [[nodiscard]] constexpr std::int32_t sine(std::uint32_t ticks) const {
     const std::uint32_t quarter = ticks_per_turn() / 4;
     if (ticks <= quarter) {

@@ -1,7 +1,7 @@
-// The square root of an integer, rounded down, without a divide instruction.
+// Computes the square root of an integer, rounded down, without a divide instruction.
 //
-// Computes the root bit by bit from the highest. Each bit takes one comparison and one subtraction.
-// They use 32-bit words if the argument fits in 32 bits.
+// The root is computed bit by bit, starting with the highest bit. Each bit takes one comparison and
+// one subtraction. If the argument fits in 32 bits, both operations use 32-bit words.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ template <std::unsigned_integral Word>
 
 }  // namespace detail
 
-// floor(sqrt(square))
+// Returns floor(sqrt(square)).
 [[nodiscard]] constexpr std::uint32_t square_root(std::uint64_t square) {
   return square <= std::numeric_limits<std::uint32_t>::max()
              ? detail::square_root(static_cast<std::uint32_t>(square))

@@ -11,12 +11,12 @@
 namespace iog::objects {
 
 // Assigns each cluster next to a box to the nearest track whose box may grow to include the
-// cluster. Such a cluster is a part of the object that was hidden before. Only tracks that may take
+// cluster. The cluster is a part of the object that was hidden before. Only tracks that may take
 // hits are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
-// For each track that is too young to take hits, assigns the cluster whose edges are nearest to the
-// track's edges.
+// Associates clusters with the tracks that are too young to take hits. Each of these tracks gets
+// the cluster whose edges are nearest to the edges of the track.
 void associate(std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
 // Assigns all hits of a cluster to a track.

@@ -1,4 +1,4 @@
-// Assigns hits to the tracks whose boxes contain them or are near them.
+// Assigns hits to tracks whose boxes contain the hits or are near them.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace iog::objects {
 
 class Claim {
  public:
-  // Sets the owner of each hit. The owner is a track whose gate contains the hit. If there are
-  // several such tracks, the owner is the track with the nearest box. In a tie, it is the track
+  // Sets the owner of each hit. The owner is a track whose gate contains the hit. If several gates
+  // contain the hit, the owner is the track with the nearest box. In a tie, the owner is the track
   // with the lower slot. Hits on standing cells are assigned only to moving tracks, and to receding
   // tracks whose visible face may cover standing cells. Hits that contradict a track are rejected
   // and counted. Returns the result of TileTracks::list().
@@ -28,8 +28,8 @@ class Claim {
   TileTracks near_{};
 };
 
-// Assigns a hit to `track`, and predicts the hit's position at the end of the frame with the
-// velocity of the track.
+// Assigns a hit to `track`. Predicts the hit's position at the end of the frame with the velocity
+// of the track.
 void own(const Track& track, std::size_t slot, FrameHit& hit);
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// The gate of a track: the maximum distance outside the track's box at which the track takes hits.
+// The gate of a track. A track takes hits up to this distance outside its box.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,9 @@
-// Clusters the hits of a frame that have no owner. Each hit is near another hit of its cluster.
+// Clusters the hits of a frame that have no owner. Each hit of a cluster is near another hit of the
+// same cluster.
 //
 // Two hits are near each other if their distance on both axes is at most the gap of either hit. The
 // gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are ignored.
-// Cells are represented as bits of a plane that has the size of the window. A cluster grows by the
+// Cells are represented as the bits of a plane as large as the window. A cluster grows by the set
 // bits around each of its cells, and each bit is found only once.
 #pragma once
 
@@ -24,17 +25,17 @@ struct Cluster {
   std::int16_t owner = kNobody;  // the track to which it was assigned
 };
 
-// Returns the gap at a point, in mm.
+// Returns the gap at a given point, in mm.
 [[nodiscard]] std::int32_t gap_mm(Point car, Point at);
 
 class Clusters {
  public:
-  // Assigns a cluster to each hit that is not old, in the order of hits. Returns the number of hits
-  // that have no cluster because all kMostClusters clusters were in use.
+  // Assigns a cluster to each hit that is not old, in the order of the hits. Returns the number of
+  // hits left without a cluster because all kMostClusters clusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 
   [[nodiscard]] std::span<Cluster> all() { return std::span(clusters_).first(count_); }
-  // The numbers of the hits of a cluster.
+  // Returns the indices of the hits of a cluster.
   [[nodiscard]] std::span<const std::uint16_t> hits_of(std::size_t cluster) const {
     return hits_.of(cluster);
   }

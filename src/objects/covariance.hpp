@@ -1,6 +1,6 @@
-// Covariance of position and speed along one axis. The Kalman filter assumes a position that moves
-// with a randomly changing speed (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to
-// tracking and navigation", 2001, section 6.2).
+// The covariance of position and speed along one axis. The Kalman filter's motion model is a
+// position whose speed changes randomly (Bar-Shalom, Li, Kirubarajan, "Estimation with applications
+// to tracking and navigation", 2001, section 6.2).
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace iog::objects {
 
-// Every entry is within +-kMost. After predict() or measure(), the variances are at least
-// kLeastVariance.
+// The absolute value of every entry is at most kMost. After predict() or measure(), the variances
+// are at least kLeastVariance.
 class Covariance {
  public:
   static constexpr std::int32_t kMost = 2'000'000'000;
 
-  // Kalman gains in units of 2^-16. The gain of the speed is per second. 0 <= place <= 2^16.
+  // Kalman gains in units of 2^-16. The speed gain is per second. The gain `place` is between 0 and
+  // 2^16.
   struct Gain {
     std::int32_t place = 0;
     std::int32_t speed = 0;
@@ -30,10 +31,10 @@ class Covariance {
   [[nodiscard]] constexpr std::int32_t both() const { return both_; }    // mm^2/s
   [[nodiscard]] constexpr std::int32_t speed() const { return speed_; }  // (mm/s)^2
 
-  // Predicts one step with a process noise of `wander`, in mm/s per root second.
+  // Predicts the covariance after one step. `wander` is the process noise in mm/s per root second.
   void predict(Step step, std::int32_t wander);
 
-  // Updates the covariance for a measurement of the position. 0 < variance < 2^31.
+  // Updates the covariance for a measurement of the position. Requires 0 < variance < 2^31.
   Gain measure(std::int32_t variance);
 
  private:

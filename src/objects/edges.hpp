@@ -1,4 +1,4 @@
-// The extent of a track's hits along and across the track's box.
+// Computes the extent of a track's hits along and across the track's box.
 #pragma once
 
 #include <array>
@@ -21,12 +21,12 @@ struct Ends {
 };
 using Edges = std::array<Ends, 2>;  // indexed by Side
 
-// Returns the edges of the hits that are not classified as standing. If all hits are standing,
-// returns the edges of the box.
+// Returns the edges of the hits that are not classified as standing. If all hits are classified as
+// standing, returns the edges of the box.
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// Returns the sides of a box with these edges. The box is at least kThinnestMm thick.
+// Returns the sides of a box with the given edges. The box is at least kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

@@ -18,10 +18,10 @@ struct Frame {
   std::uint64_t end_us = 0;  // the middle of the last slice, on the clock of the poses
   Point car{};               // position of the car at that time
   window::Area area{};       // position of the window
-  // For each slice, the time from its middle to the end of the frame, 0 ... 255 ms. There are at
-  // most kMostSlices slices.
+  // The time from the middle of each slice to the end of the frame, in ms from 0 to 255. The span
+  // has at most kMostSlices entries.
   std::span<const std::uint8_t> ages_ms{};
-  // Hits in any order. Duplicate hits are counted once.
+  // The hits of the frame in any order. Duplicate hits are counted once.
   std::span<const Hit> hits{};
 };
 

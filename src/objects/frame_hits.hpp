@@ -1,10 +1,10 @@
 // Sorts the hits of a frame, so that the result does not depend on the order of arrival. Hits are
 // sorted by ring of tiles around the car, then by window slot, cell and slice.
 //
-// The nearest hits come first, so they are kept if there are too many hits. If there are more than
-// kMostSeen hits, whole rings are dropped, starting with the farthest ring. If more than kMostHits
-// hits remain, the excess hits are dropped. Hits outside the window or without a slice are
-// rejected. All dropped and rejected hits are counted.
+// The nearest hits come first. If a frame has too many hits, the nearest hits are therefore kept.
+// If a frame has more than kMostSeen hits, complete rings are dropped, starting with the farthest
+// ring. If more than kMostHits hits remain, the last hits of the sorted list are dropped. Hits
+// outside the window or without a slice are rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>
@@ -28,23 +28,23 @@ class FrameHits {
     std::uint32_t wrong = 0;   // outside the window, or without a slice
     friend bool operator==(const Left&, const Left&) = default;
   };
-  // Replaces the hits with the hits of a frame. Sets only the members that can be computed from the
-  // frame.
+  // Replaces the stored hits with the hits of a frame. Sets only the members that can be computed
+  // from the frame.
   Left gather(const Frame& frame);
 
   [[nodiscard]] std::span<FrameHit> all() { return std::span(hits_).first(count_); }
   [[nodiscard]] std::span<const FrameHit> all() const { return std::span(hits_).first(count_); }
 
-  // Whether any of the 3 by 3 cells around and including a cell has a hit. Cells outside the window
-  // have no hits.
+  // Returns true if a cell or any of its eight neighbours has a hit. Cells outside the window have
+  // no hits.
   [[nodiscard]] bool is_hit_around(geometry::Cell cell) const;
   // Returns the index of the first hit of a window cell, or the number of hits if the cell has no
   // hit.
   [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
 
  private:
-  // Starting from the highest bit: 5 bits for the ring, 10 bits for the slot, 10 bits for the cell
-  // in the tile, and 5 bits for the slice.
+  // The key consists of 5 bits for the ring, 10 bits for the slot, 10 bits for the cell in the
+  // tile, and 5 bits for the slice, starting from the highest bit.
   using Key = std::uint32_t;
 
   static constexpr std::uint32_t kRings = 32;
@@ -54,7 +54,7 @@ class FrameHits {
   // `at` is a cell of the window, relative to the window's lowest cell.
   [[nodiscard]] std::uint32_t ring_of(geometry::Cell at) const;
   [[nodiscard]] static Key key_of(std::uint32_t ring, geometry::Cell cell, std::uint8_t slice);
-  // Both cells must be in one row of one tile.
+  // Both cells must be in the same row of the same tile.
   [[nodiscard]] bool is_hit_between(geometry::Cell first, geometry::Cell last) const;
   void begin_hit(Key key, const Frame& frame, FrameHit& hit) const;
   [[nodiscard]] std::uint32_t rings_that_fit(const Frame& frame) const;
@@ -62,7 +62,8 @@ class FrameHits {
   void sort(std::size_t count);
 
   window::Area area_{};
-  // For each column and row of tiles, lowest first, its distance from the car in tiles.
+  // The distance of each column and row of tiles from the car, in tiles. The lowest column and row
+  // come first.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};

@@ -1,5 +1,6 @@
-// Interface to the perception grid: a non-owning, type-erased reference to any type that provides
-// class labels of cells. work::Crew is a similar reference for workers.
+// The tracker's interface to the perception grid. GridNames is a non-owning, type-erased reference
+// to any type that provides the class labels of cells. `work::Crew` is a similar reference for
+// workers.
 #pragma once
 
 #include <concepts>
@@ -14,7 +15,7 @@ struct CellName {
   bool is_open = false;        // the ground was known to be open at the start of the frame
 };
 
-// look_at() returns the class label of one cell of the local frame. names_around() returns the
+// `look_at()` returns the class label of one cell of the local frame. `names_around()` returns the
 // class labels of a cell and its eight neighbours.
 template <typename T>
 concept Namer = requires(const T& its, geometry::Cell cell) {
@@ -24,7 +25,7 @@ concept Namer = requires(const T& its, geometry::Cell cell) {
 
 class GridNames {
  public:
-  // namer must outlive this object.
+  // `namer` must outlive this object.
   template <Namer T>
   explicit GridNames(const T& namer)
       : its_(&namer),

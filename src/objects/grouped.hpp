@@ -1,4 +1,5 @@
-// Groups hits by owner or cluster. Each group lists the numbers of its hits in ascending order.
+// Groups hits by owner or by cluster. Each group contains the indices of its hits in ascending
+// order.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@ namespace iog::objects {
 template <std::size_t kGroups>
 class Grouped {
  public:
-  // group_of(hit) must return either a number below kGroups or kNobody.
+  // `group_of(hit)` must return either a number below kGroups or kNobody.
   template <typename GroupOf>
   void group(std::span<const FrameHit> hits, GroupOf&& group_of) {
     begin_.fill(0);
@@ -38,8 +39,8 @@ class Grouped {
   }
 
  private:
-  // Group i starts at begin_[i]. While group() places numbers, begin_[i + 1] is the next free index
-  // of group i.
+  // Group i starts at begin_[i]. While group() fills in the indices, begin_[i + 1] is the next free
+  // index of group i.
   std::array<std::uint16_t, kGroups + 2> begin_{};
   std::array<std::uint16_t, kMostHits> of_{};
 };

@@ -1,4 +1,4 @@
-// Turns the box of a track towards the track's velocity when the velocity is certain enough.
+// Turns the box of a track towards the track's velocity if the velocity is certain enough.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace iog::objects {
 
-// Call it after a measurement. The first turn rebuilds the box from the hits. The speed across the
-// box is reduced, because wheels do not slide sideways.
+// Call turn() after a measurement. The first turn rebuilds the box from the hits. The speed across
+// the box is reduced, because wheels do not slide sideways.
 void turn(std::span<const std::uint16_t> numbers, std::span<const FrameHit> hits, Track& track);
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// A hit of the current frame, with the state that tracking adds to it.
+// A hit of the current frame, with the data that tracking adds to the hit.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace iog::objects {
 
 using placing::Hit;
 
-// The value for a hit without a track or cluster.
+// The value kNobody means that a hit has no track or no cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-// Fits into one line of the L1 cache.
+// A FrameHit fits into one line of the L1 cache.
 struct alignas(32) FrameHit {
   geometry::Cell cell{};
   Point moved{};  // position at the end of the frame, predicted with the velocity of its owner
@@ -29,7 +29,7 @@ struct alignas(32) FrameHit {
   std::uint8_t oldest_epoch = 0;   // number of epochs since the place was first hit; 0 if it was
                                    // not hit before
 
-  // The cell's centre.
+  // Returns the centre of the hit's cell.
   [[nodiscard]] constexpr Point at() const { return centre_of(cell); }
 };
 static_assert(sizeof(FrameHit) == 32);

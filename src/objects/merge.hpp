@@ -9,7 +9,7 @@
 namespace iog::objects {
 
 // Merges two tracks if they are close together, have similar speeds, and together are not too large
-// for one object. The older track remains and gets the hits of both tracks.
+// for one object. The older track is kept and gets the hits of both tracks.
 void merge(std::span<Track> tracks, std::span<FrameHit> hits);
 
 }  // namespace iog::objects

@@ -1,8 +1,8 @@
-// Determines whether the grid confirms the motion of a track. The grid confirms it if places that
-// the track has left are now free, and places that the track has reached were open.
+// Determines whether the grid confirms the motion of a track. The grid confirms the motion if
+// places that the track has left are now free, and if places that the track has reached were open.
 //
-// A filter alone is not enough, because rails and walls seem to move: their visible part moves with
-// the car. The grid, however, stores the previous state of each place.
+// A filter alone cannot confirm motion. Rails and walls appear to move because their visible part
+// moves with the car. The grid, however, stores the previous state of each place.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +22,17 @@ struct Hits {
   const RecentHits& recent;
 };
 
-// Counts good, bad and neutral places in track.seen. The track and its hits are compared with the
-// youngest snapshot that is old enough to show motion. For a receding track, the trail is also
+// Counts good, bad and neutral places in track.seen. Compares the track and its hits with the
+// youngest snapshot that is old enough to show motion. If the track recedes, its trail is also
 // updated.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
                   std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
                   Track& track);
 
-// Whether enough places confirm the motion.
+// Returns true if enough places confirm the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);
 
-// Takes a snapshot of the track if one is due.
+// Takes a snapshot of the track if a snapshot is due.
 void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
               std::span<const FrameHit> hits, Track& track);
 

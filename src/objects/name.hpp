@@ -1,4 +1,4 @@
-// The classes of grid cells, reduced to the classes that tracking needs.
+// Maps the classes of grid cells to the few classes that tracking needs.
 #pragma once
 
 #include <cstdint>

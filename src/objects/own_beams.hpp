@@ -1,6 +1,6 @@
-// The beams from the car to the hits of a track. The places that these beams pass are now free.
-// They include places that a receding object has just left and that no other beam reaches for a
-// while.
+// The beams from the car to the hits of a track. All places that the track's own beams pass are now
+// free. A receding object has only just left some of these places, and no other beam reaches them
+// for a while.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace iog::objects {
 
-// Places are relative to the car, in units of 16 mm. Within a window they are below 2^14, so
-// products fit into a word.
+// Places are relative to the car, in units of 16 mm. Within a window, coordinates are below 2^14,
+// so products fit into a word.
 class OwnBeams {
  public:
   static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th is used
@@ -31,8 +31,8 @@ class OwnBeams {
     }
   }
 
-  // Whether beams pass close to a place on both sides and end beyond it. Beams that graze a wall
-  // pass a place on one side only.
+  // Returns true if beams pass close to a place on both sides and end beyond the place. Beams that
+  // graze a wall pass a place on one side only.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);
     const std::int32_t close =

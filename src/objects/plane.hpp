@@ -12,8 +12,8 @@
 
 namespace iog::objects {
 
-// Coordinates are within +-1.1 * 10^9 mm. The difference of two points of one window fits into a
-// word.
+// The coordinates of a point are within +-1.1 * 10^9 mm. The difference of two points of one window
+// fits into a word.
 struct Point {
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
@@ -25,21 +25,21 @@ struct Point {
           cell.y * geometry::kCellMm + geometry::kCellMm / 2};
 }
 
-// In mm/s. The absolute value of each component is at most kMostSpeed.
+// A velocity in mm/s. The absolute value of each component is at most kMostSpeed.
 struct Velocity {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-// Returns the point after moving with a velocity for `ms`, which may be negative. |ms| must be at
-// most 1024, so that products stay below 2^27.
+// Returns the position of a point after it has moved with a velocity for `ms`, which may be
+// negative. The absolute value of `ms` must be at most 1024, so that products stay below 2^27.
 [[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// Returns the approximate distance, max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). It is accurate to
-// within 1/16.
+// Returns the approximate distance, max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is at most
+// 1/16 of the distance.
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
@@ -47,7 +47,7 @@ struct Velocity {
   return std::max(dx, dy) + shorter / 2 - shorter / 8;
 }
 
-// A unit vector, in units of 2^-14.
+// A unit vector in units of 2^-14.
 struct Direction {
   std::int32_t x = 1 << 14;
   std::int32_t y = 0;
@@ -55,7 +55,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// The two axes of a box. kAcross is kAlong rotated by 90 degrees to the left.
+// The two axes of a box. The axis kAcross is kAlong rotated by 90 degrees to the left.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -79,7 +79,8 @@ using Sides = std::array<Interval, 2>;
   return std::max(sides[kAlong].length(), sides[kAcross].length());
 }
 
-// A rectangle around a reference point, which need not be its centre.
+// A rectangle around a reference point. The reference point is not necessarily the centre of the
+// rectangle.
 struct Box {
   Point at{};
   Direction along{};
@@ -93,8 +94,8 @@ struct Box {
     const Direction axis = side_of(along, side);
     return static_cast<std::int32_t>((dx * axis.x + dy * axis.y) >> kDirectionBits);
   }
-  // Returns how far a point is outside the box: the larger of its distances along the two axes, or
-  // 0 inside the box.
+  // Returns how far a point is outside the box. The result is the larger of the distances along the
+  // two axes, or 0 for a point inside the box.
   [[nodiscard]] constexpr std::int32_t outside(Point point) const {
     std::int32_t most = 0;
     for (const Side side : kSides) {
@@ -103,10 +104,10 @@ struct Box {
     }
     return most;
   }
-  // Whether the line between two points crosses the box. Both points must be within 2^17 mm of the
-  // box, so that products of two words stay below 2^40.
+  // Returns true if the line between two points crosses the box. Both points must be within 2^17 mm
+  // of the box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The positions of the last entry and the first exit, as fractions of the line's length.
+    // The positions of the last entry and the first exit, as fractions of the length of the line.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;
@@ -132,8 +133,8 @@ struct Box {
     }
     return enters * leaves_of <= leaves * enters_of;
   }
-  // `number` is 0 ... 3. Bit 0 selects the high end along the box, and bit 1 selects the high end
-  // across it.
+  // Returns a corner of the box. `number` is from 0 to 3. Bit 0 selects the high end along the box,
+  // and bit 1 selects the high end across the box.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
     const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;
@@ -166,7 +167,7 @@ struct Bounds {
     return {.low = {low.x_mm - mm, low.y_mm - mm}, .high = {high.x_mm + mm, high.y_mm + mm}};
   }
   [[nodiscard]] constexpr bool meets(const Bounds& other) const { return is_near(other, 0); }
-  // Whether two rectangles are at most `mm` apart on both axes.
+  // Returns true if two rectangles are at most `mm` apart on both axes.
   [[nodiscard]] constexpr bool is_near(const Bounds& other, std::int32_t mm) const {
     return ((high.x_mm - other.low.x_mm + mm) | (other.high.x_mm - low.x_mm + mm) |
             (high.y_mm - other.low.y_mm + mm) | (other.high.y_mm - low.y_mm + mm)) >= 0;

@@ -1,8 +1,8 @@
-// Records which cells were hit recently. There is one byte per cell, with one bit for each of the
-// last eight epochs of 80 ms.
+// Records which cells were hit recently. Each cell has one byte, with one bit for each of the last
+// eight epochs of 80 ms.
 //
 // Cell coordinates are taken modulo 1024, which is the size of the window. At most kMostOfAnEpoch
-// cells are recorded per epoch. If there are more cells, the farthest hits of a frame are not
+// cells are recorded per epoch. If more cells are hit, the farthest hits of a frame are not
 // recorded.
 #pragma once
 
@@ -21,15 +21,16 @@ class RecentHits {
   static constexpr int kEpochs = 8;
   static constexpr std::size_t kMostOfAnEpoch = 2 * kMostHits;
 
-  // Returns the number of epochs since any of the 3 by 3 cells around and including `cell` was
-  // first hit, at most kEpochs - 1. The result is 0 if none of these cells was hit before the
-  // current epoch, which is the epoch of the last add().
+  // Returns the number of epochs since `cell` or one of its eight neighbours was first hit, at most
+  // kEpochs - 1. The current epoch is the epoch of the last add(). If neither `cell` nor a
+  // neighbour was hit before the current epoch, the result is 0.
   [[nodiscard]] int oldest(geometry::Cell cell) const;
-  // Whether any of the 3 by 3 cells around and including `cell` was hit in the current epoch or the
+  // Returns true if `cell` or one of its eight neighbours was hit in the current epoch or the
   // previous epoch.
   [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
-  // Adds the hits of a frame at the end of the frame. Time may run backwards only after forget().
+  // Adds the hits of a frame at the end of the frame. Time may run backwards only after a call of
+  // forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
 
   void forget();
@@ -40,8 +41,8 @@ class RecentHits {
   [[nodiscard]] static std::uint32_t place_of(std::int32_t x, std::int32_t y) {
     return (static_cast<std::uint32_t>(y) % kSide) * kSide + static_cast<std::uint32_t>(x) % kSide;
   }
-  // Returns the epochs in which any of the 3 by 3 cells around and including a cell was hit. Bit 7
-  // represents the current epoch, and bit i represents the epoch that was 7 - i epochs earlier.
+  // Returns the epochs in which the cell or one of its eight neighbours was hit. Bit 7 represents
+  // the current epoch, and bit i represents the epoch that was 7 - i epochs earlier.
   [[nodiscard]] std::uint8_t epochs_around(geometry::Cell cell) const;
   [[nodiscard]] std::uint32_t three_from(std::int32_t x, std::int32_t y) const;
   void drop(std::size_t epoch);

@@ -1,6 +1,6 @@
-// All parameters of tracking (docs/objects.md).
+// Defines all parameters of tracking (docs/objects.md).
 //
-// Lengths are in mm, speeds in mm/s and times in ms, unless a name says otherwise. The values
+// Unless a name says otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
 // belong to the algorithm and are the same for all cars.
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace iog::objects {
 
-// Capacities, which limit the cost of a frame. Excess elements are dropped and counted.
+// Capacities that limit the cost of a frame. Excess elements are dropped and counted.
 inline constexpr std::size_t kMostHits = 4096;
 inline constexpr std::size_t kMostTracks = 256;
 inline constexpr std::size_t kMostClusters = 256;
 inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile
 inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
-// All tracks end if the time between two frames is longer than this or not positive. A spinning
-// unit that loses three turns of 100 ms causes a gap of 400 ms.
+// All tracks end if the time between two frames exceeds kLongestStepMs or is not positive. If a
+// spinning lidar loses three turns of 100 ms, the gap is 400 ms.
 inline constexpr std::int32_t kLongestStepMs = 450;
-// If there are no measurements for longer than this, no object is published or labelled.
+// If the last measurement is older than kLongestToldMs, no object is published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
 
 // Recent hits are recorded in epochs of 80 ms.
@@ -27,23 +27,24 @@ inline constexpr std::uint64_t kEpochUs = 80'000;
 inline constexpr std::int32_t kEpochMs = 80;
 inline constexpr int kOldEpochs = 4;  // a place that was first hit this many epochs ago is old
 
-// Process noise of the speed, in mm/s per root second.
+// The process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-// Used at speeds of kWheelsSpeed and above, because the velocity changes direction in bends.
+// kWanderAcrossFast is used at speeds of kWheelsSpeed and above, because the direction of the
+// velocity changes in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
 inline constexpr std::int32_t kSmallMm = 1200;     // a walker is at most this large
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// Tyres and legs limit the acceleration. After this many updates, the speed of a moving track along
-// a side changes by at most kGrip mm/s per second. Braking and cornering reach 10 m/s^2.
+// Tyres and legs limit the acceleration. After kGripFrom updates, the speed of a moving track along
+// each axis changes by at most kGrip mm/s per second. Braking and cornering reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track. The track takes hits up to this distance outside its box. This distance is
-// increased by twice the standard deviation of the track's position, up to the limits below.
+// The gate of a track. The track takes hits up to this distance outside its box. The gate is
+// extended by twice the standard deviation of the track's position, up to the limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -59,11 +60,11 @@ inline constexpr std::int32_t kStandingAgeMs = 800;
 inline constexpr std::int32_t kEpochSlackMs = 20;
 inline constexpr std::int32_t kContradictionMm = 150;
 
-// Hits within this gap belong to the same object.
+// Hits within this gap of each other belong to the same object.
 inline constexpr std::int32_t kGapMm = 400;
 inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
-// A cluster next to a track is attached to the track.
+// These values determine whether a cluster next to a track is attached to the track.
 inline constexpr std::int32_t kAttachMm = 300;  // in addition to the gap
 inline constexpr std::int32_t kHeadwayMs = 50;  // no road user follows a moving object more closely
 inline constexpr std::int32_t kLongestMm = 18'000;
@@ -73,18 +74,19 @@ inline constexpr std::int32_t kGrowthAcrossMm = 2000;
 inline constexpr std::int32_t kRecedingGrowthMm = 1000;  // of a receding track without a heading
 inline constexpr std::uint32_t kSmallCluster = 8;        // hits, plus one for each update
 
-// A young track is associated with a cluster whose edges are within this distance.
+// A young track is associated with a cluster whose edges are within this distance of the track's
+// edges.
 inline constexpr std::int32_t kAssociateMm = 600;
 inline constexpr std::int32_t kAssociateDeviations = 3;
 
-// A new track has at least this many hits and starts with a speed of 0.
+// A new track has at least kBirthHits hits and starts with a speed of 0.
 inline constexpr std::uint32_t kBirthHits = 2;
 inline constexpr std::int32_t kBirthPlaceMm = 100;  // standard deviations of position and speed
 inline constexpr std::int32_t kBirthSpeed = 10'000;
 
-// Measurement.
+// Parameters of the measurement.
 inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost hit form an edge
-// A face of the box is visible if the car is more than this far outside the box on that side.
+// A face of the box is visible if the car is more than kFacingMm outside the box on that side.
 inline constexpr std::int32_t kFacingMm = 300;
 inline constexpr std::int32_t kFaceMm = 50;        // standard deviation of a face
 inline constexpr std::int32_t kHitMm = 90;         // standard deviation of one hit of a face
@@ -99,27 +101,29 @@ inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// In each update, the box follows a measured edge by 1/16 of the difference. It follows any other
-// edge by 1/2 outwards and by 1/32 inwards.
+// In each update, the box follows a measured edge by 1/16 of the difference. The box follows any
+// other edge by 1/2 of the difference outwards and by 1/32 inwards.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
 
-// The box of a track turns towards the track's velocity.
+// These values determine when the box of a track turns towards the track's velocity.
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// Applies to a moving track, because the standard deviation is 0.7 m/s with a 10 Hz scanner.
+// kTurnMovingDeviations applies to moving tracks, because their standard deviation is 0.7 m/s with
+// a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// Applies to a track that is certainly a car. The speed must also exceed one standard deviation.
+// kTurnSureSpeed applies to a track that is certainly a car. The speed must also exceed one
+// standard deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
-// The speed across the box is reduced by 1/8 per frame, because wheels do not slide sideways.
+// In each frame, the speed across the box is reduced by 1/8, because wheels do not slide sideways.
 inline constexpr std::int32_t kWheelsShare = 8;
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
-// Two tracks of the same object are merged.
+// These values determine which tracks are merged because they belong to the same object.
 inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
@@ -131,7 +135,8 @@ inline constexpr std::int32_t kMergeReachMm = 20'000;
 // Parameters for confirming the motion of a track with the grid.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-// Shorter than an epoch, because frames do not end at regular intervals.
+// The interval between snapshots is shorter than an epoch, because frames do not end at regular
+// intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
 inline constexpr std::int32_t kShownMostMs = 700;
@@ -140,12 +145,14 @@ inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that
                                               // its box
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
-// Parameters of a receding track's trail, the places that it has left. A frame supports the trail
-// if the track's own beams pass at least kTrailPlaces of these places, and at least kGoodOverBad
-// times as many as are hit again. A beam passes a place if it misses the place by at most
-// kBesideMm. A place that is still occupied is hit again within kLayersMs, even by a unit that
-// scans its layers one after the other. Such hits count for tracks below kLayersSpeed. Hits behind
-// a faster track may be its own, because its speed is not known well enough.
+// Parameters of the trail of a receding track, which consists of the places that the track has
+// left. A frame supports the trail under two conditions. The track's own beams must pass at least
+// kTrailPlaces of the places that the track has left. The number of passed places must be at least
+// kGoodOverBad times the number of places that are hit again. A beam passes a place if it misses
+// the place by at most kBesideMm. A place that is still occupied is hit again within kLayersMs,
+// even if the sensor scans its layers one after the other. For tracks below kLayersSpeed, hits on
+// such a place count. Hits behind a faster track may belong to the track itself, because its speed
+// is not known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -153,7 +160,7 @@ inline constexpr std::int32_t kLayersMs = 260;  // two epochs, and the age of a 
 inline constexpr std::int32_t kLayersSpeed = 3000;
 inline constexpr std::int32_t kBesideMm = 200;  // plus kBeamsOfAMetre per metre of range
 
-// Confidence and state.
+// Parameters of confidence and state.
 inline constexpr std::int32_t kMoveSpeed = 600;
 inline constexpr std::int32_t kMoveDeviations = 2;
 inline constexpr std::int32_t kToldSpeed = 400;
@@ -162,12 +169,12 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// This many good places at this speed increase the confidence by more, because the car will soon
-// have passed the object.
+// At speeds of kClearSpeed and above, kClearHits good places increase the confidence by more,
+// because the car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// A track whose box has had the size of a car for kSteadyFrom updates needs only kSteadyHits good
-// places.
+// If the box of a track has had the size of a car for kSteadyFrom updates, the track needs only
+// kSteadyHits good places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
@@ -175,15 +182,15 @@ inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
 inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
-// A streak is a line of hits where a beam grazes the ground. It has fewer than kStreakHits hits, is
-// longer than a walker and is narrower than kStreakMm.
+// A streak is a line of hits where a beam grazes the ground. A streak has fewer than kStreakHits
+// hits, is longer than a walker and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
-// Alternatively, a streak is shorter and consists of a row of a few cells.
+// A shorter row of a few cells is also a streak.
 inline constexpr std::int32_t kRowHits = 4;
 inline constexpr std::int32_t kRowMm = 100;
 inline constexpr std::int32_t kShortestRowMm = 500;
-// Alternatively, a streak is wider and has less than one hit per kSparseMm of length.
+// A wider object with less than one hit per kSparseMm of length is also a streak.
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
 inline constexpr std::int32_t kStreakSpeed = 15'000;  // streaks never seem to move faster
@@ -194,8 +201,8 @@ inline constexpr std::int32_t kMovingConfidence = 5;
 // Standing hits in the box of a car belong to the car under two conditions. The confidence of the
 // track must be at least kSureConfidence. At least kSureUnopposed frames must have supported the
 // motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad good or neutral
-// places for each bad place. Each such frame cancels kOpposed supporting frames. A frame that does
-// not oppose the motion supports it if it has at least kSteadyHits good places.
+// places for each bad place. Each opposing frame cancels kOpposed supporting frames. A frame that
+// does not oppose the motion supports the motion if the frame has at least kSteadyHits good places.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;
@@ -218,8 +225,8 @@ inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;
 
-// A moving cell that is farther than this outside all boxes of moving tracks loses the class
-// `moving`.
+// A moving cell loses the class `moving` if it is more than kTailMm outside the boxes of all moving
+// tracks.
 inline constexpr std::int32_t kTailMm = 300;
 
 }  // namespace iog::objects

@@ -1,4 +1,4 @@
-// Recent boxes of a track, each with some of the cells that were hit at that time.
+// Stores recent boxes of a track, each with some of the cells that were hit at that time.
 #pragma once
 
 #include <array>
@@ -23,12 +23,13 @@ struct Snapshot {
   }
 };
 
-// The last kSnapshots snapshots, taken every 80 ms.
+// The last kSnapshots snapshots. A snapshot is taken every 80 ms.
 class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }
 
-  // Begins the next snapshot, which replaces the oldest snapshot. The caller fills in its cells.
+  // Begins the next snapshot, which replaces the oldest snapshot. The caller fills in the cells of
+  // the new snapshot.
   [[nodiscard]] Snapshot& begin(std::uint64_t now_us, const Box& box) {
     last_us_ = now_us;
     Snapshot& next = all_[next_];
@@ -39,7 +40,8 @@ class Snapshots {
     return next;
   }
 
-  // Returns the youngest non-empty snapshot taken at or before `time_us`, or null if there is none.
+  // Returns the youngest non-empty snapshot taken at or before `time_us`, or null if no such
+  // snapshot exists.
   [[nodiscard]] const Snapshot* youngest_before(std::uint64_t time_us) const {
     const Snapshot* youngest = nullptr;
     for (const Snapshot& its : all_) {

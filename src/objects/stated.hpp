@@ -1,7 +1,7 @@
-// The reported standard deviation of a velocity. The filter's own value covers only the errors of
-// the measurements. It ignores that the visible part of a young object changes, and that both ends
-// of a near object may be hidden. For cars nearer than 8 m, half of the errors exceed twice the
-// filter's standard deviation.
+// Computes the reported standard deviation of a velocity. The filter's own standard deviation
+// covers only measurement errors. The filter does not take into account that the visible part of a
+// young object changes, and that both ends of a near object may be hidden. For cars nearer than 8
+// m, half of the errors exceed twice the filter's standard deviation.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace iog::objects {
 
-// Multiplies a standard deviation from the filter, in mm/s, by 1 + kStatedAgeMs / age. If the
-// object is nearer to the car than kStatedNearMm, the factor is at least kStatedNear.
+// Multiplies the filter's standard deviation, in mm/s, by 1 + kStatedAgeMs / age. If the object is
+// nearer to the car than kStatedNearMm, the factor is at least kStatedNear.
 [[nodiscard]] inline std::uint32_t stated_deviation(std::uint32_t deviation, const Track& track,
                                                     std::uint64_t now_us, Point car) {
   const std::uint64_t age_ms =

@@ -1,4 +1,4 @@
-// The time from one frame to the next.
+// The time between two successive frames.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace iog::objects {
 
-// The time is 1 ... kLongestStepMs.
+// A step is between 1 ms and kLongestStepMs.
 class Step {
  public:
   explicit constexpr Step(std::int32_t ms) : ms_(ms), seconds_((ms << 16) / 1000) {}
 
   [[nodiscard]] constexpr std::int32_t ms() const { return ms_; }
 
-  // Returns the change during the step for a given change per second, rounded down. |per_second|
-  // must be below 2^48.
+  // Returns the change during the step for a given change per second, rounded down. The absolute
+  // value of `per_second` must be below 2^48.
   [[nodiscard]] constexpr std::int64_t of(std::int64_t per_second) const {
     return (per_second * seconds_) >> 16;
   }

@@ -1,4 +1,4 @@
-// Coarse overlap tests for rectangles, used before exact distances are computed.
+// Performs coarse overlap tests of rectangles before exact distances are computed.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 namespace iog::objects {
 
-// The columns and rows of about 1 m that a rectangle overlaps, with one bit per column or row.
-// Strips whose numbers differ by 32 share a bit. Rectangles that have no column or no row in common
-// do not overlap.
+// The columns and rows that a rectangle overlaps, with one bit per column or row. Each column or
+// row is about 1 m wide. Strips whose numbers differ by 32 share a bit. Two rectangles do not
+// overlap if they have no column or no row in common.
 struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
@@ -27,7 +27,7 @@ struct Strips {
             .rows = bits(bounds.low.y_mm - more_mm, bounds.high.y_mm + more_mm)};
   }
   [[nodiscard]] constexpr bool may_meet(const Strips& other) const {
-    // A single branch, because two branches would be hard to predict.
+    // The test uses a single branch, because two branches would be hard to predict.
     return std::min(columns & other.columns, rows & other.rows) != 0;
   }
 
@@ -41,12 +41,12 @@ struct Strips {
   }
 };
 
-// The tracks that satisfy a condition, numbered from 0 in the order of slots, with their bounding
-// rectangles.
+// The tracks that satisfy a condition, and their bounding rectangles. The selected tracks are
+// numbered from 0 in the order of their slots.
 class PlacedTracks {
  public:
-  // Selects the tracks for which is_asked(track) is true. Their rectangles are extended by
-  // `more_mm` on each side.
+  // Selects the tracks for which is_asked(track) is true. Extends the bounding rectangle of each
+  // track by `more_mm` on each side.
   template <typename IsAsked>
   PlacedTracks(std::span<const Track> tracks, std::int32_t more_mm, IsAsked&& is_asked)
       : more_mm_(more_mm) {
@@ -57,7 +57,8 @@ class PlacedTracks {
       }
     }
   }
-  // Updates the rectangle of a track that has moved or grown. It extends `reach_mm` beyond the box.
+  // Updates the rectangle of a track that has moved or grown. The rectangle extends `reach_mm`
+  // beyond the box.
   void place(std::size_t number, const Track& track, std::int32_t reach_mm = 0) {
     bounds_[number] = bounds_of(track.box()).grown(reach_mm);
     strips_[number] = Strips::of(bounds_[number], more_mm_);
@@ -68,8 +69,8 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // Returns the first number from `from` on whose strips may overlap the given strips, or count()
-  // if there is none.
+  // Returns the first number, starting at `from`, whose strips may overlap the given strips, or
+  // count() if no strips may overlap.
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

@@ -1,4 +1,4 @@
-// A track: the hits of one object, with a box, a velocity and a state.
+// A track represents one object by its hits, with a box, a velocity and a state.
 #pragma once
 
 #include <array>
@@ -26,13 +26,13 @@ struct Seen {
   std::int32_t standing = 0;      // its standing hits
   std::int32_t contradicted = 0;  // hits that are too early to belong to it
   bool is_end_hidden = false;     // it may be longer or wider than its box
-  // Places that the track has left or reached. They confirm the track's motion, contradict it, or
-  // are neutral.
+  // The numbers of places that the track has left or reached. Good places confirm the track's
+  // motion, bad places contradict the motion, and neutral places do neither.
   std::int32_t good = 0;
   std::int32_t bad = 0;
   std::int32_t neutral = 0;
-  // Places that a receding track has left. `passed` is the number of good places that the track's
-  // own beams pass. `kept` is the number of bad places that are hit again.
+  // The numbers of places that a receding track has left. `passed` is the number of good places
+  // that the track's own beams pass. `kept` is the number of bad places that are hit again.
   std::int32_t passed = 0;
   std::int32_t kept = 0;
 };
@@ -45,22 +45,23 @@ class Track {
 
   [[nodiscard]] bool is_there() const { return state != State::kNone; }
   [[nodiscard]] bool moves() const { return state == State::kMoves; }
-  // Whether the track is moving, or was moving and has stopped.
+  // Returns true if the track is moving, or was moving and has stopped.
   [[nodiscard]] bool has_moved() const { return moves() || state == State::kStopped; }
 
   // Predicts the position and covariance for the next frame.
   void predict(Step step);
-  // Applies an innovation of the position along one side, |innovation| < 2^17 mm. The speed along
-  // this side changes by at most `most_change` mm/s.
+  // Applies an innovation of the position along one side, with |innovation| < 2^17 mm. The speed
+  // along `side` changes by at most `most_change` mm/s.
   void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
                std::int32_t most_change = kMostSpeed);
   // Reduces the speed across the box by 1/kWheelsShare.
   void fade_across();
   void rest();  // sets the speed to 0
-  // Turns the box without changing the velocity. The direction is arbitrary until the first turn.
+  // Turns the box without changing the velocity. The direction of the box is arbitrary until the
+  // first turn.
   void turn(Direction along) { box_.along = along; }
-  // Replaces the sides, and sets the covariance of both axes to their mean. Call it after the first
-  // turn.
+  // Replaces the sides, and sets the covariance of both axes to their mean. Call begin_heading()
+  // after the first turn.
   void begin_heading(const Sides& sides);
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -70,39 +71,41 @@ class Track {
   [[nodiscard]] const Covariance& covariance(Side side) const { return covariances_[side]; }
   [[nodiscard]] Covariance& covariance(Side side) { return covariances_[side]; }
 
-  // The velocity estimated by the filter. It is unreliable if the track is not moving, because four
-  // out of five stationary tracks have a spurious speed.
+  // Returns the velocity estimated by the filter. The velocity is unreliable if the track is not
+  // moving, because four out of five stationary tracks have a spurious speed.
   [[nodiscard]] Velocity velocity() const { return {vx_ >> kFine, vy_ >> kFine}; }
-  // The velocity of a moving track, or 0 for any other track.
+  // Returns the velocity of a moving track, or 0 for any other track.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
-  // The standard deviation of the speed, from both axes, in mm/s.
+  // Returns the standard deviation of the speed, computed from both axes, in mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
-  // Whether the track is slow and larger than a walker, and most of its hits are standing. These
-  // hits may belong to an object that is parked next to it.
+  // Returns true if the track is slow and larger than a walker, and most of its hits are standing.
+  // The standing hits may belong to an object that is parked next to the track.
   [[nodiscard]] bool is_mostly_standing() const;
-  // Whether the track has a heading and the size of a car.
+  // Returns true if the track has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Whether the track has the size of a car and a high confidence, and recent frames support its
-  // motion. Standing hits in its box then belong to the car, because a slow car covers each place
-  // for so long that the grid classifies the place as standing. Walkers beside a parked car may
-  // form a track of the same size, but they leave places that are classified as standing.
+  // Returns true if the track has the size of a car and a high confidence, and recent frames
+  // support its motion. Standing hits in the box of such a track belong to the car. A slow car
+  // covers each place for so long that the grid classifies the place as standing. Walkers beside a
+  // parked car may form a track of the same size, but the places that the walkers leave are
+  // classified as standing.
   [[nodiscard]] bool is_sure_car() const;
-  // Sets is_receding according to the velocity and the position relative to the car.
+  // Updates is_receding according to the track's velocity and its position relative to the car.
   void look_from(Point car);
-  // Whether the track recedes and is larger than a walker. Standing hits may then be on the rear of
-  // the object, which has covered their places for a long time.
+  // Returns true if the track recedes and is larger than a walker. The rear of such an object has
+  // covered its places for a long time, so hits on the rear may be standing hits.
   [[nodiscard]] bool may_have_a_standing_face() const;
-  // Updates `trail` from `seen`. Call it once per frame.
+  // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();
-  // Whether beams keep passing the places that the track has left. If so, standing hits may belong
-  // to the track.
+  // Returns true if beams keep passing the places that the track has left. If so, standing hits may
+  // belong to the track.
   [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
-  // Whether the track has the size and speed of a walker.
+  // Returns true if the track has the size and speed of a walker.
   [[nodiscard]] bool is_small() const;
-  // Whether the track is a streak, that is, a line of hits where a beam grazes the ground. A real
-  // object of this length has more hits or is wider. Exceptions are moving tracks, which may lose
-  // hits, and groups of walkers, which have gaps.
+  // Returns true if the track is a streak, that is, a line of hits where a beam grazes the ground.
+  // A real object of the same length has more hits or is wider. Moving tracks and groups of walkers
+  // are not treated as streaks, because moving tracks may lose hits and groups of walkers have
+  // gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;
@@ -116,8 +119,8 @@ class Track {
   std::int32_t confidence = 0;   // confidence that it is moving, 0 ... kMostConfidence
   std::int32_t trail = 0;        // evidence for a trail, 0 ... kMostTrail
   std::int32_t unopposed = 0;    // supporting frames minus deductions, 0 ... kMostUnopposed
-  // The track moves away from the car within about 60 degrees of the line of sight, and it is not
-  // slow.
+  // True if the track moves away from the car within about 60 degrees of the line of sight, and is
+  // not slow.
   bool is_receding = false;
   Seen seen{};
   Snapshots snapshots{};

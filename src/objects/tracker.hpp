@@ -1,15 +1,15 @@
-// Tracks moving objects from the hits of each frame and the classes of the perception grid.
+// Tracks moving objects with the hits of each frame and the classes of the perception grid.
 //
 // A track is a box with a velocity to which hits are assigned. A track is moving only if the grid
-// confirms its motion (docs/objects.md). The tracker never changes the grid. The following steps
-// are run for each frame:
+// confirms its motion (docs/objects.md). The tracker never changes the grid. The tracker performs
+// the following steps for each frame:
 //
 //     hits -> [claim] by tracks -> [cluster] the rest -> [attach, associate] to tracks
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
 // Every step processes slots, hits (objects/frame_hits.hpp) and clusters in their order, so the
-// result does not depend on the order in which hits arrive. The object takes up 2 MB, which is all
-// memory of the tracker.
+// result does not depend on the order in which hits arrive. The Tracker object contains all memory
+// of the tracker and takes up 2 MB.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@
 
 namespace iog::objects {
 
-// The number of elements of a frame that were dropped because a capacity was exceeded.
+// The numbers of elements of a frame that were dropped because a capacity was exceeded.
 struct FrameCounts {
   FrameHits::Left hits{};                // hits that were dropped
   std::uint32_t hits_not_clustered = 0;  // hits without a cluster, because all clusters were in use
@@ -51,34 +51,35 @@ class Tracker {
   // return the classes after the frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
-  // The steps of add(), for callers that split the work. begin() gathers the hits and needs no
+  // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
   // classes. If begin() returns false, the frame has no effect and the other steps must not be
-  // called. look_at_hits() looks up the classes of a range of hits(). Any core may call it, and
-  // hits may be looked up twice. end() performs the remaining work. Data other than classes may
-  // change while end() runs.
+  // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
+  // look_at_hits(), and the same hits may be looked up twice. `end()` performs the remaining work.
+  // While end() runs, other cores may change data other than classes.
   bool begin(const Frame& frame);
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);
 
   // Reports a frame without measurements that ends at `end_us`. If the time without measurements
   // exceeds kLongestToldMs, no object is published or labelled until the next frame with
-  // measurements. If it exceeds kLongestStepMs, all tracks end. A shorter pause has no effect.
+  // measurements. If the time without measurements exceeds kLongestStepMs, all tracks end. A
+  // shorter pause has no effect.
   void pass(std::uint64_t end_us);
 
   // Ends all tracks and forgets recent hits, because the window has lost its position. Ids are not
   // reused.
   void forget();
 
-  // The end of the last processed frame. The value is 0 if no frame has been processed since
-  // start-up or forget(), or if pass() has hidden the objects.
+  // Returns the end of the last processed frame. The value is 0 if no frame has been processed
+  // since start-up or since the last forget(), or if pass() has hidden the objects.
   [[nodiscard]] std::uint64_t time_us() const { return is_told_ ? now_us_ : 0; }
-  // The tracks, indexed by slot. Slots without a track are free.
+  // Returns the tracks, indexed by slot. Some slots may be free.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }
-  // The hits of the last frame with their owners, in order.
+  // Returns the sorted hits of the last frame with their owners.
   [[nodiscard]] std::span<const FrameHit> hits() const { return hits_.all(); }
 
-  // Whether a hit of the last frame belongs to a moving track. Returns false for standing hits of a
-  // mostly standing track.
+  // Returns true if a hit of the last frame belongs to a moving track. Returns false for standing
+  // hits of a mostly standing track.
   [[nodiscard]] bool is_moving(const FrameHit& hit) const {
     if (hit.owner == kNobody || !is_told_) {
       return false;
@@ -86,8 +87,8 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Returns the subset of cells in a row that a moving object may cover, whether they were hit or
-  // not. These cells are at most kTailMm outside the object's box. See MovingBoxes::hold().
+  // Returns the subset of cells in a row that a moving object may cover, including cells without a
+  // hit. All returned cells are at most kTailMm outside the object's box. See MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }
@@ -98,7 +99,7 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
-  // All slots up to the last slot that has a track.
+  // Returns all slots up to the last slot that contains a track.
   [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
   [[nodiscard]] Track* free_slot();
   void leave_free_slots();

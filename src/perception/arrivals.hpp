@@ -1,19 +1,19 @@
-// Detects motion onset: distinguishes hits on moving objects from hits on the flickering edges of
-// stationary objects.
+// Detects motion onset. The Arrivals class distinguishes hits on moving objects from hits on the
+// flickering edges of stationary objects.
 //
-// The sizes of squares below apply to cells of 0.1 m. With larger cells, a square keeps its size in
-// metres (Rules::around). The numbers of new hits do not change.
+// The square sizes below apply to cells of 0.1 m. With larger cells, a square keeps its size in
+// metres (Rules::around). The required numbers of new hits do not change.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
-// beam has freed its cell and a tall return lies within Rules::tall_within cells. Objects so low
-// that beams pass over them are therefore never classified as moving.
+// beam has freed its cell and a tall return lies within Rules::tall_within cells. An object so low
+// that beams pass over it is therefore never classified as moving.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
 // the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and
-// no standing object is beside it. A hit has moved if it is not beside a standing object, and its
-// cell was either dense, or open with enough new hits in the 7 by 7 cells around it. Two new hits
-// are enough if the ground in the cell was found open three times. Elsewhere, seven new hits are
-// needed.
+// no standing object is beside the hit. A hit beside a standing object has not moved. Any other hit
+// has moved if its cell was dense, or if its cell was open and the 7 by 7 cells around it have
+// enough new hits. If the ground in the cell was found open three times, two new hits are enough.
+// Otherwise, seven new hits are needed.
 #pragma once
 
 #include <array>
@@ -33,12 +33,13 @@ class Arrivals {
         tall_within_(rules.tall_within),
         around_(rules.around) {}
 
-  // Examines all hits of a frame. Call it before any tile changes.
+  // Examines all hits of a frame. Call find() before any tile changes.
   void find(const window::Window& window, const placing::FrameEvidence& evidence);
 
-  // The steps of find(): first begin(), then find_new() or find_none() for every touched slot, then
-  // find_moved() for each slot before its tile changes. `hits` contains the hits in the tile's
-  // evidence. The steps for a slot may be repeated, and may run for several slots concurrently.
+  // The steps of find(). Call begin() first. Then call find_new() or find_none() for every touched
+  // slot. Finally, call find_moved() for each slot before its tile changes. `hits` contains the
+  // hits in the tile's evidence. The steps for a slot may be repeated, and may run for several
+  // slots concurrently.
   void begin() {
     has_new_.fill(false);
     has_open_.fill(false);
@@ -52,7 +53,7 @@ class Arrivals {
     }
   }
 
-  // The moved hits in the tile at this slot.
+  // Returns the moved hits in the tile at this slot.
   [[nodiscard]] const window::Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:
@@ -61,8 +62,8 @@ class Arrivals {
   bool is_from_below_;
   int tall_within_;
   Around around_;
-  // The planes are valid only where has_new_ or has_open_ is set. Elsewhere they are from older
-  // frames.
+  // A plane is valid only if has_new_ or has_open_ is set for its slot. Planes of other slots
+  // contain data of older frames.
   std::array<bool, window::kSlotCount> has_new_{};
   std::array<bool, window::kSlotCount> has_open_{};
   std::array<window::Plane, window::kSlotCount> new_{};

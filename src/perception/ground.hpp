@@ -1,11 +1,11 @@
 // Updates the ground memory after a frame.
 //
-// The memory of the 3 by 3 cells around a standing cell is cleared. Elsewhere, a cell becomes dense
-// if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are free space.
-// The free space is computed from the freed cells in two steps. First, gaps of up to four cells
-// between beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are
-// removed. If a cell is open again in a later period of 480 ms, its ticks increase by one, up to 3.
-// Cells outside the window are never free space, although the dilation extends there.
+// The memory of the 3 by 3 cells around a standing cell is cleared. Any other cell becomes dense if
+// all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are free space. The
+// free space is computed from the freed cells in two steps. First, gaps of up to four cells between
+// beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied cells are removed.
+// If a cell is open again in a later period of 480 ms, its tick count increases by one, up to 3.
+// Cells outside the window are never free space, although the dilation extends beyond the window.
 #pragma once
 
 #include <array>
@@ -27,11 +27,11 @@ namespace iog::perception {
 void remember(window::Window& window, std::size_t slot, bool is_new_period,
               const Around& around = {});
 
-// The length of a period. Each period in which a cell is open again adds one tick.
+// The length of a period. Each period in which a cell is open again adds one tick to the cell.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
-// Updates half of the tiles at the end of a frame: the tiles for which the slot plus the number of
-// fused frames is even.
+// Updates half of the tiles at the end of a frame. A tile is updated if the sum of its slot and the
+// number of fused frames is even.
 class GroundMemory {
  public:
   explicit GroundMemory(const Around& around) : around_(around) {}
@@ -39,8 +39,8 @@ class GroundMemory {
   // Resets the periods of the last updates.
   void forget() { last_turns_ = {}; }
 
-  // Ends a frame that has a registered slice, and clears its evidence. `number` is the number of
-  // such frames, including this one.
+  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` counts
+  // the frames with a registered slice, including this frame.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;
@@ -49,7 +49,7 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // The minimum and maximum number of tiles that one core claims at once if several cores work in
+  // The minimum and maximum number of tiles that one core claims at a time if several cores work in
   // parallel.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;
@@ -58,7 +58,7 @@ class GroundMemory {
 
   work::BeforeImages<Before> before_;
   Around around_;
-  // The period of the previous update, for even and odd slots.
+  // The period of the previous update, stored separately for even and odd slots.
   std::array<std::optional<std::uint64_t>, 2> last_turns_{};
 };
 

@@ -1,8 +1,9 @@
-// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving.
-// Moving cells lose this class if they were not hit and are not in the box of a moving track.
+// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving. A
+// moving cell loses the class `moving` if it was not hit and is not in the box of a moving track.
 //
-// Only class bytes change. Masses and the ground memory never change. All changes are undone when
-// the next frame begins, so the masses in the grid are the same with and without tracks.
+// Relabelling changes only class bytes, and never masses or the ground memory. All changes are
+// undone when the next frame begins, so the masses in the grid are the same with and without
+// tracks.
 #pragma once
 
 #include <array>
@@ -23,18 +24,18 @@ class MovingNames {
   // Restores all class labels from the masses.
   void take_back(window::Window& window);
 
-  // Relabels a cell of the window as moving, with at least this confidence, 0 ... 7. Has no effect
-  // if the cell's group is unknown.
+  // Relabels a cell of the window as moving, with at least the confidence `sureness` from 0 to 7.
+  // The call has no effect if the cell's group is unknown.
   void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
-  // Call it when the masses of a tile, or the labels computed from the masses, have changed.
-  // Several cores may call this function for different tiles.
+  // Call note_tile() after the masses of a tile, or the labels computed from the masses, have
+  // changed. Several cores may call note_tile() for different tiles.
   void note_tile(std::size_t slot, const window::Tile& tile);
 
-  // Moving cells that were not hit in this frame become unknown, unless a moving object may cover
-  // them. held(first, asked) returns the subset of the requested cells of a group that is covered.
-  // Bit 0 is `first`, and bit i is the i-th cell to its right. Call note_tile() for all changed
-  // tiles first.
+  // Relabels moving cells that were not hit in this frame as unknown, unless a moving object may
+  // cover them. `held(first, asked)` returns the subset of the requested cells of a group that
+  // moving objects may cover. Bit 0 is the cell `first`, and bit i is the i-th cell to the right of
+  // `first`. Call note_tile() for all changed tiles first.
   template <typename Held>
   void withdraw(const placing::FrameEvidence& evidence, window::Window& window, Held&& held) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
@@ -50,7 +51,7 @@ class MovingNames {
   static_assert(kRowsPerWord == 8);
   using Groups = std::array<std::uint32_t, window::kGroupsPerTile / kGroupsPerWord>;
 
-  // Returns the moving cells of a group. Bit i is cell i.
+  // Returns the moving cells of a group. Bit i of the result represents cell i.
   [[nodiscard]] static std::uint8_t moving_of(const decision::Decided& decided);
 
   template <typename Held>
@@ -64,8 +65,8 @@ class MovingNames {
     may_move_[slot] = true;
   }
 
-  // For each slot, the groups with cells that may be moving according to their masses, and the
-  // relabelled groups.
+  // For each slot, moving_ contains the groups with cells that may be moving according to their
+  // masses, and changed_ contains the relabelled groups.
   std::array<Groups, window::kSlotCount> moving_{};
   std::array<Groups, window::kSlotCount> changed_{};
   std::array<bool, window::kSlotCount> is_changed_{};

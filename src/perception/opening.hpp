@@ -1,20 +1,21 @@
-// Free-space gating: only low beams open cells to motion.
+// Implements free-space gating. Only low beams open cells to motion.
 //
-// A beam frees every cell that it crosses within the height band. This includes cells above a
-// bonnet, a verge or a kerb, and cells seen through the windows of a parked car. If a later beam
-// hits such a cell, the hit is at a different height, and nothing has moved. The car file therefore
+// A beam frees every cell that it crosses within the height band. Some of these cells are above a
+// bonnet, a verge or a kerb, or are seen through the windows of a parked car. If a later beam hits
+// such a cell, the hit is at a different height, and nothing has moved. The car file therefore
 // specifies two heights for each sensor: the maximum height of a beam that opens cells (low_mm),
 // and the minimum height of a moving object (tall_mm). The following rules apply:
 //
-//   1. A hit can indicate motion only on ground that a low beam has freed before, and only near a
-//      tall return (arrivals.hpp).
-//   2. If sensors look over objects, only low beams can free occupied cells. Other beams have no
-//      effect on such a cell.
-//   3. A cell becomes open ground or dense ground only if a low beam has freed it.
+//   * A hit can indicate motion only on ground that a low beam has freed before, and only near a
+//     tall return (arrivals.hpp).
+//   * If sensors look over objects, only low beams can free occupied cells. Other beams have no
+//     effect on an occupied cell.
+//   * A cell becomes open ground or dense ground only if a low beam has freed it.
 //
 // Tile::from_below stores whether a low beam has freed a cell. The bit is set when a low beam frees
 // the cell, and cleared when a standing object is hit there. All conditions refer to the state
-// before the frame and are set operations, so the order of slices, tiles and cores does not matter.
+// before the frame and are set operations. The order of slices, tiles and cores therefore does not
+// matter.
 #pragma once
 
 #include <array>
@@ -31,14 +32,14 @@ class Opening {
  public:
   explicit Opening(const Rules& rules = {}) : looks_over_things_(rules.looks_over_things) {}
 
-  // The steps for one slot. They may be repeated, and may run for several slots concurrently. Call
-  // find() for a slot with evidence, before any tile changes. `bits` contains the bits of the
-  // slot's evidence.
+  // The functions below are the steps for one slot. The steps may be repeated, and may run for
+  // several slots concurrently. For a slot with evidence, call find() before any tile changes.
+  // `bits` contains the bits of the slot's evidence.
   void find(const window::Window& window, const placing::EvidenceBits& bits, std::size_t slot);
-  // Call it before the evidence is fused into the tile.
+  // Call leave_out_high() before the evidence is fused into the tile.
   void leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const;
-  // Call it after the evidence has been fused into the tile or the tile was refreshed. The tile
-  // must be known.
+  // Call remember() after the evidence has been fused into the tile or the tile has been refreshed.
+  // The tile must be known.
   void remember(window::Tile& tile, bool is_touched, std::size_t slot) const;
 
  private:

@@ -1,4 +1,4 @@
-// Parameters of the perception grid. They are part of a vehicle's description.
+// Parameters of the perception grid. The parameters are part of a vehicle's description.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,44 @@
 
 namespace iog::perception {
 
-// The rule by which hits on free ground are classified as moved.
+// The rule that determines which hits on free ground are classified as moved.
 enum class Moved : std::uint8_t {
   kOpenGround,  // see perception/arrivals.hpp
   kLiteral,     // all of them (Kurdej 2015, section 5.2), for comparison
 };
 
 // The number of cycles that a Cortex-A9 at 1 GHz needs to age, fuse and classify a group with
-// evidence, according to the nominal cost model and rounded up (docs/results/perception_time.md).
+// evidence, rounded up. The number comes from the nominal cost model
+// (docs/results/perception_time.md).
 inline constexpr std::uint32_t kGroupCycles = 500;
 
-// The maximum number of groups that are fused in a frame. One core can process this number in a
-// frame period of 40 ms. Groups with hits are fused first (perception/window_fusion.hpp).
+// The maximum number of groups that are fused in a frame. In a frame period of 40 ms, one core can
+// fuse kGroupBudget groups. Groups with hits are fused first (perception/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
-// A length in cells, rounded up.
+// Converts a length to cells, rounded up.
 [[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
 
-// A hit is classified as moved only if there is a tall return at most this far away along each
-// axis. The larger distance is for sensors whose returns must also be tall relative to the highest
-// ground nearby (ground/ground.hpp), because fewer of their returns are tall.
+// A hit is classified as moved only if a tall return is within this distance along each axis. The
+// larger distance is for sensors whose tall returns must also be high above the highest ground
+// nearby (ground/ground.hpp), because these sensors have fewer tall returns.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
 inline constexpr int kTallOverGroundWithin =
     cells_of(kTallOverGroundWithinMm, geometry::kUsualCellMm);
 
-// The distances, in cells, at which the rules of motion onset and open ground examine a cell's
-// surroundings. They correspond to 0.1, 0.2 and 0.3 m.
+// The distances, in cells, within which the rules of motion onset and open ground examine a cell's
+// surroundings. The default values correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
-  // A hit with a standing cell within this distance belongs to the standing object.
+  // A hit belongs to a standing object if a standing cell is within this distance.
   int beside = 1;
-  // Gaps between beams are closed with this radius. All cells within this distance of a dense cell
-  // must be seen.
+  // Gaps between beams are closed with the radius `gaps`. All cells within this distance of a dense
+  // cell must be seen.
   int gaps = 2;
-  // All cells within this distance of an open cell must be free. New hits are counted within it.
+  // All cells within this distance of an open cell must be free. New hits are counted within the
+  // same distance of a cell.
   int open = 3;
   friend bool operator==(const Around&, const Around&) = default;
 };
@@ -59,19 +61,21 @@ static_assert(around_with(geometry::kUsualCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // The tables of a car with its own evidential constants, in static storage. Null selects the
-  // default constants.
+  // The tables of a car with its own evidential constants, in static storage. If the pointer is
+  // null, the default constants are used.
   const ageing::Tables* tables = nullptr;
-  // The masses for each index, in static storage. If it is null, all hits have the same mass.
+  // The masses for each index, in static storage. If the pointer is null, all hits have the same
+  // mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
-  // Whether only low beams open cells (perception/opening.hpp). The value is true if low_mm and
+  // True if only low beams open cells (perception/opening.hpp). The value is true if low_mm and
   // tall_mm are specified for any sensor.
   bool is_opened_from_below = false;
-  // Whether only low beams free occupied cells. This applies only if is_opened_from_below is true.
-  // The value is true if a sensor is high enough to look over objects.
+  // True if only low beams free occupied cells. `looks_over_things` has an effect only if
+  // is_opened_from_below is true. The value is true if a sensor is high enough to look over
+  // objects.
   bool looks_over_things = true;
-  // One of the two distances above, in cells.
+  // Either kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;
   Around around{};
   std::uint32_t group_budget = kGroupBudget;

@@ -1,6 +1,6 @@
 // Determines whether a frame confirms or contradicts standing cells.
 //
-// Each tile is evaluated as it was before the frame, so the order of the tiles does not matter.
+// Each tile is evaluated in its state before the frame, so the order of the tiles does not matter.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +23,15 @@ struct StandingCounts {
   friend bool operator==(const StandingCounts&, const StandingCounts&) = default;
 };
 
-// Whether a known tile has a standing cell in any column except the two outermost on each side. If
-// this function returns false, all counts of standing_counts() are 0.
+// Returns true if a known tile has a standing cell, ignoring the two outermost columns on each
+// side. If has_standing_inside() returns false, all counts of standing_counts() are 0.
 [[nodiscard]] bool has_standing_inside(const window::Tile& tile);
 
-// Counts the cells of a known tile. The outermost two rows and columns are ignored, because cells
-// near them may belong to another tile. `hit` contains the cells with hits, and `crossed` the cells
-// that beams crossed. If only low beams can open a cell (perception/opening.hpp), `crossed`
-// contains only cells that low beams crossed, because other beams pass over standing objects.
+// Counts the confirmed and contradicted cells of a known tile. The outermost two rows and columns
+// are ignored, because hits near them may be in another tile. `hit` contains the cells with hits,
+// and `crossed` contains the cells that beams crossed. If only low beams can open a cell
+// (perception/opening.hpp), `crossed` contains only cells that low beams crossed, because other
+// beams pass over standing objects.
 [[nodiscard]] StandingCounts standing_counts(const window::Tile& tile, const window::Plane& hit,
                                              const window::Plane& crossed,
                                              const Around& around = {});
@@ -40,10 +41,11 @@ struct StandingCounts {
 // after five more frames. When a parked car drives off, beams also cross its cells, but walls,
 // poles and other cars are confirmed at the same time.
 //
-// If the poses are wrong from the start, few cells become standing, and a much larger fraction of
-// these cells is crossed. As long as the poses have never moved the car, fewer cells are therefore
-// enough if more than an eighth of them is crossed in many successive frames. The excess is
-// accumulated, and decays over about a hundred frames.
+// If the poses are wrong from the start, few cells become standing, and beams cross a much larger
+// fraction of these cells. A lower minimum number of cells therefore applies as long as the poses
+// have never moved the car. As long as the poses have never moved the car, more than an eighth of
+// the cells must be crossed in many successive frames. The excess over an eighth is accumulated,
+// and decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
@@ -55,9 +57,9 @@ class Contradiction {
   }
   void clear() { *this = {}; }
 
-  // has_moved is true if the position or heading has changed since the first pose. The minimum
-  // numbers depend on the cell size, because sensors see the edges of static objects, and an edge
-  // covers fewer large cells than small ones.
+  // Returns true if the poses are contradicted. `has_moved` is true if the position or heading has
+  // changed since the first pose. The minimum numbers of cells depend on the cell size. Sensors see
+  // the edges of static objects, and an edge covers fewer cells if the cells are large.
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {

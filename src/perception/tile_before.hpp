@@ -1,6 +1,6 @@
-// The undo log of a tile, for a core that repeats the work of another core. For each group, it
+// The undo log of a tile, for a core that repeats the work of another core. For each group, the log
 // stores the members on which the result depends. All other data written to a tile is derived from
-// these members.
+// the stored members.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace iog::perception {
 
 class TileBefore {
  public:
-  // Call it before the first group changes.
+  // Call begin() before the first group changes.
   void begin(bool is_known) {
     is_known_ = is_known;
     count_ = 0;
   }
 
-  // Call it once for each group before the group changes. Undefined masses are not stored. If a
+  // Call keep() once for each group before the group changes. Undefined masses are not stored. If a
   // group was never aged, all of its masses are undefined. If a group has only free mass, its
   // occupied masses are undefined.
   void keep(const window::Tile& tile, std::size_t group) {
@@ -41,7 +41,7 @@ class TileBefore {
     work::keep_order();
   }
 
-  // Whether the tile was known. If it was unknown, nothing has to be restored.
+  // Returns true if the tile was known. If the tile was unknown, nothing has to be restored.
   [[nodiscard]] bool is_known() const { return is_known_; }
 
   void put_back(window::Tile& tile) const {

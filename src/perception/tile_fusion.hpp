@@ -1,4 +1,4 @@
-// Fuses, ages and classifies the groups of a tile in a frame.
+// Fuses, ages and classifies the groups of a tile in one frame.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // Takes as many of these groups as the budget allows, and returns how many it took of each kind.
+  // Takes as many groups as the budget allows. Returns the number of groups taken of each kind.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};
@@ -58,10 +58,10 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
   return groups;
 }
 
-// The remaining budget. Empty if there is no limit.
+// The remaining budget, or an empty optional if the number of groups is unlimited.
 using Budget = std::optional<GroupBudget>;
 
-// The number of groups by which prefetching runs ahead.
+// The number of groups for which data is prefetched in advance.
 inline constexpr std::size_t kGroupsAhead = 2;
 
 // The groups of a tile that will be fused, in ascending order, and the number of groups with
@@ -88,7 +88,7 @@ class GroupList {
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] std::size_t left() const { return left_; }
-  // i must be below count() + kGroupsAhead.
+  // `i` must be below count() + kGroupsAhead.
   [[nodiscard]] std::size_t operator[](std::size_t i) const { return numbers_[i]; }
 
  private:
@@ -106,8 +106,8 @@ inline void prefetch(const window::Tile& tile, std::size_t group) {
   }
 }
 
-// Prefetches the small members of some rows of a tile. The cache lines of the masses can then be
-// prefetched consecutively, without interruption.
+// Prefetches the small members of some rows of a tile, so that the cache lines of the masses can
+// then be prefetched without interruption.
 inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t last) {
   const std::size_t count = (last - first + 1) * window::kGroupsPerRow;
   lanes::bring(
@@ -122,15 +122,15 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Returns a reference, because a copy would not yet be in the cache when it is needed.
+// Returns a reference, because a copy would not be in the cache in time.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
 
 // Fuses at least one group of a tile. `moved` contains the cells whose hits are classified as
-// moved. If it is null, all hits are classified as moved. If a TileBefore is passed, a core that
-// repeats the work can restore the tile.
+// moved. If `moved` is null, all hits are classified as moved. If a TileBefore is passed, a core
+// that repeats the work can restore the tile.
 template <typename... Before>
 void fuse_groups(const TileUpdate& update, window::Tile& tile,
                  const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,
@@ -164,7 +164,8 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   }
 }
 
-// Ages and classifies the groups that were not fused. Returns the number of these groups.
+// Ages and classifies the groups that were not fused. Returns the number of groups that were aged
+// and classified.
 template <typename... Before>
 std::size_t refresh_groups(const TileUpdate& update, window::Tile& tile, Before&... before) {
   std::size_t refreshed = 0;

@@ -1,4 +1,5 @@
-// Updates eight cells in a frame: ages them, fuses evidence into them, and classifies them.
+// Updates a group of eight cells in a frame by ageing the cells, fusing evidence into them and
+// classifying them.
 #pragma once
 
 #include <array>
@@ -15,9 +16,10 @@
 
 namespace iog::perception {
 
-// Evidence that is at least this many frames old is recorded as too old (kNever). Frames are at
-// least 4 ms apart, so such evidence is more than 100 ms old, and the age has no further effect.
-// Groups are refreshed often enough that this is detected before the clock reuses the slot.
+// Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
+// at least 4 ms apart, so evidence of this age is more than 100 ms old, and its exact age has no
+// effect. Groups are refreshed often enough to record old evidence before the clock reuses the
+// slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a group's cells in a plane.
@@ -31,8 +33,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 
 class TileUpdate {
  public:
-  // Updates tiles for the frame that has just ended according to the clock. If there is no
-  // assignment, all hits have the same mass. Both arguments must outlive this object.
+  // Updates tiles for the frame that has just ended according to the clock. If `assignment` is
+  // null, all hits have the same mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {
@@ -58,12 +60,12 @@ class TileUpdate {
     decide(tile, group, indexes);
   }
 
-  // Whether cross() may replace fuse() if no cell of the group is hit.
+  // Returns true if cross() may replace fuse() for a group without hits.
   [[nodiscard]] bool needs_no_taken(const window::Tile& tile, std::size_t group) const {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
-  // Does the same as fuse() if needs_no_taken() is true and no cell of the group is hit.
+  // Has the same effect as fuse() if needs_no_taken() is true and no cell of the group is hit.
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
@@ -72,7 +74,7 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // Same as above, for two groups at once.
+  // Has the same effect as the function above, for two groups at once.
   void cross(window::Tile& tile, std::array<std::size_t, 2> groups,
              std::array<const evidence::Indexes*, 2> indexes) const {
     const auto crossed = [&](std::size_t i) -> decision::Crossed {
@@ -93,7 +95,7 @@ class TileUpdate {
     }
   }
 
-  // Whether the group is known and was not fused in this frame.
+  // Returns true if the group is known and was not fused in this frame.
   [[nodiscard]] bool is_old(const window::Tile& tile, std::size_t group) const {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
@@ -126,7 +128,7 @@ class TileUpdate {
     set_eight(tile.found.taken, group, bits.taken);
   }
 
-  // The bits for standing and occupied are already 0.
+  // Classifies a group whose bits for standing and occupied are already 0.
   static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);

@@ -1,7 +1,7 @@
-// The clock of the window, which never runs backwards. It follows the clock of the poses from the
-// first pose on. While the clock of the poses is unknown, restarts or jumps, the window's clock
-// follows the target's clock. A timestamp in a message can therefore neither advance the window's
-// clock far into the future nor stop it.
+// The clock of the window, which never runs backwards. From the first pose on, the window's clock
+// follows the clock of the poses. While the clock of the poses is unknown, restarts or jumps, the
+// window's clock follows the target's clock. A timestamp in a message can therefore neither advance
+// the window's clock far into the future nor stop it.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,24 @@
 
 namespace iog::perception {
 
-// Returns the end of a frame on the clock of the poses, in us. This is the end of the frame's last
-// slice, or the time of the newest pose if none of the frame's packets has a time. The window's
-// time therefore stops while no sender transmits. A scanner's clock that is ahead or behind can
-// neither advance nor delay the window's time. source_now_us is the current time of the poses'
-// clock (pose::Source::source_time()).
+// Returns the end of a frame on the clock of the poses, in us. The result is the end of the frame's
+// last slice. If none of the frame's packets has a time, the result is the time of the newest pose.
+// The window's time therefore stops while no sender transmits. A scanner's clock that is ahead or
+// behind can neither advance nor delay the window's time. `source_now_us` is the current time on
+// the clock of the poses (pose::Source::source_time()).
 [[nodiscard]] std::uint64_t end_of_frame(std::optional<std::uint64_t> slices_end_us,
                                          std::uint64_t source_now_us, std::uint64_t newest_pose_us);
 
 class WindowClock {
  public:
-  // Call it before the first frame. now_us is always a time on the target's clock.
+  // Call start() before the first frame. `now_us` is always a time on the target's clock.
   void start(std::uint64_t now_us) { moved_us_ = now_us; }
 
-  // Ends a frame. time_us is the frame's end on the clock of the poses, if known. is_anew is true
-  // if the poses do not continue the poses of the previous frame (pose::History::epoch()).
+  // Ends a frame. If known, `time_us` is the frame's end on the clock of the poses. `is_anew` is
+  // true if the poses do not continue the poses of the previous frame (pose::History::epoch()).
   void end_frame(std::optional<std::uint64_t> time_us, bool is_anew, std::uint64_t now_us);
 
-  // The timestamp of the frame that has ended.
+  // Returns the timestamp of the last completed frame.
   [[nodiscard]] std::uint64_t stamp_us() const { return stamp_us_; }
 
  private:

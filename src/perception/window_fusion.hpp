@@ -1,23 +1,25 @@
 // Fuses the slices of successive frames into masses and classes of the window.
 //
-// In each frame, the window first follows the vehicle, then slices are added, and finally the frame
-// is finished in these steps:
-//   1. Neighbouring cells are looked up in the state before the frame. If only low beams open cells
-//      (perception/opening.hpp), evidence without effect is removed.
-//   2. Groups with evidence are aged, fused and classified.
-//   3. Tiles whose slot plus frame number is a multiple of 8 are refreshed: their other groups
-//      are aged and classified without evidence. Frames are counted after the window has a
-//      position.
-//   4. Tracking relabels moving cells (perception/moving_names.hpp).
-//   5. If a slice was registered, the frame counts as fused. The ground of a tile is
-//      updated if its slot plus the number of fused frames, including this frame, is even.
+// In each frame, the window first follows the vehicle. Then slices are added. Finally, the frame is
+// finished in five steps.
+//   Step 1: Neighbouring cells are looked up in the state before the frame. If only low beams open
+//     cells (perception/opening.hpp), evidence without effect is removed.
+//   Step 2: Groups with evidence are aged, fused and classified.
+//   Step 3: A tile is refreshed if its slot plus the frame number is a multiple of 8. The other
+//     groups of the tile are then aged and classified without evidence. Frames are counted from
+//     the time at which the window has a position.
+//   Step 4: Tracking relabels moving cells (perception/moving_names.hpp).
+//   Step 5: If a slice was registered, the frame counts as fused. The ground of a tile is updated
+//     if its slot plus the number of fused frames, including this frame, is even.
 // The result does not depend on the order of slices or tiles.
 //
-// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile are one
-// step. No item of a step writes data that another item of the step reads from a neighbouring tile.
+// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile run in
+// the same loop. No item of a step writes data that another item of the step reads from a
+// neighbouring tile.
 //
-// Each frame has a budget of groups. Groups with hits are fused first, then the other groups, both
-// ordered by slot and group number. Groups that are over budget are only aged.
+// Each frame has a budget of groups. Groups with hits are fused first, and then the other groups.
+// Within each kind, groups are ordered by slot and group number. Groups that are over budget are
+// only aged.
 #pragma once
 
 #include <array>
@@ -67,31 +69,32 @@ struct FrameCounts {
 
 class WindowFusion {
  public:
-  // Not constexpr, so that static objects are initialised at start-up and take up no space in the
-  // image. is_followed is true if objects are tracked. The hits of a frame are then listed, and
-  // cells can be relabelled.
+  // The constructor is not constexpr, so static objects are initialised at start-up and take up no
+  // space in the image. `is_followed` is true if objects are tracked. If objects are tracked, the
+  // hits of a frame are listed and cells can be relabelled.
   explicit WindowFusion(const Rules& rules = {}, bool is_followed = false,
                         std::int32_t cell_mm = geometry::kCellMm);
   WindowFusion(const WindowFusion&) = delete;
   WindowFusion& operator=(const WindowFusion&) = delete;
 
-  // Moves the window with the vehicle. Call it once per frame, before the frame's first slice.
-  // Before the first call, and after forget(), all slices are outside the window.
+  // Moves the window with the vehicle. Call follow() once per frame, before the frame's first
+  // slice. Before the first call, and after forget(), all slices are outside the window.
   void follow(const pose::Pose& pose);
 
   // Adds at most FrameEvidence::kMostAtOnce slices.
   void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
-  // Ends a frame, with or without registered slices. If the timestamp is older than the newest
-  // timestamp, the newest timestamp is used. The call has no effect if there are no slices and no
-  // time has passed.
+  // Ends a frame, with or without registered slices. If the given timestamp is older than the
+  // newest timestamp so far, the newest timestamp is used. The call has no effect if the frame has
+  // no slices and no time has passed.
   FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
     decide(stamp_us, crew);
     return end_frame(crew);
   }
-  // The two parts of finish(): decide() performs steps 1 to 3, and end_frame() performs step 5.
-  // Tracking and relabelling run between these parts. In each part, core 0 runs do_beside() once at
-  // the same time. do_beside() may read hits() during decide(), and labels during end_frame().
+  // The two parts of finish(). `decide()` performs steps 1 to 3, and end_frame() performs step 5.
+  // Tracking and relabelling run between decide() and end_frame(). While each part runs, core 0
+  // calls do_beside() once. During decide(), do_beside() may read hits(). During end_frame(),
+  // do_beside() may read labels.
   void decide(std::uint64_t stamp_us, const work::Crew& crew) {
     decide(stamp_us, crew, [] {});
   }
@@ -118,14 +121,14 @@ class WindowFusion {
     hits_.clear();
     return std::exchange(counts_, {});
   }
-  // The counts of the current frame so far.
+  // Returns the counts of the current frame so far.
   [[nodiscard]] const FrameCounts& counts() const { return counts_; }
 
-  // hits() returns the hits of the frame if objects are tracked. hits_left() returns the number of
-  // hits that were dropped because the list was full.
+  // If objects are tracked, hits() returns the hits of the frame. `hits_left()` returns the number
+  // of hits that were dropped because the list was full.
   [[nodiscard]] std::span<const placing::Hit> hits() const { return hits_.all(); }
   [[nodiscard]] std::uint32_t hits_left() const { return hits_.left(); }
-  // See MovingNames. Call it only if objects are tracked.
+  // See MovingNames. Call name_moving() and withdraw_moving() only if objects are tracked.
   void name_moving(geometry::Cell cell, std::uint8_t sureness) {
     names_.give(cell, sureness, window_);
   }
@@ -141,7 +144,8 @@ class WindowFusion {
     note_names(slot);
   }
 
-  // Whether finish() would end a frame. This is the case if there is a slice or time has passed.
+  // Returns true if finish() would end a frame. A frame ends if it has a slice or if time has
+  // passed.
   [[nodiscard]] bool is_frame(std::uint64_t stamp_us) const {
     return counts_.slices > 0 || stamp_us > newest_us_;
   }
@@ -151,7 +155,7 @@ class WindowFusion {
 
   [[nodiscard]] std::int32_t cell_mm() const { return cell_mm_; }
 
-  // The view is valid after finish(), until slices are added again.
+  // Returns a view of the window. The view is valid after finish(), until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
   template <typename Visit>
@@ -166,17 +170,17 @@ class WindowFusion {
   }
 
  private:
-  // The minimum and maximum number of tiles that one core claims at once if several cores work in
+  // The minimum and maximum number of tiles that one core claims at a time if several cores work in
   // parallel. The maximum also determines the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
 
-  // The undo log of a run of tiles. It covers the tiles that the run has already reached.
+  // The undo log of a run of tiles. The log covers the tiles that the run has already reached.
   struct TilesBefore {
     std::size_t begun = 0;
     std::array<TileBefore, kUpdated.longest> tiles{};
 
-    // Call it before the next tile changes.
+    // Call begin() before the next tile changes.
     TileBefore& begin(bool is_known) {
       TileBefore& next = tiles[begun];
       next.begin(is_known);
@@ -187,10 +191,10 @@ class WindowFusion {
     }
   };
 
-  // The group counts of the tile at a slot in the current frame.
+  // The counts of the tile at a slot in the current frame.
   struct SlotCounts {
-    // The groups are counted only if the evidence might exceed the budget. The groups of slots
-    // without hits are counted only if several cores work in parallel.
+    // Groups are counted only if the evidence might exceed the budget. The groups of slots without
+    // hits are counted only if several cores work in parallel.
     GroupBudget groups;
     Budget allowed;  // groups that may be fused in that case
     std::uint8_t fused = 0;

@@ -1,5 +1,6 @@
-// Extracts bit planes from a tile of a frame's evidence (placing/slice_byte.hpp). evidence_bits.cpp
-// is the reference implementation. CMake selects it or evidence_bits_neon.cpp.
+// Extracts bit planes from a tile of a frame's evidence (placing/slice_byte.hpp).
+// `evidence_bits.cpp` is the reference implementation. CMake selects either evidence_bits.cpp or
+// evidence_bits_neon.cpp.
 #pragma once
 
 #include "placing/frame_evidence.hpp"

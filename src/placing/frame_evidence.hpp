@@ -1,23 +1,22 @@
-// The evidence of a frame, which consists of all slices of the frame, joined in the cells of the
-// window.
+// The evidence of a frame. All slices of the frame are joined in the cells of the window.
 //
 // Free space is gathered: the negative index of a slice cell is added to each window cell whose
 // centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
-// the window cell that contains the centre of the slice cell. Gathering would lose hits, because
-// some slice cells contain no centre of a window cell (17 % at 45 degrees), and a pole must not be
-// lost. Hits outside the window are dropped.
+// the window cell that contains the centre of the slice cell. If hits were gathered, thin objects
+// such as poles could be lost, because some slice cells contain no centre of a window cell (17 % at
+// 45 degrees). Hits outside the window are dropped.
 //
 // The evidence of a cell is the saturating sum of its positive indexes. If the cell has no positive
-// index, the evidence is the saturating sum of its negative indexes. One byte is enough for both
-// (placing/slice_byte.hpp), because a positive byte contains only the sum of hits, and the first
-// hit overwrites the free index. Slices may be added in any order, because a saturating sum of
-// numbers with the same sign does not depend on their order. The extra bit of a free cell is set if
-// any slice sets it. Whether a hit is a tall return is stored in another bit per cell. The evidence
-// takes up 1.1 MB in total.
+// index, the evidence is the saturating sum of its negative indexes. One byte per cell is enough
+// for both sums (placing/slice_byte.hpp), because a positive byte contains only the sum of hits,
+// and the first hit overwrites the free index. Slices may be added in any order, because a
+// saturating sum of numbers with the same sign does not depend on their order. The extra bit of a
+// free cell is set if any slice sets the bit. Another bit per cell is set if a hit is a tall
+// return. The evidence takes up 1.1 MB in total.
 //
-// Several cores add slices in parallel, split by regions of the window. The core that processes a
-// region gathers free space into the region's tiles and searches the slices for hits in the region.
-// A single core processes the whole window as one region.
+// Several cores add slices in parallel. Each core processes regions of the window. The core that
+// processes a region gathers free space into the region's tiles and searches the slices for hits in
+// the region. A single core processes the whole window as one region.
 #pragma once
 
 #include <array>
@@ -46,12 +45,12 @@ class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // The maximum number of slices per call. A frame of 40 ms has at most this many slices, each of 8
-  // ms or less.
+  // The maximum number of slices per call. A frame of 40 ms has at most this number of slices, each
+  // of 8 ms or less.
   static constexpr std::size_t kMostAtOnce = 6;
 
-  // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must stay
-  // the same for a frame. Core 0 runs `beside` at the same time. `beside` may read the slices.
+  // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must not
+  // change within a frame. Core 0 runs `beside` at the same time. `beside` may read the slices.
   void add(std::span<const PlacedCells> slices, const window::Area& area,
            const work::Crew& crew = work::Crew(), work::Beside beside = {});
   void add(const SliceCells& slice, const window::Area& area, const Placement& at) {
@@ -59,20 +58,20 @@ class FrameEvidence {
     add(std::span(&only, 1), area);
   }
 
-  // Clears all evidence, or only the evidence of the tile at a slot.
+  // Clears either all evidence or the evidence of the tile at a slot.
   void clear();
   void clear(std::size_t slot);
 
-  // Whether a cell of the tile at this slot has evidence.
+  // Returns true if any cell of the tile at this slot has evidence.
   [[nodiscard]] bool is_touched(std::size_t slot) const { return is_touched_[slot]; }
 
-  // Whether a cell of the tile at this slot was hit.
+  // Returns true if any cell of the tile at this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // The joined bytes of the tile at a slot, stored row by row from the lowest y.
+  // Returns the joined bytes of the tile at a slot, row by row from the lowest y.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
-  // The cells of the tile with a tall return. Valid only if the tile is touched.
+  // Returns the tile's cells with a tall return. The result is valid only if the tile is touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
   // Removes the evidence of the given cells of the tile at a slot.
@@ -93,7 +92,7 @@ class FrameEvidence {
       const auto number = static_cast<std::int32_t>(i);
       return {low.a + number % tiles_across, low.b + number / tiles_across};
     }
-    // Whether any cell of the rectangle low_cell ... high_cell may lie in the region.
+    // Returns true if any cell of the rectangle low_cell ... high_cell may lie in the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
              (low_cell.x >> geometry::kTileSideLog2) < low.a + tiles_across &&
@@ -101,8 +100,8 @@ class FrameEvidence {
              (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
     }
   };
-  // The side length of a region, in tiles, if several cores are used. It is large enough that few
-  // hits are examined for two regions, and small enough that no core waits long for the last
+  // The side length of a region, in tiles, if several cores are used. Regions are large enough that
+  // few hits are examined for two regions, and small enough that no core waits long for the last
   // region.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::int32_t kRegionsAcross = window::kTilesAcross / kRegionAcross;
@@ -110,7 +109,8 @@ class FrameEvidence {
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static Region region_of(std::size_t item);
 
-  // The undo log of a region. If a tile was not touched, all its cells were 0 and are not stored.
+  // The undo log of a region. If a tile was not touched, all of its cells were 0, so they are not
+  // stored.
   struct Before {
     std::array<bool, kRegionTiles> is_touched{};
     std::array<bool, kRegionTiles> has_hit{};
@@ -118,7 +118,7 @@ class FrameEvidence {
     std::array<window::Plane, kRegionTiles> tall{};
   };
 
-  // A slice that is being added, with its transforms.
+  // A slice that is being added, and its transforms.
   struct Adding {
     Adding(const PlacedCells& slice_of, const window::Area& its_area)
         : slice(slice_of.cells),

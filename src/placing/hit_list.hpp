@@ -1,8 +1,9 @@
 // Lists the hits of a frame's slices for tracking.
 //
-// The hits are ordered by slice, then by tile of the slice grid, row and column, so their order
-// does not depend on the number of cores. A cell is listed several times if several slices, or
-// several cells of one slice, hit it. Hits that exceed the capacity are counted.
+// The hits are ordered by slice, and then by tile, row and column of the slice grid, so their order
+// does not depend on the number of cores. If several slices, or several cells of one slice, hit a
+// window cell, the list contains this cell several times. Hits that exceed the capacity are
+// counted.
 #pragma once
 
 #include <array>
@@ -25,15 +26,15 @@ struct Hit {
 
 class HitList {
  public:
-  // More than the number of cells that one turn of 128 layers can hit (docs/objects.md).
+  // The capacity of the list. One turn of 128 layers hits fewer cells (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
-  // The vehicle must be inside the area, and the area must stay the same for a frame.
+  // The vehicle must be inside the area, and the area must not change within a frame.
   void add(std::span<const PlacedCells> slices, const window::Area& area);
   void clear();
 
   [[nodiscard]] std::span<const Hit> all() const { return std::span(hits_).first(count_); }
-  // The number of hits that were dropped because the list was full.
+  // Returns the number of hits that were dropped because the list was full.
   [[nodiscard]] std::uint32_t left() const { return left_; }
 
  private:

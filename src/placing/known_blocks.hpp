@@ -1,5 +1,5 @@
 // Visits the 8 by 8 blocks of a window tile that may be near known cells of the slice grid. Moving
-// an image by eight steps at once gives exactly the same result as adding one step eight times.
+// an image by eight steps at once gives the same result as adding one step eight times.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,18 @@ namespace iog::placing {
 inline constexpr std::size_t kBandRows = SliceCells::kBlockSide;
 inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 
-// The centres of a block of 8 by 8 cells extend over at most 7 sqrt(2) cells in any direction, so
-// the block's image fits into a square of 11 by 11 cells.
+// The centres of a block of 8 by 8 cells extend over at most 7 sqrt(2) cells along each axis of the
+// grid, so the block's image fits into a square of 11 by 11 cells.
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
 // Calls visit(first, low, high, evidence) for each block that may be near known cells. `first` is
 // the image of the centre of the block's first cell in the grid. `low` and `high` are the bounds of
 // the images of all cells of the block. `evidence` points to the evidence of the first cell.
-// Returns false if there is no such block.
+// Returns false if no block was visited.
 //
-// The evidence of a band is prefetched first. Otherwise its cache lines would be loaded one by one
-// between the lookups.
+// The evidence of a band is prefetched first. Otherwise, the cache lines of the evidence would be
+// loaded one by one between the lookups.
 template <typename Visit>
 inline bool for_each_known_block(const SliceCells& slice, FinePoint first, FinePoint step,
                                  std::span<std::int8_t, geometry::kTileCells> evidence,

@@ -1,5 +1,5 @@
-// Gathers free space from the slice grid into window cells. look_up.cpp is the reference
-// implementation. CMake selects it or look_up_neon.cpp.
+// Gathers free space from the slice grid into window cells. `look_up.cpp` is the reference
+// implementation. CMake selects either look_up.cpp or look_up_neon.cpp.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace iog::placing {
 
-// The images of a run of eight window cells in the slice grid, computed once for all runs of a
+// The images, in the slice grid, of a run of eight window cells, computed once for all runs of a
 // slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
@@ -23,8 +23,8 @@ namespace iog::placing {
 // so a run covers at most six rows.
 //
 // The offset of a cell from the lowest column or row of its run is the integer part of the cell's
-// steps. One is added if the fraction of the steps and the fraction of the lowest column or row add
-// up to 1 or more. The result is exact.
+// steps. The offset is larger by one if the fraction of the steps and the fraction of the lowest
+// column or row add up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
@@ -39,8 +39,8 @@ struct EightSteps {
   FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
   std::int32_t rows;  // maximum number of grid rows that a run covers
-  // For each cell, kColumns times the integer part of its steps in rows, plus the integer part in
-  // columns.
+  // For each cell, kColumns times the integer part of the cell's steps in rows, plus the integer
+  // part of its steps in columns.
   alignas(16) Eight wholes;
   // For each cell, the largest fraction of the lowest x (or y) for which the fractions add up to
   // less than 1.
@@ -70,7 +70,7 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
 
 // Merges the free space of the slice grid into the evidence of a tile (placing/slice_byte.hpp).
 // `first` is the image of the centre of the tile's first cell in the grid. The images of the other
-// cells follow from `steps`. Returns false if no cell near the tile is known.
+// cells follow from `steps`. Returns false if all cells near the tile are unknown.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -1,10 +1,10 @@
-// Affine transforms of cell centres between the slice grid and the window, in 2^-16 cells.
+// Affine transforms of cell centres between the slice grid and the window, in units of 2^-16 cells.
 //
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
 // tile's other cells are computed by adding steps that are rounded to the nearest 2^-16 cells. The
 // image of a cell is therefore less than 32 * 2^-16 cells below and at most 31 * 2^-16 cells above
-// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window's cells are as
-// large as those of the slice grid.
+// the exact image. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window and the slice grid
+// have cells of the same size.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace iog::placing {
 
-// The transform of a slice: the pose of the vehicle while the slice was measured, and the position
-// of the vehicle in the grid.
+// The transform of a slice. The transform consists of the pose of the vehicle while the slice was
+// measured, and the position of the vehicle in the grid.
 struct Placement {
   pose::Pose pose{};
   numeric::Rotation rotation{};  // from the heading of the pose
@@ -77,8 +77,8 @@ class CellMap {
     return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
   }
 
-  // The image of a step of one cell along x. If this image is (x, y), the image of a step along y
-  // is (-y, x).
+  // Returns the image of a step of one cell along x. If this image is (x, y), the image of a step
+  // along y is (-y, x).
   [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
 
  private:
@@ -106,8 +106,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// Bounds of the images of a rectangle of cells, relative to the image of its first cell. The lowest
-// and the highest cell are both included.
+// The bounds of the images of a rectangle of cells, relative to the image of the rectangle's first
+// cell. The bounds include the lowest and the highest cell.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

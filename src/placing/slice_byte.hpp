@@ -1,5 +1,5 @@
-// The byte of a cell, both in a slice and in a frame's evidence: an occupancy index and one extra
-// bit.
+// The byte of a cell in a slice or in a frame's evidence. The byte contains an occupancy index and
+// an extra bit.
 //
 //     0             unknown
 //     n, 1 ... 31   hit, with index n
@@ -8,7 +8,7 @@
 //     -(n + 32)     the same, and a beam that freed it was at most as high as the sensor's low_mm
 //
 // Indexes above 31 are clamped to 31, because masses do not increase beyond this index
-// (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, which leaves room
+// (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, so the byte has room
 // for the extra bit.
 #pragma once
 
@@ -29,7 +29,7 @@ static_assert(kMostIndex == kBeside - 1);
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }
 
-// has_bit is the extra bit of a free or hit cell.
+// `has_bit` is the extra bit of a free or hit cell.
 [[nodiscard]] constexpr std::int8_t byte_of(std::int32_t index, bool has_bit) {
   const std::int32_t most = std::clamp(index, -kMostIndex, kMostIndex);
   const std::int32_t beside = index != 0 && has_bit ? kBeside : 0;
@@ -37,7 +37,7 @@ static_assert(kMostIndex == kBeside - 1);
 }
 
 // Joins the free index of another slice into a cell's evidence. Indexes are added, and a set bit
-// stays set. Positive evidence consists of hits and is left unchanged. Hits in `found` are ignored.
+// stays set. Positive evidence consists of hits and does not change. Hits in `found` are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
   if (evidence > 0 || found >= 0) {
     return evidence;

@@ -1,6 +1,6 @@
 // Converts a tile of indexes to bytes (placing/slice_byte.hpp), and records which parts of the tile
-// are known. slice_bytes.cpp is the reference implementation. CMake selects it or
-// slice_bytes_neon.cpp.
+// are known. `slice_bytes.cpp` is the reference implementation. CMake selects either
+// slice_bytes.cpp or slice_bytes_neon.cpp.
 #pragma once
 
 #include <array>

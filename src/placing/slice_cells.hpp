@@ -1,9 +1,9 @@
-// The slice grid: the index grid of a slice, stored by tiles with one byte per cell
-// (placing/slice_byte.hpp). It also records which parts are known.
+// The slice grid is the index grid of a slice, stored by tiles with one byte per cell
+// (placing/slice_byte.hpp). The slice grid also records which parts are known.
 //
-// The cells are a copy. The copy pays off because cells are looked up four times as often as they
-// are copied. Known tiles are stored consecutively, so successive slices use the same part of the
-// L2 cache. For unknown tiles, no cells are stored, so these tiles need no clearing.
+// The cells are a copy. Copying saves time, because each cell is looked up four times on average.
+// Known tiles are stored consecutively, so successive slices use the same part of the L2 cache. The
+// cells of unknown tiles are not stored, so unknown tiles need no clearing.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ class SliceCells {
   // The number of rows in a band, and the side length of a block.
   static constexpr std::int32_t kBlockSide = 8;
 
-  // Sets a tile of the grid. The indexes are stored row by row from the lowest y. The tile's cells
-  // must be unknown before the call. low_and_tall contains the free cells that a low beam freed,
+  // Sets a tile of the grid. The indexes are stored row by row from the lowest y. Before the call,
+  // the tile's cells must be unknown. `low_and_tall` contains the free cells that a low beam freed,
   // and the hit cells with a tall return.
   void set(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {}) {
     places_[tile] = used_++;
@@ -37,24 +37,25 @@ class SliceCells {
   // Makes all cells unknown.
   void clear();
 
-  // Replaces all tiles, on several cores: first begin(), then copy() or leave() for each tile on
-  // any core, and finally note_all() on any core. If a core is lost, its tiles may be set again.
+  // Replaces all tiles, on several cores. First call begin(), then call copy() or leave() for each
+  // tile on any core, and finally call note_all() on any core. If a core is lost, the core's tiles
+  // may be set again.
   void begin();
   void copy(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {});
   void leave(std::size_t tile) { is_known_[tile] = false; }
   void note_all();
 
-  // Whether a tile of the grid has a known cell. The tile is given by its number, or by its column
+  // Returns true if the tile has a known cell. The tile is given by its number, or by its column
   // and row.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] bool is_known(geometry::Cell tile) const { return is_known_[number_of(tile)]; }
 
-  // Whether any cell in a band of a tile may be hit. A band has kBlockSide rows.
+  // Returns true if any cell in a band of a tile may be hit. A band has kBlockSide rows.
   [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
     return (notes_[tile].hit_bands >> band & 1U) != 0;
   }
 
-  // The tiles that may contain a hit cell.
+  // Returns the tiles that may contain a hit cell.
   [[nodiscard]] std::span<const std::uint16_t> hit_tiles() const {
     return std::span(hit_tiles_).first(hit_tile_count_);
   }
@@ -66,20 +67,20 @@ class SliceCells {
   };
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
-  // Whether any cell of a rectangle may be known. The rectangle may lie anywhere, but must have at
-  // most kMostNear columns and rows.
+  // `is_known_near()` returns true if any cell of a rectangle may be known. The rectangle may lie
+  // anywhere, but must have at most kMostNear columns and rows.
   static constexpr std::int32_t kMostNear = 13;
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 
-  // The cells of the tile in a column and row of the grid, stored row by row from the lowest y. All
-  // cells are unknown if the tile is unknown or outside the grid. The same number of bytes after
-  // these cells may be read, but their values are meaningless.
+  // Returns the cells of the tile in a column and row of the grid, row by row from the lowest y.
+  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read the
+  // same number of bytes after these cells, but the values of these bytes are meaningless.
   [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
     const std::size_t number = number_of(tile);
     return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
                                                 : TileBytes(kUnknown.front());
   }
-  // Returns any cell, inside or outside the grid.
+  // Returns the byte of any cell, inside or outside the grid.
   [[nodiscard]] std::int8_t at(geometry::Cell cell) const {
     constexpr std::uint32_t kSide = geometry::kTileSide;
     const TileBytes tile =
@@ -93,13 +94,14 @@ class SliceCells {
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The width of the margin of unknown cells around the grid. No rectangle of is_known_near() that
-  // overlaps the grid extends farther beyond it.
+  // The width of the margin of unknown cells around the grid. A rectangle of is_known_near() that
+  // overlaps the grid extends at most this far beyond the grid.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =
       geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // Each row has one extra byte before the bytes of the grid and two extra bytes after them.
+  // Each row has one extra byte before the bytes of the grid, and two extra bytes after the bytes
+  // of the grid.
   static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
 
   [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {
@@ -122,8 +124,8 @@ class SliceCells {
   std::array<TileNotes, geometry::kTileCount> notes_{};
   std::size_t hit_tile_count_ = 0;
   std::array<std::uint16_t, geometry::kTileCount> hit_tiles_{};
-  // The known squares of the grid, surrounded by unknown squares. There is one byte per tile and
-  // row of squares.
+  // The known squares of the grid, surrounded by unknown squares. Each byte represents one row of
+  // squares in a tile.
   std::array<std::uint8_t, kSquareRows * kSquareStride> squares_{};
 };
 

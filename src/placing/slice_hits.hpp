@@ -1,5 +1,5 @@
-// Visits the hits of a slice. For each hit cell of the slice grid, the visited window cell is the
-// cell that contains the hit cell's centre. Tiles, bands of eight rows, and groups of eight cells
+// Visits the hits of a slice. Each hit cell of the slice grid leads to a visit of the window cell
+// that contains the hit cell's centre. Tiles, bands of eight rows, and groups of eight cells
 // without hits are skipped.
 #pragma once
 
@@ -37,8 +37,8 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
 }
 
 // Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest cell and may lie
-// outside the window. Tiles and bands are skipped if meets(low, high) returns false for the bounds
-// of their cells.
+// outside the window. A tile or band is skipped if meets(low, high) returns false for the bounds of
+// its cells.
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {

@@ -1,5 +1,5 @@
-// Outcomes of datagrams on the pose port, and of slices that need a pose. The values are defined in
-// docs/spec.md, sections 5.2 and 5.5.
+// The outcomes of datagrams on the pose port, and of slices that need a pose. The values are
+// defined in docs/spec.md, sections 5.2 and 5.5.
 #pragma once
 
 #include <cstddef>

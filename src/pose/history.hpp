@@ -2,14 +2,15 @@
 //
 // Times are in us on the clock of the pose source, unless they are stated to be on the target's
 // clock. Messages must arrive in the order of the source's clock. A message that is not newer than
-// the newest message is dropped. A sequence of poses ends with a break: a gap of kLostUs without
-// messages, a jump, a new run of the source, a contradiction by the sensors, or a growing delay.
-// Data registered before a break has lost its position, so the window becomes unknown.
+// the newest message so far is dropped. A sequence of poses ends with a break. A break is a gap of
+// kLostUs without messages, a jump, a new run of the source, a contradiction by the sensors, or a
+// growing delay. Data registered before a break has lost its position, so the window becomes
+// unknown.
 //
-// A forged message must not blind the target permanently. A message that does not continue the
-// current sequence, because its run or its time differs, is accepted only after kConfirmations such
-// messages in a row. If such a message goes back in time or belongs to an earlier run, there must
-// also have been no message of the current sequence for kLostUs.
+// A forged message must not blind the target permanently. If the run or the time of a message does
+// not continue the current sequence, the message is accepted only after kConfirmations consecutive
+// messages of this kind. If the message goes back in time or belongs to an earlier run, the current
+// sequence must also have had no message for kLostUs.
 #pragma once
 
 #include <array>
@@ -26,18 +27,18 @@
 
 namespace iog::pose {
 
-// The pose at a time, or the reason why there is no pose.
+// The pose at a time, or the reason why the pose is not available.
 struct Placed {
   Cause cause = Cause::kLost;
-  // Valid if the cause is kNone. Otherwise the pose is zero, and its standard deviations are
-  // unknown.
+  // The pose and its standard deviations are valid if the cause is kNone. Otherwise, the pose is
+  // zero and its standard deviations are unknown.
   Pose pose{};
   Sigma sigma{};  // the larger values of the two messages between which the pose is interpolated
   [[nodiscard]] constexpr bool has_pose() const { return cause == Cause::kNone; }
   friend constexpr bool operator==(const Placed&, const Placed&) = default;
 };
 
-// How often a cause began, and when it last began.
+// The number of times that a cause began, and the time at which it last began.
 struct Tally {
   std::uint32_t times = 0;
   std::uint64_t since_us = 0;
@@ -45,21 +46,23 @@ struct Tally {
 
 class History {
  public:
-  // depends_on_arrival is true if packets get their times from the offset of the clocks. The offset
-  // must then not grow faster than clocks drift.
+  // `depends_on_arrival` is true if packets get their times from the offset of the clocks. If
+  // `depends_on_arrival` is true, the offset must not grow faster than clocks drift.
   explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
 
-  // Adds a valid message with its arrival time on the target's clock. Returns kUsed, or returns
-  // kUnconfirmed, kNotNewer, kFlood or kPastRun without changing any pose.
+  // Adds a valid message with its arrival time on the target's clock. Returns kUsed if the message
+  // becomes the newest pose. Otherwise, returns kUnconfirmed, kNotNewer, kFlood or kPastRun without
+  // changing any pose.
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
-  // Reports the current time on the clock of the source, which is the end of the newest slice or
-  // source_time() of the current time. This call detects a lost source. Without it, the loss would
-  // be detected only when the source's next message arrives.
+  // Reports the current time on the clock of the source. The caller passes the end of the newest
+  // slice, or the source_time() of the current time. The call detects that the source is lost.
+  // Without a call of pass(), the loss would be detected only when the source's next message
+  // arrives.
   void pass(std::uint64_t now_us);
 
-  // Reports the current time on the target's clock. Use it if the time since the newest message is
-  // not known from other data.
+  // Reports the current time on the target's clock. Call pass_silence() if the time since the
+  // newest message is not known from other data.
   void pass_silence(std::uint64_t target_us);
 
   // Reports that the registered data contradict each other, so the poses were wrong. The source may
@@ -69,31 +72,33 @@ class History {
 
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. Up to
   // kLateUs after the newest message, the pose is predicted from the speed and the yaw rate. If the
-  // time is before the first message after a break, the cause is the cause of the break: kLost,
-  // kJump, kRestart, kContradicted or kDrifting. If there was no break, the cause is kLost. The
-  // other possible causes are kLate and kImprecise.
+  // time is before the first message after a break, the result contains the cause of the break:
+  // kLost, kJump, kRestart, kContradicted or kDrifting. If no break has occurred, the returned
+  // cause is kLost. Other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // Converts a time on the target's clock to the clock of the source, using the message with the
   // shortest delay in the last second. The result is never ahead by more than the shortest delay of
-  // a message. Empty if no message arrived in the last second.
+  // a message. Returns nothing if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Incremented at each break. Data registered in an earlier epoch has lost its position.
+  // Returns the number of breaks so far. Data registered in an earlier epoch has lost its position.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Whether a message of this run differs from the run's first message by a jump in position or
-  // heading.
+  // Returns true if the position or heading of a message of this run differs from that of the run's
+  // first message by at least a jump.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
-  // How often each break occurred, and when it last occurred. kLost and kContradicted begin with
-  // the last message before the break. kJump, kRestart and kDrifting begin with the first message
-  // after the break. The other causes apply to slices.
+  // Returns how often each break occurred, and when it last occurred. The times of `kLost` and
+  // `kContradicted` are those of the last message before the break. The times of `kJump`,
+  // `kRestart` and `kDrifting` are those of the first message after the break. All other causes
+  // apply to slices.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // The newest message, even if it is too old to register any data. Empty before the first message.
+  // Returns the newest message, even if it is too old to register any data. Returns nothing before
+  // the first message.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
   }
@@ -122,7 +127,8 @@ class History {
   [[nodiscard]] bool is_jump_to(const Entry& next) const;
   [[nodiscard]] Cause cause_before_the_oldest() const;
 
-  // Returns the entry of this age, where 0 is the newest entry. age must be below count_.
+  // Returns the entry with the given age. The newest entry has the age 0. `age` must be below
+  // count_.
   [[nodiscard]] const Entry& entry(std::size_t age) const {
     return entries_[(next_ + kHistoryMessages - 1 - age) % kHistoryMessages];
   }

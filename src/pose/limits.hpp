@@ -1,4 +1,4 @@
-// Limits of poses: the valid values, how long a pose is used, and when a pose is rejected
+// Defines the valid values of poses, how long a pose is used, and when a pose is rejected
 // (docs/spec.md, section 5).
 #pragma once
 
@@ -7,55 +7,56 @@
 
 namespace iog::pose {
 
-// Angles are converted to lengths at this distance, which is the range of the sensors.
+// Angles are converted to lengths at this distance, which equals the range of the sensors.
 inline constexpr std::int32_t kReachMm = 50'000;
 
-// Valid values of a message. The integer widths of all computations with poses follow from these
-// bounds.
+// The valid values of a message. The integer widths of all computations with poses follow from
+// these bounds.
 inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
 inline constexpr std::uint32_t kMaxAgeUs = 200'000;
-// The maximum clock value, 146,000 years. It keeps sums and differences of clock values and of the
-// target's time from wrapping around.
+// The maximum clock value is 146,000 years. The limit ensures that sums and differences of clock
+// values and of the target's time do not wrap around.
 inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 
-// The maximum time between a slice and a message, and the maximum time of prediction beyond a
+// The maximum time between a slice and a message. A pose is predicted for at most kLateUs after a
 // message.
 inline constexpr std::uint64_t kLateUs = 100'000;
-// A gap of this length without messages breaks the history.
+// A gap of kLostUs without messages breaks the history.
 inline constexpr std::uint64_t kLostUs = 1'000'000;
-// A clock has jumped if its lead over the target's clock has increased by this much.
+// A clock has jumped if its lead over the target's clock has increased by kMaxLeapUs.
 inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
-// Messages of one run must be at least this far apart on the sender's clock. Messages that are
+// Messages of one run must be at least kMinSpacingUs apart on the sender's clock. Messages that are
 // closer together are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
-// This number of messages always covers more than the required second.
+// A history of kHistoryMessages messages always covers more than the required second.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
-// Another run or another clock is accepted after this many of its messages in a row.
+// Another run or another clock is accepted after kConfirmations consecutive messages of that run or
+// clock.
 inline constexpr std::size_t kConfirmations = 3;
 
-// Slices are not registered with a pose whose standard deviation exceeds this limit of 150 mm. For
-// the heading, the limit is the angle that corresponds to 150 mm at kReachMm.
+// Slices are not registered with a pose whose standard deviation exceeds 150 mm. For the heading,
+// the limit is the angle that corresponds to 150 mm at kReachMm.
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 
-// After a contradiction by the sensors, the source is rejected for this time, or until its pose has
-// changed by at least a jump.
+// After a contradiction by the sensors, the source is rejected for kMaxStuckUs, or until its pose
+// has changed by at least a jump.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 
 // No clock drifts faster than kMaxDriftPpm. If the clock offset grows by more than
 // kMaxDelayGrowthUs beyond this drift, the delay is considered to be growing.
 inline constexpr std::uint64_t kMaxDriftPpm = 200;
 inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
-// The source is accepted again after this time without such growth. This time is twice the time
-// span over which the minimum offset is computed.
+// The source is accepted again if the delay has not grown for kSettledUs. The value is twice the
+// time span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
-// A larger residual is a jump. For the heading, the limit is the angle that corresponds to 300 mm
-// at kReachMm.
+// A residual larger than kMaxResidualMm is a jump. For the heading, the limit is the angle that
+// corresponds to 300 mm at kReachMm.
 inline constexpr std::int64_t kMaxResidualMm = 300;
 inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), rounded
 inline constexpr std::int64_t kMaxResidualAngle = kAnglePerRadian * kMaxResidualMm / kReachMm;

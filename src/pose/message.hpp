@@ -1,6 +1,6 @@
-// The pose message: SOME/IP and E2E headers as in every message (protection/protected_message.hpp),
-// followed by 72 bytes of content in big-endian byte order. docs/spec.md, section 5.1, describes
-// each byte.
+// The pose message. The message consists of the SOME/IP and E2E headers of every message
+// (protection/protected_message.hpp), followed by 72 bytes of content in big-endian byte order.
+// Each byte is described in docs/spec.md, section 5.1.
 //
 // Sender and target share this file, so both use the same format.
 #pragma once
@@ -21,14 +21,14 @@ inline constexpr std::uint16_t kPosePort = 15010;  // UDP
 inline constexpr std::size_t kContentBytes = 72;
 inline constexpr std::size_t kMessageBytes = protection::kProtectionBytes + kContentBytes;
 
-// On this channel, each message is checked only by itself. The order of messages is determined by
-// their clock.
+// On this channel, each message is checked independently of other messages. The order of messages
+// is determined by the sender's clock.
 inline constexpr protection::Channel kPoseChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8003, .interface_version = 1},
     .data_id = 0x494F4703,
     .max_delta_counter = 1};
 
-// Standard deviations, 1 ... 65535. The maximum value also represents all larger values.
+// Standard deviations from 1 to 65535. The maximum value also represents all larger values.
 struct Sigma {
   std::uint16_t position_mm = 0xFFFF;
   std::uint16_t heading_10urad = 0xFFFF;
@@ -59,7 +59,8 @@ struct Message {
 // Encodes and numbers the messages of a sender.
 class Encoder {
  public:
-  // Returns the whole message. The fields are not checked here, because the decoder checks them.
+  // Returns the complete message. The encoder does not check the fields, because the decoder checks
+  // them.
   [[nodiscard]] std::array<std::byte, kMessageBytes> encode(const Message& message);
 
  private:
@@ -71,7 +72,7 @@ struct Decoded {
   Message message{};            // only if the message is valid
 };
 
-// Accepts any bytes. The outcome is kUsed or one of kTooShort to kTooOld.
+// Decodes any bytes. The outcome is kUsed or one of kTooShort to kTooOld.
 [[nodiscard]] Decoded decode(std::span<const std::byte> datagram);
 
 }  // namespace iog::pose

@@ -1,4 +1,4 @@
-// Prediction and interpolation of poses, in integers (docs/spec.md, section 5.4).
+// Predicts and interpolates poses in integers (docs/spec.md, section 5.4).
 #pragma once
 
 #include <cstdint>
@@ -7,22 +7,23 @@
 
 namespace iog::pose {
 
-// Within the limits of pose/limits.hpp.
+// The speed and the yaw rate are within the limits of pose/limits.hpp.
 struct Motion {
   std::int32_t speed_mm_per_s = 0;
   std::int32_t yaw_urad_per_s = 0;
 };
 
 // Returns the pose after continuing the motion for elapsed_us <= 10^6, along the chord of the
-// circle. The direction of the chord is the heading after half the time. |x|, |y| <= 10^9 mm. The
-// angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to half a
-// millimetre. The length of the arc is used as the length of the chord. At 0.5 rad/s and 100 ms,
-// this makes the chord too long by one part in ten thousand.
+// circle. The direction of the chord is the heading after half the time. Requires |x|, |y| <= 10^9
+// mm. The angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to half
+// a millimetre. The length of the arc is used as the length of the chord. At 0.5 rad/s and 100 ms,
+// the chord is therefore too long by one part in ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
 // Interpolates linearly between two poses at elapsed_us of span_us. The heading turns the shorter
-// way. If both angles are equal, it turns clockwise. 0 <= elapsed_us <= span_us, 0 < span_us <=
-// 10^6, |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, with ties rounded up.
+// way. If both ways are equally long, the heading turns clockwise. Requires 0 <= elapsed_us <=
+// span_us, 0 < span_us <= 10^6 and |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest
+// integer, with ties rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 
@@ -42,7 +43,7 @@ struct Residual {
 
 [[nodiscard]] Residual residual(const Pose& pose, const Pose& predicted);
 
-// Whether a sum of up to 2^20 residuals exceeds kMaxResidualMm, or the equivalent angle at
+// Returns true if a sum of up to 2^20 residuals exceeds kMaxResidualMm, or the equivalent angle at
 // kReachMm.
 [[nodiscard]] bool is_jump(const Residual& sum);
 

@@ -1,4 +1,4 @@
-// The accepted runs of the pose source: the current run and earlier runs.
+// Stores the current run and earlier accepted runs of the pose source.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ class RunMemory {
     return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
   }
 
-  // Whether a run is one of the last fifteen earlier runs. Older runs are not remembered.
+  // Returns true if a run is one of the last fifteen earlier runs. Older runs are not remembered.
   [[nodiscard]] bool is_past(std::uint32_t run) const {
     const auto known = std::span(runs_).first(count_);
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // Makes a run the current run. It must not already be the current run, but it may be an earlier
-  // run.
+  // Makes `run` the current run. The new run must differ from the current run, but it may be an
+  // earlier run.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;

@@ -15,7 +15,7 @@ struct Slice {
 
 class Slicing {
  public:
-  // log2_ms is 0 ... 6. A slice is 2^log2_ms milliseconds long.
+  // `log2_ms` is from 0 to 6. A slice is 2^log2_ms milliseconds long.
   explicit constexpr Slicing(std::uint8_t log2_ms = 3) : log2_ms_{log2_ms} {}
 
   [[nodiscard]] constexpr std::uint64_t slice_us() const { return std::uint64_t{1000} << log2_ms_; }

@@ -1,4 +1,4 @@
-// Receives poses: checks their senders, decodes each datagram, and looks up a pose for each slice.
+// Receives poses, checks their senders, decodes each datagram, and looks up a pose for each slice.
 // All rejections are counted by cause.
 //
 // The CRC detects damage on the network, but it does not authenticate the sender. Anyone who can
@@ -20,29 +20,29 @@
 
 namespace iog::pose {
 
-// The number of slices without a pose and of breaks since start-up, for each cause.
+// The number of slices without a pose and the number of breaks since start-up, for each cause.
 struct CauseCounts {
   std::array<std::uint32_t, kCauseCount> slices{};  // see Source::slices()
   std::array<Tally, kCauseCount> began{};           // see Source::tally()
 
-  // Returns the causes that occurred since `before`, with one bit for each cause. kNone is not a
-  // cause.
+  // Returns the causes that occurred since `before`, with one bit for each cause. The result has no
+  // bit for kNone.
   [[nodiscard]] std::uint8_t since(const CauseCounts& before) const;
 };
 
 class Source {
  public:
-  // description.is_valid() must be true. replayer_ipv4 may also send on behalf of the source.
-  // replayer_ipv4 is 0 if there is no replayer. For depends_on_arrival, see History.
+  // `description.is_valid()` must be true. `replayer_ipv4` is the address of a replayer that may
+  // send on behalf of the source, or 0 if no replayer is used. For depends_on_arrival, see History.
   explicit Source(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0,
                   bool depends_on_arrival = false);
 
-  // Whether this port receives poses.
+  // Returns true if the port receives poses.
   [[nodiscard]] bool listens_to(std::uint16_t udp_port) const {
     return udp_port == description_.udp_port;
   }
 
-  // Processes a datagram on the pose port. Accepts any bytes.
+  // Processes a datagram on the pose port. The payload may contain any bytes.
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
@@ -60,21 +60,21 @@ class Source {
   // Returns the slice that contains a time on the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
-  // See History. Does not count.
+  // See History. The call does not count causes.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call it
-  // once per slice.
+  // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call
+  // place() once per slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
-  // The number of datagrams with each outcome since start-up.
+  // Returns the number of datagrams with each outcome since start-up.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // The number of slices since start-up, for each reason why a slice has no pose. kNone is the
-  // entry for slices with a pose.
+  // Returns the number of slices since start-up, for each reason why a slice has no pose. The entry
+  // kNone counts the slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // How often each cause began, and when it last began. For kLate and kImprecise, this time is the
-  // middle of the first slice in a series of slices without a pose. For the other causes, see
-  // History.
+  // Returns how often each cause began, and when it last began. For kLate and kImprecise, the time
+  // is the middle of the first slice in a series of slices without a pose. For the other causes,
+  // see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -1,4 +1,4 @@
-// The description of the pose source, which is part of a vehicle's description.
+// The description of the pose source in the description of a vehicle.
 #pragma once
 
 #include <cstdint>

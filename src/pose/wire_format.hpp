@@ -1,5 +1,5 @@
-// Encodes poses and their standard deviations for all messages, in big-endian byte order as in
-// docs/spec.md 5.1.
+// Encodes poses and their standard deviations for all messages. The byte order is big endian, as
+// specified in docs/spec.md 5.1.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Decides whether a message is accepted: its source must be allow-listed, and its headers must be
-// valid.
+// Decides whether a message is accepted. The source of the message must be allow-listed, and its
+// headers must be valid.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,18 @@
 
 namespace iog::protection {
 
-// True if this source address may send. described_ipv4 is the sender's address in the car file, or
-// 0 if any address may send. The replayer may send on behalf of every sender. replayer_ipv4 is 0 if
-// there is no replayer.
+// Returns true if the source address `ipv4` may send. `described_ipv4` is the sender's address in
+// the car file, or 0 if any address may send. The replayer may send on behalf of every sender. If
+// no replayer is used, replayer_ipv4 is 0.
 [[nodiscard]] constexpr bool may_send(std::uint32_t ipv4, std::uint32_t described_ipv4,
                                       std::uint32_t replayer_ipv4) {
   return described_ipv4 == 0 || described_ipv4 == ipv4 ||
          (replayer_ipv4 != 0 && replayer_ipv4 == ipv4);
 }
 
-// The outcome of checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged, as an
-// enumerator of the caller's Fate. The order of messages is not checked.
+// Returns the outcome of checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged. The
+// outcome is returned as an enumerator of the caller's `Fate`. The order of messages is not
+// checked.
 template <typename Fate>
 [[nodiscard]] constexpr Fate fate_of(const Received& received, Fate sound) {
   switch (received.header) {

@@ -1,5 +1,5 @@
-// AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"): a 12-byte
-// big-endian header within the data that it protects.
+// AUTOSAR E2E Profile 4 (PRS_E2EProtocol, section "Specification of E2E Profile 4"). The profile
+// adds a 12-byte big-endian header to the data that it protects.
 //
 //    0  u16 length of the data, including this header
 //    2  u16 counter, + 1 for each message, wraps from 0xFFFF to 0
@@ -37,13 +37,13 @@ enum class CheckStatus : std::uint8_t {
   kWrongSequence = 0x40,  // valid; counter farther ahead or behind
 };
 
-// True if the data may be used.
+// Returns true if the data may be used.
 [[nodiscard]] constexpr bool is_usable(CheckStatus status) {
   return status == CheckStatus::kOk || status == CheckStatus::kOkSomeLost;
 }
 
-// The CRC remainder of the last Crc32P4::kPartBytes bytes of the data, if the caller knows it
-// already. These bytes are then not read again.
+// The CRC remainder of the last Crc32P4::kPartBytes bytes of the data, if the caller already knows
+// this remainder. If the remainder is known, the last kPartBytes bytes are not read again.
 using TailRemainder = std::optional<std::uint32_t>;
 
 class Profile4Protector {
@@ -51,7 +51,7 @@ class Profile4Protector {
   constexpr explicit Profile4Protector(const Profile4& profile) : profile_{profile} {}
 
   // Fills in the header. `data` includes the header at the profile's offset and is at most 0xFFFF
-  // bytes long. A tail must lie after the header.
+  // bytes long. The tail must be located after the header.
   void protect(std::span<std::byte> data, TailRemainder tail = {});
 
  private:
@@ -63,12 +63,13 @@ class Profile4Checker {
  public:
   constexpr explicit Profile4Checker(const Profile4& profile) : profile_{profile} {}
 
-  // Accepts any bytes. As in the standard, every valid message updates the counter. The next
-  // message after a wrong sequence is therefore accepted again. For this reason the caller must
-  // also detect old messages by their content.
+  // Checks any bytes. As in the standard, every valid message updates the counter. The next message
+  // after a wrong sequence is therefore accepted again. For this reason, the caller must also
+  // detect old messages by their content.
   [[nodiscard]] CheckStatus check(std::span<const std::byte> data);
 
-  // The counter step between the last two valid messages. The number of lost messages is one less.
+  // Returns the counter step between the last two valid messages. The number of lost messages is
+  // the counter step minus 1.
   [[nodiscard]] std::uint16_t delta_counter() const { return delta_counter_; }
 
  private:

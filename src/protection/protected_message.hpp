@@ -1,15 +1,15 @@
-// A message on the wire: SOME/IP header, E2E header and content.
+// A message on the wire, which consists of a SOME/IP header, an E2E header and content.
 //
 //    0  SOME/IP header, 16 bytes (protection/some_ip.hpp)
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
 //   28  content
 //
-// AUTOSAR combines the two headers in this way. In PRS_SOMEIPProtocol the E2E header follows the
-// return code at an offset of 64 bits, and PRS_E2EProtocol has an example with that offset.
-// Protection starts after the length field of the SOME/IP header. The CRC covers bytes 8 to 23 and
-// the content from byte 28. Bytes 8 to 23 are the request id, versions, message type, return code,
-// E2E length, counter and data id. The CRC does not cover bytes 0 to 7, which are the message id
-// and the SOME/IP length. The data id and the E2E length protect them indirectly. The SOME/IP
+// AUTOSAR combines the two headers in this way. In PRS_SOMEIPProtocol, the E2E header follows the
+// return code at an offset of 64 bits. PRS_E2EProtocol has an example with that offset. Protection
+// starts after the length field of the SOME/IP header. The CRC covers bytes 8 to 23 and the content
+// from byte 28. Bytes 8 to 23 are the request ID, versions, message type, return code, E2E length,
+// counter and data ID. The CRC does not cover bytes 0 to 7, which are the message ID and the
+// SOME/IP length. The data ID and the E2E length protect bytes 0 to 7 indirectly. The SOME/IP
 // length and the E2E length count the same bytes.
 #pragma once
 
@@ -24,8 +24,8 @@ namespace iog::protection {
 
 inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
 
-// The maximum length of a whole message. Automotive tools count the E2E header as part of the
-// SOME/IP payload. That payload stays below 1392 bytes, the maximum that SOME/IP segmentation (TP)
+// The maximum length of a complete message. Automotive tools count the E2E header as part of the
+// SOME/IP payload. This payload stays below 1392 bytes, the maximum that SOME/IP segmentation (TP)
 // puts into one datagram.
 inline constexpr std::size_t kMaxMessageBytes = 1392;
 inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
@@ -70,7 +70,7 @@ class Receiver {
   constexpr explicit Receiver(const Channel& channel)
       : event_{channel.event}, checker_{channel.profile()} {}
 
-  // Accepts any datagram. A datagram with a foreign header does not change the state.
+  // Processes any datagram. A datagram with a foreign header does not change the state.
   [[nodiscard]] Received receive(std::span<const std::byte> datagram);
 
  private:

@@ -1,5 +1,5 @@
-// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"): 16
-// bytes in big-endian order.
+// The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"). The
+// header has 16 bytes in big-endian order.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
 //    4  u32 length: bytes after this field, including 8 of this header
@@ -9,8 +9,8 @@
 //   14  u8 message type: 0x02 notification
 //   15  u8 return code: 0
 //
-// A sender numbers its notifications with session ids from 1 to 0xFFFF and then starts again at 1.
-// A session id of 0 would mean that the sender does not use session handling.
+// A sender numbers its notifications with session IDs from 1 to 0xFFFF and then starts again at 1.
+// A session ID of 0 would mean that the sender does not use session handling.
 #pragma once
 
 #include <cstddef>
@@ -40,7 +40,7 @@ enum class SomeIpStatus : std::uint8_t {
   kWrongType,     // not a notification, or its return code is an error
 };
 
-// Writes the header of a whole message. Requires message.size() >= 16.
+// Writes the header of a complete message. Requires message.size() >= 16.
 void write_some_ip_header(const Event& event, std::uint16_t session_id,
                           std::span<std::byte> message);
 
@@ -48,7 +48,8 @@ void write_some_ip_header(const Event& event, std::uint16_t session_id,
 [[nodiscard]] SomeIpStatus check_some_ip_header(const Event& event,
                                                 std::span<const std::byte> datagram);
 
-// The interface version in the SOME/IP header of a datagram; 0 if the datagram is too short.
+// Returns the interface version in the SOME/IP header of a datagram, or 0 if the datagram is too
+// short.
 [[nodiscard]] std::uint8_t interface_version_of(std::span<const std::byte> datagram);
 
 [[nodiscard]] constexpr std::uint16_t session_after(std::uint16_t session_id) {

@@ -1,9 +1,10 @@
-// Checks for programmer errors: conditions that can fail only if the program itself is wrong.
+// Checks for programming errors. A programming error is a condition that fails only if the program
+// itself is wrong.
 //
 // Operating errors are reported with a status instead. A failed requirement stops the program and
-// reports the source location. The board prints it as its last word and lets the watchdog reset the
-// machine; the PC aborts. programmer_error() is defined by the program that links the core:
-// board/imx6/, tools/ or tests/.
+// reports the source location. On the board, the program prints the location as its last word, and
+// the watchdog resets the machine. On the PC, the program aborts. Each program that links the core
+// defines programmer_error() in board/imx6/, tools/ or tests/.
 #pragma once
 
 namespace iog {

@@ -1,15 +1,15 @@
-// The inverse sensor model across a wide beam, such as a radar beam. It determines the occupancy
-// indexes that a detection gives to the cells on both sides of it.
+// The inverse sensor model across a wide beam, such as a radar beam. The model determines the
+// occupancy indexes that a detection gives to the cells on both sides of the detection.
 //
-// Along the beam, single_target.hpp applies. If the target is in this direction, its 1D cell k is
-// occupied with probability P(o_k | z). The direction of the target has a Gaussian distribution.
-// Directions are divided into angular cells, just as the beam is divided into 1D cells. The width
-// of an angular cell equals the standard deviation, and the detection is at the centre of angular
-// cell 0. The target is in angular cell a with weight
+// Along the beam, single_target.hpp applies. If the target is in the direction of the beam, its 1D
+// cell k is occupied with probability P(o_k | z). The direction of the target has a Gaussian
+// distribution. Directions are divided into angular cells, just as the beam is divided into 1D
+// cells. The width of an angular cell equals the standard deviation, and the detection is at the
+// centre of angular cell 0. The target is in angular cell a with weight
 //
 //   w_a = exp(-a^2 / 2) / sum_b exp(-b^2 / 2).
 //
-// With weight 1 - w_a the target is elsewhere, and nothing is known about cell a:
+// With weight 1 - w_a, the target is elsewhere, and nothing is known about cell a:
 //
 //   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2
 //
@@ -54,16 +54,16 @@ struct Arc {
   index::OccupancyIndex free = 0;  // index of the cone in front of the target; at most 0, and
                                    // always 0 for a radar
 
-  // True if the sensor is a radar or an ultrasonic sensor.
+  // Returns true if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // The maximum offset from the detection's azimuth that lies in one of these cells, in whole
-  // ticks.
+  // Returns the maximum offset from the detection's azimuth that is inside one of the angular
+  // cells, in whole ticks.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
-  // The index at this offset. Requires an offset of at most reach_ticks(). A border belongs to the
-  // outer cell.
+  // Returns the index at the offset `off_ticks` from the detection's azimuth. The magnitude of the
+  // offset must be at most reach_ticks(). An offset on a border belongs to the outer cell.
   [[nodiscard]] constexpr index::OccupancyIndex at(std::int32_t off_ticks) const {
     const std::int32_t off = off_ticks < 0 ? -off_ticks : off_ticks;
     return marks[static_cast<std::size_t>((2 * off + cell_ticks) / (2 * std::int32_t{cell_ticks}))];
@@ -80,7 +80,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-// The count is 0 if not even cell 0 can get an index.
+// Computes an arc. If even cell 0 cannot get an index, the count of the result is 0.
 constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   const double hit = SingleTarget{config.sigma_m, config.cell_length_m}.probability(0);
   const index::RecursiveSet set(config.epsilon);
@@ -102,8 +102,8 @@ constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   return arc;
 }
 
-// The index of a cell from which an ultrasonic sensor received no echo. It is 0 if even the weakest
-// index of the set would be too strong.
+// Returns the index of a cell from which an ultrasonic sensor received no echo. If even the weakest
+// index of the set would be too strong, the result is 0.
 constexpr index::OccupancyIndex unheard(const ProfileConfig& config) {
   const index::RecursiveSet set(config.epsilon);
   return static_cast<index::OccupancyIndex>(

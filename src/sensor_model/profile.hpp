@@ -1,9 +1,9 @@
-// The profile of a sensor: a small table of the occupancy indexes of the local 1D grid around a
-// scan point.
+// The profile of a sensor. A profile is a small table of the occupancy indexes of the local 1D grid
+// around a scan point.
 //
-// See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the whole local grid
-// of a beam. It contains the index of all cells well before the scan point, and the indexes of the
-// few cells around it. All cells beyond them have index 0.
+// See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the entire local
+// grid of a beam. The profile contains the index of all cells well before the scan point, and the
+// indexes of the few cells around the scan point. All cells farther away have index 0.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ struct BasicProfile {
   std::uint8_t near_after_count = 0;              // number of entries of near_after in use
   std::array<Cell, kMaxNearCells> near_after{};   // entry j is for 1D cell k + 1 + j; at least 0
 
-  // The index of the 1D cell at this offset from k.
+  // Returns the index of the 1D cell at the given offset from k.
   [[nodiscard]] constexpr Cell at(int offset) const {
     if (offset == 0) {
       return hit;
@@ -50,9 +50,10 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // True if a frame can be fused with this profile: it carves before the scan point, marks at the
-  // scan point, and clears nothing behind it. A 1D cell much shorter than sigma cannot be marked
-  // (thesis section 4.2.1.2, figure 4.6d). Such a sensor needs longer 1D cells.
+  // Returns true if a frame can be fused with the profile. A valid profile carves before the scan
+  // point, marks at the scan point, and clears nothing behind it. A 1D cell much shorter than sigma
+  // cannot be marked (thesis section 4.2.1.2, figure 4.6d). If the profile is invalid for this
+  // reason, the sensor needs longer 1D cells.
   [[nodiscard]] constexpr bool is_valid() const {
     bool valid = free < 0 && hit > 0;
     for (std::size_t j = 0; j < kMaxNearCells; ++j) {
@@ -99,12 +100,12 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// Neither constexpr nor defined, so calling it stops the compilation with an error message that
-// contains its name.
+// The function is not constexpr and has no definition. A call therefore stops the compilation with
+// an error message that contains the function's name.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
-// Like profile_of(), but for a profile that is known to fit. If it does not fit, the code does not
-// compile.
+// Returns the same result as profile_of() for a profile that is known to fit. If the profile does
+// not fit, the code does not compile.
 template <typename Cell = index::OccupancyIndex>
 constexpr BasicProfile<Cell> make_profile(const ProfileConfig& config) {
   const auto profile = profile_of<Cell>(config);

@@ -1,11 +1,12 @@
-// The inverse sensor model of a single-target range sensor: Theorem 6 of the thesis (page 91).
+// The inverse sensor model of a single-target range sensor, according to Theorem 6 of the thesis
+// (page 91).
 //
 //   P(o_i | z) = ( sum_{h<i} p(z|d_h) 2^-h  +  p(z|d_i) 2^-(i-1) ) / alpha
 //   alpha      =   sum_h p(z|d_h) 2^-(h-1)
 //
 // p(z|d) is a Gaussian with standard deviation sigma around d, with the usual factor 1/2 in the
-// exponent. Equation 4.1 omits this factor, but Table 4.3 needs it (docs/model.md section 4).
-// Distances are measured to the centres of cells, and z is the centre of its own cell k. Therefore
+// exponent. Equation 4.1 omits the factor 1/2, but Table 4.3 needs it (docs/model.md section 4).
+// Distances are measured to the centres of cells, and z is the centre of its own cell k. Therefore,
 // only i - k and the ratio of cell length to sigma matter, unless k is within a few cells of an end
 // of the grid.
 #pragma once
@@ -18,12 +19,12 @@ struct SingleTarget {
   double sigma_m;        // standard deviation of the range, > 0
   double cell_length_m;  // length of a 1D cell, > 0 and at most 4 sigma
 
-  // P(o_(k + offset) | z in cell k). Requires |offset| <= 32.
+  // Returns P(o_(k + offset) | z in cell k). Requires |offset| <= 32.
   [[nodiscard]] constexpr double probability(int offset) const {
     double before = 0;
     double alpha = 0;
     for (int h = -reach(); h <= reach(); ++h) {
-      // 2^-(h-1) relative to cell k. The common factor cancels in the quotient.
+      // The factor 2^-(h-1) is taken relative to cell k. The common factor cancels in the quotient.
       const double weighted = likelihood(h) * numeric::power_of_two(-h);
       alpha += weighted;
       if (h < offset) {
@@ -34,14 +35,15 @@ struct SingleTarget {
   }
 
  private:
-  // The number of cells to sum on each side. The powers of two shift the maximum term by sigma^2 ln
-  // 2 / cell^2 cells. 12 sigma beyond this maximum, a term is below 1e-30 times the maximum.
+  // Returns the number of cells to sum on each side. The powers of two shift the maximum term by
+  // sigma^2 ln 2 / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
+  // maximum.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);
   }
 
-  // p(z|d) for the cell at this offset, up to a constant factor that cancels.
+  // Returns p(z|d) for the cell at the given offset, up to a constant factor that cancels.
   [[nodiscard]] constexpr double likelihood(int offset) const {
     const double distance = offset * cell_length_m / sigma_m;
     const double exponent = -0.5 * distance * distance;

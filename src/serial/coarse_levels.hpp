@@ -1,9 +1,10 @@
-// The coarse grids of a frame. They are two levels of its quadtree: *fine*, a grid of 128 x 128
-// cells, and *rough*, a grid of 32 x 32 cells. For a grid of 1024 x 1024 cells of 0.1 m, they are
-// levels 3 and 5 with cells of 0.8 m and 3.2 m.
+// The coarse grids of a frame. The coarse grids are two levels of the frame's quadtree, a *fine*
+// grid of 128 x 128 cells and a *rough* grid of 32 x 32 cells. In the quadtree of a grid with 1024
+// x 1024 cells of 0.1 m, the coarse grids are levels 3 and 5, with cells of 0.8 m and 3.2 m.
 //
-// The index of a coarse cell is the highest index of the cells in it. The coarse cell is occupied
-// if any of these cells is occupied, free if all of them are free, and otherwise unknown.
+// The index of a coarse cell is the highest index of all the cells in it. A coarse cell is
+// therefore occupied if any cell in it is occupied, free if all cells in it are free, and otherwise
+// unknown.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ namespace iog::serial {
 
 class CoarseLevels {
  public:
-  // The rough grid consists of one tile, the fine grid of 4 by 4 tiles.
+  // The rough grid is one tile, and the fine grid is 4 by 4 tiles.
   static constexpr unsigned kRoughLevel = std::countr_zero(geometry::kTilesPerSide);
   static constexpr unsigned kFineLevel = kRoughLevel - 2;
   static constexpr std::size_t kFineTilesPerSide = 4;
@@ -28,10 +29,11 @@ class CoarseLevels {
   // Sets all cells to unknown.
   void clear();
 
-  // Adds the tile that has this index in the full-resolution grid.
+  // Adds the tile with the index `tile` in the full-resolution grid.
   void add_tile(std::size_t tile, tile_coding::TileCells cells);
 
-  // The tiles of the fine grid. If a tile is not known, all its cells are unknown.
+  // These functions access the tiles of the fine grid. If a tile is not known, all its cells are
+  // unknown.
   [[nodiscard]] bool is_fine_known(std::size_t fine_tile) const {
     return (known_fine_tiles_ >> fine_tile & 1U) != 0;
   }
@@ -39,7 +41,7 @@ class CoarseLevels {
     return std::as_bytes(std::span(fine_[fine_tile]));
   }
 
-  // The only tile of the rough grid.
+  // These functions access the only tile of the rough grid.
   [[nodiscard]] bool is_rough_known() const { return known_fine_tiles_ != 0; }
   void copy_rough(tile_coding::MutableTileCells rough) const;
 

@@ -1,6 +1,6 @@
-// Copies of a few known tiles of a frame, starting at a given tile number. It holds as many tiles
-// as the serial link can transmit before the next frame. A new frame therefore takes only a few
-// copies, however many tiles it has.
+// Stores copies of a few known tiles of a frame, starting at a given tile number. The window stores
+// as many tiles as the serial link can transmit before the next frame. A new frame therefore needs
+// only a few copies, even if it has many tiles.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class DetailWindow {
   // bytes.
   static constexpr std::size_t kTiles = 32;
 
-  // Empties the window. Tiles below `first_tile` are ignored from now on.
+  // Empties the window. Tiles below `first_tile` are ignored from then on.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
@@ -41,12 +41,12 @@ class DetailWindow {
     ++count_;
   }
 
-  // One past the last tile that the window covers. If find() does not find a covered tile, the tile
-  // is unknown.
+  // Returns the number after the last tile that the window covers. If the window covers a tile but
+  // find() does not find it, the tile is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
-  // The position of the first known tile with a number of at least `tile`, or count() if there is
-  // none.
+  // Returns the position of the first known tile whose number is at least `tile`, or count() if no
+  // such tile exists.
   [[nodiscard]] std::size_t find(std::size_t tile) const {
     const auto numbers = std::span(numbers_).first(count_);
     return static_cast<std::size_t>(std::ranges::lower_bound(numbers, tile) - numbers.begin());

@@ -1,7 +1,7 @@
-// Chooses the flow that sends next on a link that is too slow for all flows. This is the flow that
-// has received the least service relative to its weight (start-time fair queueing: Goyal, Vin and
-// Cheng, IEEE/ACM Transactions on Networking 5, 1997). Being idle is neither an advantage nor a
-// disadvantage for a flow.
+// Selects the flow that sends next on a link that is too slow for all flows. The queue selects the
+// flow that has received the least service relative to its weight (start-time fair queueing by
+// Goyal, Vin and Cheng, IEEE/ACM Transactions on Networking 5, 1997). A flow gains or loses nothing
+// by being idle.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,15 @@ namespace iog::serial {
 template <std::size_t kFlows>
 class FairQueue {
  public:
-  // weights: the flows' fractions of the link. Each weight must divide kUnit.
+  // `weights` contains each flow's share of the link. Each weight must divide kUnit.
   static constexpr std::uint32_t kUnit = 24;
 
   constexpr explicit FairQueue(const std::array<std::uint32_t, kFlows>& weights)
       : weights_{weights} {}
 
-  // Chooses one of the waiting flows. If several have the same service, it chooses the first of
-  // them. Idle flows are raised to the service of the chosen flow, so they cannot claim service for
-  // their idle time.
+  // Selects one of the waiting flows. If several waiting flows have received the same service, the
+  // queue selects the first of them. The service of each idle flow is raised to the service of the
+  // selected flow, so an idle flow cannot accumulate credit.
   [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
     std::optional<std::size_t> chosen;
     for (std::size_t flow = 0; flow < kFlows; ++flow) {
@@ -38,7 +38,7 @@ class FairQueue {
     return chosen;
   }
 
-  // Charges the flow for the bytes that it has sent.
+  // Charges the flow for `bytes` sent bytes.
   void charge(std::size_t flow, std::size_t bytes) {
     service_[flow] += static_cast<std::uint32_t>(bytes) * (kUnit / weights_[flow]);
     const std::uint32_t least = *std::ranges::min_element(service_);

@@ -1,15 +1,15 @@
-// Sends the grid over a serial link that is far too slow for it (docs/spec.md 3.8). Every tile
-// comes from the newest frame.
+// Sends the grid over a serial link that is far too slow for the full grid (docs/spec.md 3.8).
+// Every transmitted tile comes from the newest frame.
 //
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
 // Three flows share the link: the coarsest grid (*rough*, 3.2 m cells), the medium grid (*fine*,
-// 0.8 m cells), and the full-resolution cells. A flow sends the tiles of its grid in rounds. It
-// sends at most one round per frame, and continues in the next frame where it stopped. A message
-// contains the cells of every known tile in its tile range; all other tiles in the range are
-// unknown. The tiles of a receiver are therefore at most one round old. A frame without any sensor
-// has no known cells. For such a frame, only an empty message of the coarsest grid is sent as a
-// heartbeat.
+// 0.8 m cells), and the full-resolution cells. Each flow sends the tiles of its grid in rounds. A
+// flow sends at most one round per frame. In the next frame, the flow continues where it stopped.
+// Each message covers a range of tiles and contains the cells of every known tile in this range.
+// All other tiles in the range are unknown. A receiver's tiles are therefore at most one round old.
+// If no sensor contributed to a frame, the frame has no known cells. For a frame without known
+// cells, the sender transmits only an empty message of the coarsest grid as a heartbeat.
 #pragma once
 
 #include <algorithm>
@@ -31,29 +31,30 @@
 
 namespace iog::serial {
 
-// The object takes up 64 KB: make it static.
+// Make the object static, because it takes up 64 KB.
 class GridSender {
  public:
-  // The maximum number of tiles that one pump() encodes.
+  // The maximum number of tiles that one call of pump() encodes.
   static constexpr std::size_t kTilesPerPump = 2;
 
-  // Not constexpr, so the object is initialised at start-up and takes up no space in the image.
+  // The constructor is not constexpr. The object is therefore initialised at start-up and takes up
+  // no space in the image.
   GridSender();
 
-  // Sets the cell size and origin of the messages. Call it before the first frame. On this link
-  // each grid is as large as the memory, and cells outside the car's grid are unknown.
+  // Sets the cell size and origin of the messages. Call describe() before the first frame. Each
+  // grid on this link is as large as the memory. Cells outside the car's grid are unknown.
   void describe(const geometry::Grid& grid) { grid_ = grid; }
 
-  // Adds a complete frame: its header, then its known tiles in ascending order, then its end. This
-  // reads each cell once and copies at most DetailWindow::kTiles tiles. Do not call pump() between
-  // these calls.
+  // Call the following functions for each complete frame: first for its header, then for its known
+  // tiles in ascending order, then for its end. The functions read each cell once and copy at most
+  // DetailWindow::kTiles tiles. Do not call pump() between these calls.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Call it once per loop iteration. It encodes at most kTilesPerPump tiles, protects and frames at
-  // most one message, and passes at most 40 ms worth of bytes to the port. now_us must not
-  // decrease.
+  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles and protects
+  // and frames at most one message. Each call passes at most 40 ms worth of bytes to the port.
+  // `now_us` must not decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
     bucket_.refill(now_us, port.bytes_per_second());
@@ -64,15 +65,15 @@ class GridSender {
     port.pump();
   }
 
-  // The number of messages composed since start.
+  // Returns the number of messages composed since start-up.
   [[nodiscard]] std::uint32_t messages() const { return sequence_; }
 
  private:
   enum Flow : std::size_t { kRough, kFine, kCells };
   static constexpr std::size_t kFlows = 3;
-  // The weights are twelfths of the link's capacity. At 115200 baud each coarse grid is sent about
-  // four times per second. The remaining capacity is used for the cells, which always need more
-  // than the link can transmit.
+  // Each weight is in twelfths of the link's capacity. At 115200 baud, each coarse grid is sent
+  // about four times per second. The remaining capacity is used for the full-resolution cells,
+  // which always need more than the link can transmit.
   static constexpr std::array<std::uint32_t, kFlows> kWeights{1, 3, 8};
 
   // The tiles that a flow may still send from this frame.
@@ -81,8 +82,8 @@ class GridSender {
     std::size_t left = 0;  // number of remaining tiles from `next` on, modulo the grid
   };
 
-  // Continues composing a message while the link sends the previous one, which takes about 40 ms.
-  // Returns true if the message is complete and stored in frame_left_.
+  // Continues to compose a message while the link sends the previous message, which takes about 40
+  // ms. Returns true if the message is complete and stored in frame_left_.
   [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
   // Returns false if the message is complete.
@@ -99,7 +100,7 @@ class GridSender {
     frame_left_ = frame_left_.subspan(bytes);
   }
 
-  // The newest frame.
+  // The state of the newest frame.
   geometry::Grid grid_;
   stream::Header header_;
   CoarseLevels coarse_;
@@ -108,7 +109,7 @@ class GridSender {
   std::array<Round, kFlows> rounds_{};
   FairQueue<kFlows> queue_{kWeights};
 
-  // The message being composed: its flow, its next tile and its end.
+  // The flow, next tile and end of the message being composed.
   bool is_composing_ = false;
   std::size_t flow_ = kRough;
   std::size_t tile_ = 0;
@@ -121,7 +122,7 @@ class GridSender {
   std::uint32_t sequence_ = 0;
   protection::Sender sender_{stream::kSerialChannel};
 
-  // The message being sent, and its remaining bytes.
+  // The message being sent, and its unsent bytes.
   std::array<std::byte, framing::max_framed_bytes(protection::kMaxMessageBytes)> frame_{};
   std::span<const std::byte> frame_left_;
   TokenBucket bucket_;

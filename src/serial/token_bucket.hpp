@@ -1,8 +1,10 @@
-// Limits the bytes passed to the serial port with a token bucket. One token stands for one byte.
+// Limits the rate of bytes passed to the serial port with a token bucket. One token represents one
+// byte.
 //
-// The port's ring buffer holds far more bytes than the link can send in time, and bytes become
-// stale while they wait in it. Bytes are therefore passed on at the link's data rate, with at most
-// a short burst ahead of it. For an emulated link, this is the only rate limit.
+// The port's ring buffer holds far more bytes than the link can send in time. Bytes become stale
+// while they wait in the ring buffer. Bytes are therefore passed to the port at the link's data
+// rate, with at most a short burst ahead of it. On an emulated link, the token bucket is the only
+// rate limit.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +15,17 @@ namespace iog::serial {
 
 class TokenBucket {
  public:
-  // The time in which an empty bucket fills up. The link does not run idle if one loop iteration,
-  // or the iterations that compose the next message, take no longer than this.
+  // The time in which an empty bucket fills. The link stays busy as long as no loop iteration, and
+  // no composition of a message, takes longer than kBurstUs.
   static constexpr std::uint32_t kBurstUs = 40'000;
 
-  // The size of this burst in bytes.
+  // Returns the size of the burst in bytes.
   [[nodiscard]] static constexpr std::uint32_t burst_bytes(std::uint32_t bytes_per_second) {
     return static_cast<std::uint32_t>(std::uint64_t{bytes_per_second} * kBurstUs / kToken);
   }
 
-  // Advances the time. now_us must not decrease. bytes_per_second < 10^5.
+  // Adds the tokens for the time since the last call. `now_us` must not decrease. Requires
+  // bytes_per_second < 10^5.
   void refill(std::uint64_t now_us, std::uint32_t bytes_per_second) {
     const auto elapsed_us = static_cast<std::uint32_t>(
         std::min<std::uint64_t>(now_us - now_us_, kBurstUs));  // more time also fills the bucket
@@ -31,7 +34,7 @@ class TokenBucket {
     level_ += std::min(elapsed_us * bytes_per_second, most - level_);
   }
 
-  // Tokens in the bucket: the number of bytes that may be passed on now.
+  // Returns the number of tokens in the bucket. This number of bytes may be passed to the port now.
   [[nodiscard]] std::size_t tokens() const { return level_ / kToken; }
 
   // Requires tokens <= this->tokens().

@@ -1,5 +1,5 @@
-// The channels that transport a grid. Each channel has the service and event ids that automotive
-// tools expect, and a data id that its CRC covers (docs/spec.md 3.1).
+// Defines the channels that transport a grid. Each channel has the service and event IDs that
+// automotive tools expect, and a data ID that the CRC covers (docs/spec.md 3.1).
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,14 @@ namespace iog::stream {
 inline constexpr std::uint8_t kInterfaceVersion = 5;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
-// The event group that service discovery offers. It contains all events of the network channel. The
-// minor version increases when fields are appended within a major version.
+// The event group that service discovery offers. The group contains all events of the network
+// channel. The minor version increases when fields are appended within a major version.
 inline constexpr std::uint16_t kEventGroup = 0x0001;
 inline constexpr std::uint32_t kMinorVersion = 0;
 
-// A receiver reports an error if more consecutive messages than this are missing. A frame of a wide
-// road takes about 480 messages if its tiles are sent raw. No frame takes more than 1025 messages.
+// A receiver reports an error if more than kMaxDeltaCounter consecutive messages are missing. If
+// all tiles are sent raw, a frame of a wide road takes about 480 messages. No frame takes more than
+// 1025 messages.
 inline constexpr std::uint16_t kMaxDeltaCounter = 512;
 
 constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t data_id) {
@@ -30,8 +31,8 @@ constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t d
 }
 inline constexpr protection::Channel kNetworkChannel = channel_of(0x8001, 0x494F4701);
 inline constexpr protection::Channel kSerialChannel = channel_of(0x8002, 0x494F4702);
-// Carries the signatures of the network channel's messages, if the car has a key
-// (authentication/stream_signer.hpp).
+// The channel for the signatures of the network channel's messages. This channel is used only if
+// the car has a key (authentication/stream_signer.hpp).
 inline constexpr protection::Channel kSignatureChannel = channel_of(0x8005, 0x494F4705);
 
 }  // namespace iog::stream

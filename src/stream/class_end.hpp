@@ -1,6 +1,6 @@
-// The message that ends the classes of a frame (docs/spec.md 3.10). It contains the CRC of the
-// class grid, the outcomes of slices and pose messages, and the poses of the slices placed in the
-// window.
+// The message that ends the classes of a frame (docs/spec.md 3.10). The message contains the CRC of
+// the class grid, the outcomes of slices and pose messages, and the poses of the slices placed in
+// the window.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct SliceRecord {
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// The number of slices since start that could not be placed because of one cause.
+// The number of slices since start-up that could not be placed because of one cause.
 struct CauseRecord {
   std::uint32_t slices = 0;  // for the cause kNone, the number of slices placed
   pose::Tally began{};       // how often the cause began, and the last time at which it began
@@ -40,7 +40,7 @@ struct ClassEnd {
   std::uint32_t tiles_lost = 0;   // known tiles not sent because the network accepted no message
   std::uint32_t classes_crc = 0;  // CRC of all tiles with a classified cell, even if not sent
 
-  // Values of this frame.
+  // The following values describe this frame.
   std::uint32_t packets_placed = 0;
   std::uint32_t packets_not_placed = 0;
   std::uint32_t slices_over_budget = 0;  // slices with a pose for which the window had no room

@@ -1,4 +1,4 @@
-// The CRC that identifies a class grid by its content and position (docs/spec.md 3.10).
+// Computes the CRC that identifies a class grid by its content and position (docs/spec.md 3.10).
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,17 @@
 
 namespace iog::stream {
 
-// CRC-32 over the coordinates a and b of the window's corner, each as i32, and then over each tile
-// with a classified cell. The tiles are in order of tile number. Each tile contributes its number
-// as u16 and then its 1024 cells. All integers are big endian. A grid without classes has CRC 0.
+// A CRC-32 over the coordinates a and b of the window's corner, each as i32, and then over each
+// tile with a classified cell. The tiles are ordered by tile number. Each tile contributes its
+// number as u16 and then its 1024 cells. All integers are big endian. A grid without classes has
+// CRC 0.
 class ClassHash {
  public:
   explicit ClassHash(window::TileNumber corner = {});
 
-  // Adds a tile with a classified cell. number: window::slot_of().
+  // Adds a tile with a classified cell. `number` is the result of window::slot_of().
   void add(std::size_t number, tile_coding::TileCells cells);
-  // Adds a tile whose cells have this CRC remainder (GridCrc32::remainder_of()).
+  // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
   void add_remainder(std::size_t number, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }

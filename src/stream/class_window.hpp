@@ -1,5 +1,6 @@
-// The header of the world-aligned window in class tile messages (docs/spec.md 3.9). It contains the
-// window's position, the last pose of the vehicle, and the reasons why slices were not placed.
+// The header of the world-aligned window in class tile messages (docs/spec.md 3.9). The header
+// contains the window's position, the last pose of the vehicle, and the reasons why slices were not
+// placed.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +14,8 @@
 
 namespace iog::stream {
 
-// Bits of ClassWindow::causes. They report events since the previous frame. These are wire values.
-// After a break the whole window is unknown.
+// The bits of ClassWindow::causes. Each bit reports an event since the previous frame. The values
+// are used on the wire. After a break, all cells of the window are unknown.
 inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
 inline constexpr std::uint16_t kCauseLost = 0x0002;          // no pose for 1 s; break
 inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose too imprecise
@@ -26,8 +27,8 @@ inline constexpr std::uint16_t kCauseDrifting = 0x0080;      // poses arrive lat
 
 struct ClassWindow {
   std::uint16_t causes = 0;
-  // The tile with the lowest x and y. In the local frame, tile (a, b) begins at x = a s and y = b
-  // s, where s is the side of a tile.
+  // The coordinates of the tile with the lowest x and y. In the local frame, tile (a, b) begins at
+  // x = a s and y = b s, where s is the side of a tile.
   std::int32_t corner_a = 0;
   std::int32_t corner_b = 0;
   pose::Pose pose{};          // pose at the end of the last slice; zero if unknown
@@ -37,20 +38,20 @@ struct ClassWindow {
   std::uint64_t slices_begin_us = 0;  // start of the first slice, by the pose source's clock
   std::uint64_t slices_end_us = 0;    // end of the last slice, which is the timestamp of the frame
 
-  // True if at least one slice was placed and its pose is known.
+  // Returns true if at least one slice was placed and its pose is known.
   [[nodiscard]] constexpr bool has_place() const { return slices > 0 && sigma != pose::Sigma{}; }
   friend constexpr bool operator==(const ClassWindow&, const ClassWindow&) = default;
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// The area of the window. Messages number its tiles by slot. The slot of a tile does not change
-// while the window moves.
+// Returns the area of the window. Messages number the tiles of the window by slot. The slot of a
+// tile does not change when the window moves.
 [[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes) {
   return window::Area({.a = classes.corner_a, .b = classes.corner_b});
 }
 
-// A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). A cell of value 0 is
-// unknown, and its confidence is 0.
+// A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). A cell with the
+// value 0 is unknown and has the confidence 0.
 inline constexpr std::uint8_t kClassCount = 9;
 inline constexpr std::uint8_t kSurenessCount = 8;
 
@@ -65,13 +66,13 @@ inline constexpr std::uint8_t kSurenessCount = 8;
   return static_cast<std::uint8_t>(std::to_integer<unsigned>(cell) % kSurenessCount);
 }
 
-// True if every cell of a decoded tile is a valid class byte.
+// Returns true if every cell of a decoded tile is a valid class byte.
 [[nodiscard]] bool are_class_bytes(tile_coding::TileCells cells);
 
 void write_class_window(const ClassWindow& window, std::span<std::byte, kClassWindowBytes> buffer);
 
-// Reads the header and skips fields that a later version may append. Returns false if it is too
-// short.
+// Reads the header and skips fields that a later version may append. Returns false if the header is
+// too short.
 [[nodiscard]] bool read_class_window(wire::ByteReader& in, ClassWindow& window);
 
 }  // namespace iog::stream

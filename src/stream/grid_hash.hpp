@@ -1,4 +1,4 @@
-// The CRC that identifies a grid.
+// Computes the CRC that identifies a grid.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace iog::stream {
 
-// CRC-32 over the known tiles of the grid, sorted by tile y and then by tile x. Each tile
+// A CRC-32 over the known tiles of the grid, sorted by tile y and then by tile x. Each tile
 // contributes its x and y as big-endian u16 and then its 1024 cells. A grid without known cells has
 // CRC 0.
 class GridHash {
  public:
-  // tile: the tile's number in row-major order.
+  // `tile` is the tile's number in row-major order.
   void add(std::size_t tile, tile_coding::TileCells cells);
-  // Adds a tile whose cells have this CRC remainder (GridCrc32::remainder_of()).
+  // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }

@@ -1,5 +1,6 @@
-// The map state at the end of a frame's classes (docs/spec.md 3.10): the block in use, its
-// transform, the reasons why cells have no class from the map, and the transfer of the next block.
+// The map state at the end of a frame's classes (docs/spec.md 3.10). The map state describes the
+// block in use, its transform, the reasons why cells have no class from the map, and the transfer
+// of the next block.
 #pragma once
 
 #include <array>
@@ -39,7 +40,7 @@ struct MapState {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_map_state(const MapState& state, std::span<std::byte> buffer);
 
-// Skips fields that a later version may append. Returns nothing if the map state is too short.
+// Returns nothing if the map state is too short. Skips fields that a later version may append.
 [[nodiscard]] std::optional<MapState> read_map_state(std::span<const std::byte> bytes);
 
 }  // namespace iog::stream

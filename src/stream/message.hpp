@@ -1,8 +1,8 @@
-// The content of grid messages without the protection around it (stream/channel.hpp). All values
-// are big endian. docs/spec.md documents each byte.
+// The content of grid messages without the surrounding protection (stream/channel.hpp). All values
+// are big endian. Each byte is documented in docs/spec.md.
 //
-// Every message starts with the same header, which contains its own length and the message type. A
-// receiver skips header bytes that it does not know. It drops messages with unknown types,
+// Every message starts with the same header, which contains the header length and the message type.
+// A receiver skips header bytes that it does not know, and drops messages with unknown types,
 // encodings or storages. New fields and encodings can therefore be added later. Tile messages are
 // defined in stream/tiles.hpp.
 #pragma once
@@ -32,7 +32,7 @@ enum class MessageType : std::uint8_t {
   kReceptions = 6,  // defined in stream/receptions.hpp
 };
 
-// Bits of Header::flags.
+// The bits of Header::flags.
 inline constexpr std::uint8_t kFlagTimedOut = 0x01;    // closed by a timeout, not by its sensors
 inline constexpr std::uint8_t kFlagBayes = 0x02;       // fusion rule `bayes` instead of `hits_win`
 inline constexpr std::uint8_t kFlagClasses = 0x04;     // the frame has class messages
@@ -55,23 +55,23 @@ struct Header {
   std::uint32_t packets_fused = 0;    // packets fused in this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped for any cause since start
   std::uint32_t run_number = 0;       // identifies the target's run; different after each start
-  // Sent in the header of index tiles instead (TilesHeader).
+  // For index tiles, epsilon is sent in the TilesHeader instead.
   std::uint16_t epsilon_e5 = vehicle::kUsualEpsilonE5;
 
-  // True if any sensor contributed to the frame.
+  // Returns true if any sensor contributed to the frame.
   [[nodiscard]] constexpr bool has_evidence() const {
     return (complete_sensors | partial_sensors) != 0;
   }
-  // These functions report which grids the frame has.
+  // The following functions report which grids the frame has.
   [[nodiscard]] constexpr bool has_classes() const { return (flags & kFlagClasses) != 0; }
   [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
-  // True if the frame has an object list, even if it is empty.
+  // Returns true if the frame has an object list, which may be empty.
   [[nodiscard]] constexpr bool has_objects() const { return (flags & kFlagObjects) != 0; }
   [[nodiscard]] constexpr bool has_receptions() const { return (flags & kFlagReceptions) != 0; }
 };
 
-// Durations of the processing stages on the target, in stopwatch ticks. FrameEnd::stopwatch_hz is
-// the tick rate.
+// The durations of the processing stages on the target, in stopwatch ticks. The tick rate is
+// FrameEnd::stopwatch_hz.
 struct StageTicks {
   std::uint32_t fuse = 0;     // decode, transform to beams, carve, store hits; sum over all packets
   std::uint32_t mark = 0;     // apply hits, merge slices
@@ -96,15 +96,16 @@ struct FrameEnd {
   std::array<intake::SensorReport, vehicle::kMaxSensors>
       sensors{};  // only the first Header::sensor_count are used
   // Bitmaps of the sectors around the vehicle. Bit i of `unwatched` is set if no sensor watches
-  // sector i. Bit i of `blocked` is set if some sensor is blocked in sector i.
+  // sector i. Bit i of `blocked` is set if at least one sensor is blocked in sector i.
   std::uint64_t unwatched = 0;
   std::uint64_t blocked = 0;
-  // Chip temperature in tenths of a degree Celsius; -0x8000 if unknown (hal/thermometer.hpp).
+  // The chip temperature in tenths of a degree Celsius, or -0x8000 if the temperature is unknown
+  // (hal/thermometer.hpp).
   std::int16_t temperature_dc = -0x8000;
 };
 
-// The counters of one component, looked up by name (stream/target_state.hpp). Empty if the sender
-// is a PC, which does not send them.
+// Looks up the counters of one component by name (stream/target_state.hpp). Returns nothing if the
+// sender is a PC, because a PC does not send these counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);
@@ -113,13 +114,13 @@ template <typename Counts>
 // The result of reading a message.
 enum class ReadStatus : std::uint8_t { kOk, kTooShort, kInconsistent };
 
-// Each of these functions writes one part and returns the number of bytes written, or 0 if the
-// buffer is too small.
+// Each of these functions writes one part of a message. The functions return the number of bytes
+// written, or 0 if the buffer is too small.
 std::size_t write_header(const Header& header, std::span<std::byte> buffer);
 std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
                             std::span<std::byte> buffer);
 
-// True if a protected message is the last message of its frame.
+// Returns true if a protected message is the last message of its frame.
 [[nodiscard]] constexpr bool ends_frame(std::span<const std::byte> message) {
   return message.size() > protection::kProtectionBytes &&
          message[protection::kProtectionBytes] == static_cast<std::byte>(MessageType::kFrameEnd);
@@ -128,7 +129,7 @@ std::size_t write_frame_end(const FrameEnd& end, std::uint8_t sensor_count,
 // Replaces the sequence number in a header that has already been written.
 void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t sequence);
 
-// Reads the header and sets `body` to the bytes after it. Returns kOk or kTooShort.
+// Reads the header and sets `body` to the bytes after the header. Returns kOk or kTooShort.
 [[nodiscard]] ReadStatus read_header(std::span<const std::byte> content, Header& header,
                                      std::span<const std::byte>& body);
 

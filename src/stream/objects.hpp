@@ -11,7 +11,7 @@
 
 namespace iog::stream {
 
-// The values are used on the wire.
+// The enumeration values are used on the wire.
 enum class ObjectState : std::uint8_t {
   kYoung = 1,    // newly detected; its speed is not confirmed yet
   kStands = 2,   // stationary; has never moved
@@ -19,7 +19,7 @@ enum class ObjectState : std::uint8_t {
   kStopped = 4,  // has moved and is now stationary
 };
 
-// Bits of ObjectRecord::flags.
+// The bits of ObjectRecord::flags.
 inline constexpr std::uint16_t kObjectHasHeading = 0x0001;
 inline constexpr std::uint16_t kObjectNotHit = 0x0002;     // not hit in this frame; predicted
 inline constexpr std::uint16_t kObjectEndHidden = 0x0004;  // may be longer or wider than measured
@@ -27,8 +27,8 @@ inline constexpr std::uint16_t kObjectEndHidden = 0x0004;  // may be longer or w
 inline constexpr std::uint16_t kNotBelieved = 65535;  // as a velocity's deviation: not confirmed
 inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
-// A box on the ground and its motion. Positions and velocities are in the local frame. "Along"
-// means in the direction of the heading. "Across" means to its left.
+// An object's box on the ground, and its motion. Positions and velocities are in the local frame.
+// "Along" means in the direction of the heading. "Across" means to the left of the heading.
 struct ObjectRecord {
   std::uint32_t id = 0;  // never 0 and never reused within a run
   ObjectState state = ObjectState::kYoung;
@@ -42,7 +42,7 @@ struct ObjectRecord {
   std::uint16_t flags = 0;
   std::int16_t vx_cm_s = 0;  // 0 unless the object is moving
   std::int16_t vy_cm_s = 0;
-  // Standard deviations of the values above. For young and stationary objects, the standard
+  // The standard deviations of the values above. For young and stationary objects, the standard
   // deviations of the velocity are kNotBelieved.
   std::uint16_t sigma_v_along_cm_s = kNotBelieved;
   std::uint16_t sigma_v_across_cm_s = kNotBelieved;
@@ -52,7 +52,7 @@ struct ObjectRecord {
   std::uint16_t since_stopped_10ms = kAtLeast;  // also kAtLeast if it is moving or has never moved
 
   [[nodiscard]] constexpr bool has(std::uint16_t flag) const { return (flags & flag) != 0; }
-  // True if the velocity is confirmed. A confirmed velocity may be 0.
+  // Returns true if the velocity is confirmed. A confirmed velocity may be 0.
   [[nodiscard]] constexpr bool is_believed() const {
     return state == ObjectState::kMoves || state == ObjectState::kStopped;
   }
@@ -64,7 +64,7 @@ inline constexpr std::size_t kMaxObjectsOfAPart = 32;
 inline constexpr std::size_t kMaxObjectParts = 8;
 inline constexpr std::size_t kMaxObjects = kMaxObjectsOfAPart * kMaxObjectParts;
 
-// The fields that all parts of a list have in common.
+// The fields that are the same in all parts of a list.
 struct ObjectsHeader {
   std::uint64_t time_us = 0;         // equal to ObjectList::time_us
   std::uint16_t objects = 0;         // number of objects in the frame, at most kMaxObjects
@@ -74,10 +74,11 @@ struct ObjectsHeader {
   friend constexpr bool operator==(const ObjectsHeader&, const ObjectsHeader&) = default;
 };
 
-// The objects of a frame, sorted by ascending id.
+// The objects of a frame, sorted by ascending ID.
 struct ObjectList {
-  // The time of all positions, by the pose source's clock. If no slice was placed in this frame,
-  // this is the time of an earlier frame. If it is 0, the time is unknown and the list is empty.
+  // The time of all positions, on the pose source's clock. If no slice was placed in this frame,
+  // the time is from an earlier frame. If the value is 0, the time is unknown and the list is
+  // empty.
   std::uint64_t time_us = 0;
   std::uint16_t tracks_refused = 0;
   std::uint16_t hits_left = 0;
@@ -90,7 +91,7 @@ struct ObjectList {
   }
 };
 
-// The number of messages for this list. An empty list takes one message.
+// Returns the number of messages for the list. An empty list takes one message.
 [[nodiscard]] constexpr std::size_t parts_of(const ObjectList& list) {
   return list.count == 0 ? 1 : (list.count + kMaxObjectsOfAPart - 1) / kMaxObjectsOfAPart;
 }
@@ -110,10 +111,12 @@ struct ObjectPart {
   }
 };
 
-// Skips fields that a later version may append. Returns kOk, kTooShort or kInconsistent. Returns
-// kInconsistent if the part number exceeds the number of parts, the object count does not match the
-// parts, there are objects but no time, a record is truncated, the ids are not in ascending order,
-// a state is unknown, or the state excludes a velocity or standard deviation.
+// Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
+// kInconsistent. A part is inconsistent in each of these cases:
+//   * The part number exceeds the number of parts, or the object count does not match the parts.
+//   * The part has objects but no time, or a record is truncated.
+//   * The IDs are not in ascending order.
+//   * A state is unknown, or the state excludes a velocity or standard deviation.
 [[nodiscard]] ReadStatus read_objects(std::span<const std::byte> body, ObjectPart& part);
 
 }  // namespace iog::stream

@@ -1,6 +1,7 @@
 // The messages that list the datagrams that a target received in a frame, with their times
-// (docs/spec.md 3.13). A PC uses them to reproduce the classes if the sensors and the pose source
-// have different clocks. The list of a frame is sent in parts. Each part is one message.
+// (docs/spec.md 3.13). If the sensors and the pose source have different clocks, a PC needs the
+// reception times to reproduce the classes. The list of a frame is sent in parts. Each part is one
+// message.
 #pragma once
 
 #include <array>
@@ -21,18 +22,19 @@ struct Reception {
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// CRC-32 of the first and last 64 bytes of a payload, or of the whole payload if it is shorter. The
-// datagrams of a sensor differ in these bytes, because the bytes contain a timestamp, a sequence
-// number or measurements.
+// Returns the CRC-32 of the first and last 64 bytes of a payload, or of the entire payload if it is
+// shorter. The datagrams of a sensor differ in their first or last bytes, because these bytes
+// contain a timestamp, a sequence number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// This exceeds the number of packets and poses stored for a frame.
+// The maximum number of receptions, which exceeds the number of packets and poses stored for a
+// frame.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
-// The fields that all parts of a list have in common.
+// The fields that are the same in all parts of a list.
 struct ReceptionsHeader {
   std::uint16_t receptions = 0;  // number of receptions in the frame, at most kMaxReceptions
   std::uint8_t parts = 1;        // 1 to kMaxReceptionParts; 1 if the list is empty
@@ -40,7 +42,7 @@ struct ReceptionsHeader {
   friend constexpr bool operator==(const ReceptionsHeader&, const ReceptionsHeader&) = default;
 };
 
-// The number of messages for a list of this length.
+// Returns the number of messages for a list of this length.
 [[nodiscard]] constexpr std::size_t reception_parts_of(std::size_t receptions) {
   return receptions == 0 ? 1 : (receptions + kMaxReceptionsOfAPart - 1) / kMaxReceptionsOfAPart;
 }
@@ -61,9 +63,11 @@ struct ReceptionPart {
   }
 };
 
-// Skips fields that a later version may append. Returns kOk, kTooShort or kInconsistent. Returns
-// kInconsistent if the part number exceeds the number of parts, the number of receptions is wrong
-// for this part, a record is truncated, or the times decrease.
+// Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
+// kInconsistent. A part is inconsistent in each of these cases:
+//   * The part number exceeds the number of parts.
+//   * The number of receptions is wrong for this part.
+//   * A record is truncated, or the times decrease.
 [[nodiscard]] ReadStatus read_receptions(std::span<const std::byte> body, ReceptionPart& part);
 
 }  // namespace iog::stream

@@ -1,5 +1,5 @@
-// Reference tiles for difference encoding. The reference of a tile is its last self-contained
-// version. Sender and receivers store the same tiles (docs/spec.md 3.4).
+// Stores the reference tiles for difference encoding. The reference of a tile is its last
+// self-contained version. The sender and the receivers store the same tiles (docs/spec.md 3.4).
 #pragma once
 
 #include <array>
@@ -17,29 +17,29 @@ namespace iog::stream {
 // The maximum age of a reference. A receiver has all tiles after kMaxReferenceAge + 1 frames.
 inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
-// True if tiles with this encoding are self-contained.
+// Returns true if tiles with this encoding are self-contained.
 [[nodiscard]] constexpr bool stands_by_itself(tile_coding::Encoding encoding) {
   return encoding != tile_coding::Encoding::kRunStartsSince;
 }
 
 class References {
  public:
-  // Stores a tile that is sent self-contained. payload_bytes: the length of its payload.
+  // Stores a tile that is sent self-contained. `payload_bytes` is the length of the tile's payload.
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // Records the payload length of a tile that was sent as a difference from its reference. If this
-  // length exceeds seven eighths of the self-contained length, the tile is sent self-contained the
-  // next time, which makes the following frames shorter.
+  // Records the payload length of a tile that was sent as a difference from its reference. If the
+  // payload length exceeds seven eighths of the self-contained length, the tile is sent
+  // self-contained the next time, which makes the following frames shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
-  // The stored reference of a tile. Returns nothing if the tile was never sent self-contained.
+  // Returns the stored reference of a tile, or nothing if the tile was never sent self-contained.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // The reference that a sender may use for this tile in this frame. Returns nothing if the
-  // reference is too old or the tile has changed too much since. In addition, each tile is sent
-  // self-contained once every kMaxReferenceAge + 1 frames. The tile number determines the frame,
-  // which spreads these tiles evenly over the frames.
+  // Returns the reference that a sender may use for a tile in a frame. Returns nothing if the
+  // reference is too old or the tile has changed too much since the reference was sent. In
+  // addition, each tile is sent self-contained once every kMaxReferenceAge + 1 frames. The tile
+  // number determines the frame, so self-contained tiles are spread evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

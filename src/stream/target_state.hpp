@@ -25,7 +25,7 @@ struct Counter {
   return Group::kNet <= counter.group && counter.group <= Group::kCommand;
 }
 
-// All counters of the table in order.
+// All counters of the table, in the order of the table.
 inline constexpr auto kCounters = [] {
   constexpr std::string_view kBetween = ", ";
   constexpr std::size_t kCount = [=] {
@@ -73,13 +73,13 @@ inline constexpr auto kPlaces = [] {
 inline constexpr std::size_t kMaxLinkCounters = kPlaces.back();
 using LinkCounters = std::array<std::uint32_t, kMaxLinkCounters>;
 
-// The index of the first link counter of a group.
+// Returns the index of the first link counter of a group.
 [[nodiscard]] consteval std::size_t place_of(Group group) {
   const auto* const counter = std::ranges::find(kCounters, group, &Counter::group);
   return kPlaces[static_cast<std::size_t>(counter - kCounters.begin())];
 }
 
-// The names of a group in order.
+// Returns the names of the counters in a group, in order.
 template <Group kGroup>
 [[nodiscard]] consteval auto names_of() {
   constexpr auto kCount = std::ranges::count(kCounters, kGroup, &Counter::group);
@@ -93,7 +93,7 @@ template <Group kGroup>
   return names;
 }
 
-// The table index of a link counter.
+// Returns the table index of a link counter.
 [[nodiscard]] constexpr std::size_t number_of(std::string_view name) {
   std::size_t i = 0;
   while (!is_link(kCounters[i]) || kCounters[i].name != name) {
@@ -103,14 +103,14 @@ template <Group kGroup>
   return i;
 }
 
-// The index of the first word of a link counter. The code does not compile if the name is not in
-// the table.
+// Returns the index of the first word of a link counter. If the name is not in the table, the code
+// does not compile.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
   return kPlaces[number_of(name)];
 }
 
-// The index of each word of `Counts`. Such a struct contains only 32-bit words. Its `kNames` lists
-// the names of its members in order.
+// Returns the index of each word of `Counts`. `Counts` is a struct that contains only 32-bit words.
+// `Counts::kNames` lists the names of its members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -125,8 +125,8 @@ template <typename Counts>
   return places;
 }
 
-// True if each link counter belongs to exactly one of these structs, and no spare word belongs to
-// any of them.
+// Returns true if each link counter belongs to exactly one of these structs, and no spare word
+// belongs to any of them.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. Empty unless all of them are among the first `sent` link
-// counters.
+// Reads the counters in `Counts`. Returns nothing unless all these counters are among the first
+// `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();
@@ -179,7 +179,7 @@ inline constexpr auto kLosses = [] {
   return losses;
 }();
 
-// The number of datagrams lost on the link, modulo 2^32.
+// Returns the number of datagrams lost on the link, modulo 2^32.
 [[nodiscard]] constexpr std::uint32_t losses_of(const LinkCounters& counters) {
   std::uint32_t sum = 0;
   for (const std::uint8_t loss : kLosses) {

@@ -1,11 +1,11 @@
-// The table of the target's counters and states: their names and places on the wire.
+// The table of the target's counters and states, with their names and their positions on the wire.
 //
-// The frame end has one list for each of the first three groups, and one list of link counters: the
-// groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
+// The frame end has one list for each of the first three groups, and one list of link counters for
+// the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
 // class message of the frame (3.10). To add a counter, add its name here and to the struct that
-// counts it. Insert a link counter before the spare words and reduce their number. The loop finds
-// its place by name (stream/target_state.hpp), and tests/lint/target_state generates the tables of
-// the other readers.
+// counts it. Insert a link counter before the spare words and reduce the number of spare words. The
+// loop finds the position of a counter by name (stream/target_state.hpp). The script
+// tests/lint/target_state generates the tables of the other readers.
 #pragma once
 
 #include <cstddef>
@@ -71,8 +71,8 @@ enum class Kind : std::uint8_t {
 };
 inline constexpr std::size_t kSpareWords = 16;
 
-// names: separated by ", ". words: a description for programs that do not show the group; empty if
-// the names suffice.
+// `names` contains the counter names, separated by ", ". `words` is a description for programs that
+// do not show the group. `words` is empty if the names are sufficient.
 struct Row {
   consteval Row(Group of, std::string_view all, Kind what = Kind::kCount,
                 std::string_view said = {})

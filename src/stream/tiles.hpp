@@ -1,6 +1,6 @@
-// The tile message (docs/spec.md 3.3). It contains the range of tile numbers that it covers and the
-// content of the known tiles in this range. If a covered tile has no content, it is unknown. A
-// receiver can therefore distinguish known, unknown and missing tiles.
+// The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
+// covers and the content of the known tiles in this range. If a covered tile has no content, the
+// tile is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace iog::stream {
 
 using tile_coding::Encoding;
 
-// The values are used on the wire.
+// The enumeration values are used on the wire.
 enum class Storage : std::uint8_t {
   kOccupancyIndex = 0,  // the index of each cell
   kHighestIndex = 1,    // the highest index within each coarse cell
@@ -34,8 +34,8 @@ struct Geometry {
   std::uint16_t width = 0;   // in cells; a multiple of the tile's side
   std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner with the lowest x and y in the vehicle frame. It is 0 for classes because the window
-  // header contains the position.
+  // The corner with the lowest x and y in the vehicle frame. The corner is 0 for classes, because
+  // their position is in the window header.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -46,7 +46,7 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// The geometry of a grid that is as large as the firmware's memory, at a level of its quadtree.
+// Returns the geometry of one quadtree level. The grid has the size of the firmware's grid memory.
 // Level 0 contains the cells, and level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level,
                                                    const geometry::Grid& grid = {}) {
@@ -60,7 +60,7 @@ struct Geometry {
           .origin_y_mm = -grid.origin_row * grid.cell_mm};
 }
 
-// The geometry of a car's grid.
+// Returns the geometry of a car's grid.
 [[nodiscard]] constexpr Geometry geometry_of(const geometry::Grid& grid) {
   Geometry geometry = geometry_of_level(0, grid);
   geometry.width = grid.columns;
@@ -68,7 +68,7 @@ struct Geometry {
   return geometry;
 }
 
-// Returns the grid with this geometry, or nothing if no car can have it.
+// Returns the grid with the given geometry, or nothing if no car can have such a grid.
 [[nodiscard]] constexpr std::optional<geometry::Grid> grid_of(const Geometry& geometry) {
   if (!geometry::is_cell_size(geometry.cell_mm)) {
     return std::nullopt;
@@ -87,7 +87,8 @@ struct Geometry {
   return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
-// The geometry of the firmware's window. The window has as many cells as the memory of the grid.
+// Returns the geometry of the firmware's window. The window has as many cells as the memory of the
+// grid.
 [[nodiscard]] constexpr Geometry geometry_of_classes(std::uint16_t cell_mm = geometry::kCellMm) {
   Geometry geometry = geometry_of_level(0, {.cell_mm = cell_mm});
   geometry.storage = Storage::kClass;
@@ -111,33 +112,34 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
                   kClassTileRecordBytes + tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes tile messages, one message at a time. Leaves room for the protection header at the front
-// of each message.
+// Composes tile messages, one message at a time. Each message starts with free space for the
+// protection header.
 class TilesWriter {
  public:
-  // Starts a grid and its first message at tile 0. `header` is the header of the frame. Its type
-  // and sequence number are ignored.
+  // Starts a grid and its first message at tile 0. `header` is the header of the frame. The type
+  // and sequence number of the frame header are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered by window::slot_of().
   void begin_classes(const Header& header, const ClassWindow& window,
                      std::uint16_t cell_mm = geometry::kCellMm);
-  // Discards the tiles of the current message and restarts it at another tile.
+  // Discards the tiles of the current message and restarts the message at another tile.
   void begin_message(std::size_t first_tile);
 
-  // Appends a tile. Tile numbers must ascend. Returns false and changes nothing if the tile does
-  // not fit. An empty message always has enough room, even for a raw tile.
+  // Appends a tile. Tile numbers must be in ascending order. If the tile does not fit, returns
+  // false and changes nothing. An empty message always has enough space, even for a raw tile.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
                             std::span<const std::byte> payload);
-  // Appends a class tile. age_frames: the number of frames since the tile was classified. 255 means
-  // 255 or more.
+  // Appends a class tile. `age_frames` is the number of frames since the tile was classified. The
+  // value 255 means 255 or more.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding, std::uint8_t age_frames,
                             std::span<const std::byte> payload);
 
   // Ends the message, which then covers the tiles below `end_tile`, and starts the next message at
-  // `end_tile`. The bytes are valid until the next call of append() or of a begin function.
+  // `end_tile`. The returned bytes are valid until the next call of append() or of a begin
+  // function.
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
-  // The number of tiles in the current message.
+  // Returns the number of tiles in the current message.
   [[nodiscard]] std::uint16_t tile_count() const { return tile_count_; }
 
  private:
@@ -164,7 +166,7 @@ struct TileRecord {
   std::span<const std::byte> payload{};
 };
 
-// Iterates over the tiles of a message that read_tiles() accepted.
+// Iterates over the tiles of a message that read_tiles() has accepted.
 class TileRecords {
  public:
   TileRecords() = default;
@@ -179,9 +181,11 @@ class TileRecords {
   wire::ByteReader in_{{}};
 };
 
-// Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. Returns kInconsistent
-// if the message covers tiles outside its grid, contains a tile that it does not cover, repeats a
-// tile, contains a tile longer than a raw tile, or has a wrong number of tiles.
+// Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. A message is
+// inconsistent in each of these cases:
+//   * The message covers tiles outside its grid, or contains a tile that it does not cover.
+//   * The message repeats a tile, or contains a tile longer than a raw tile.
+//   * The number of tiles is wrong.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);
 

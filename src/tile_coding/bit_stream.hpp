@@ -9,7 +9,8 @@
 
 namespace iog::tile_coding {
 
-// The buffer must have room for all bits written. The caller computes this size beforehand.
+// The buffer must be large enough for all written bits. The caller computes the required size
+// beforehand.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)
@@ -47,7 +48,7 @@ class BitWriter {
   unsigned free_ = 32;      // number of free bits in word_
 };
 
-// Reads beyond the end return 0 bits, and ok() is false from then on.
+// A read beyond the end returns bits with the value 0, and ok() is false from then on.
 class BitReader {
  public:
   explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -72,7 +73,7 @@ class BitReader {
     return value;
   }
 
-  // True if only zero padding of the last byte is left.
+  // Returns true if only the zero padding of the last byte is left.
   [[nodiscard]] constexpr bool ends_here() {
     const std::size_t padding = bytes_.size() * 8 - position_;
     return ok_ && padding < 8 && bits(static_cast<unsigned>(padding)) == 0;

@@ -1,7 +1,7 @@
 // Encodes the cells of a tile for sending.
 //
 // A payload never exceeds the 1024 bytes of the raw encoding. Encoding takes a few passes over the
-// cells and two passes over the runs, so its time is bounded for any content.
+// cells and two passes over the runs, so the encoding time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -35,12 +35,13 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Contains the intermediate data of an encoding, which would take too much of the stack.
+// Encodes tiles. The object contains the intermediate data of an encoding, which would take up too
+// much of the stack.
 class Encoder {
  public:
-  // Writes kRunStartsSince if there is a reference and kRunStarts if there is none. Writes kRaw if
-  // these encodings could be longer. The reference is at most 255 frames old. No cell may have the
-  // value -128.
+  // Encodes a tile. Writes kRunStartsSince if a reference is given, and otherwise kRunStarts. If
+  // the result could be longer than the raw encoding, writes kRaw instead. The reference is at most
+  // 255 frames old. No cell may have the value -128.
   [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,
                                    const std::optional<Reference>& reference,
                                    MutableTileCells payload);

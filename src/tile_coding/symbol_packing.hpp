@@ -1,10 +1,11 @@
 // Packs symbols with n alternatives into large numbers.
 //
 // A symbol contains log2 n bits, which is rarely an integer. Several symbols are therefore combined
-// as the digits of one number in base n, most significant digit first. Their number is the largest
-// multiple of four that fits. A number has as many bits as its largest value needs. The last number
-// of a tile contains the remaining symbols, padded with zeros to a multiple of four. It needs no
-// more bits than its groups of four would need separately.
+// as the digits of one number in base n, with the most significant digit first. The number of
+// symbols is the largest multiple of four that fits. Each number is stored with as many bits as its
+// largest possible value needs. The last number of a tile contains the remaining symbols, padded
+// with zeros to a multiple of four. The last number needs no more bits than its groups of four
+// would need separately.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +27,15 @@ struct Packing {
   std::uint8_t bits = 0;   // bits of a number
   std::uint8_t bits_of_four = 0;
 
-  // The number of bits of a tile's last number if it contains `of_fours` groups of four.
+  // Returns the number of bits of a tile's last number if this number contains `of_fours` groups of
+  // four.
   [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
     return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
   }
 };
 
-// Indexed by the number of alternatives. A single alternative contains no information and takes no
-// bits.
+// The table is indexed by the number of alternatives. A single alternative contains no information
+// and takes no bits.
 inline constexpr std::size_t kPackingCount = 216;
 static_assert(kPackingCount == kMostAlternatives + 1);
 

@@ -3,8 +3,8 @@
 //
 // A *stretch* consists of the cells between two changes of value. A run with a value starts at the
 // first cell of a stretch that differs from the reference, and ends at the end of the stretch. All
-// cells outside such runs equal the reference. For a self-contained tile, the reference is the
-// unknown tile, in which all cells are zero.
+// cells outside the runs with values equal the reference. For a self-contained tile, the reference
+// is the unknown tile, in which all cells are zero.
 #pragma once
 
 #include <array>
@@ -19,21 +19,21 @@ namespace iog::tile_coding {
 
 class TileRuns {
  public:
-  // If there is no reference, compares with the unknown tile.
+  // Finds the runs of a tile. If no reference is given, the tile is compared with the unknown tile.
   void find(TileCells cells, const std::optional<TileCells>& reference);
 
-  // One byte per run, in order of the runs: the value of the run, or as_reference(). A run at the
-  // beginning of the tile that equals the reference is omitted. The last word is padded with
-  // as_reference().
+  // Returns one byte per run, in the order of the runs. The byte is the value of the run, or
+  // as_reference() for a run that equals the reference. A run at the beginning of the tile that
+  // equals the reference is omitted. The last word is padded with as_reference().
   [[nodiscard]] std::span<const std::uint32_t> fours() const {
     return std::span(values_).first((count_ + 3) / 4);
   }
   [[nodiscard]] std::uint8_t as_reference() const { return as_reference_; }
 
-  // Writes the positions at which runs start, in blocks four cells wide and two rows high. First
-  // comes one bit per block. It is set if a run starts in the block. Then comes one byte for each
-  // block whose bit is set, with one bit per cell. Blocks and cells are in row-major order,
-  // starting at the lowest bit. Returns the number of bytes written.
+  // Writes the positions at which runs start, in blocks four cells wide and two rows high. The
+  // output starts with one bit per block. The bit is set if a run starts in the block. For each
+  // block whose bit is set, one byte follows, with one bit per cell. Blocks and cells are in
+  // row-major order, starting at the lowest bit. Returns the number of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;
   static constexpr std::size_t kBlocksPerRow = kTileSide / 4;
   static constexpr std::size_t kSets = kBlocks / 8;  // number of bytes with block bits
@@ -44,7 +44,8 @@ class TileRuns {
   static_assert(kTileSide == 32, "a row of cells is a word of bits");
 
   alignas(16) std::array<std::uint32_t, kTileSide> starts_{};  // bit x of word y is cell (x, y)
-  // There are eight spare bytes at the end, because a write of eight bytes can start at any cell.
+  // The array has eight spare bytes at the end, because a write of eight bytes can start at any
+  // cell.
   alignas(8) std::array<std::uint32_t, kTileBytes / 4 + 2> values_{};
   std::size_t count_ = 0;
   std::uint8_t as_reference_ = 0;

@@ -5,12 +5,11 @@
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
 // are S + k (w_x, w_y) / d for k = 0 ... d. Such a point is a corner if f + k w / d = 0 (mod r) on
 // both axes. A line that meets a corner therefore satisfies all of these conditions:
-//   * w_x, w_y > 0. A line along an axis begins inside a row or at its lower border, and stays
-//     there.
-//   * f_y w_x = f_x w_y (mod r). This follows by eliminating k.
-//   * Either k = 0 and f = (r, r), or 1 <= k <= d. In the first case, the first step crosses the
-//     corner; other corners at the start are not crossed. In the second case, w_x / d and w_y / d
-//     have no common divisor, so gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
+//   * w_x, w_y > 0. A line along an axis stays either inside a row or on the lower border of a row.
+//   * f_y w_x = f_x w_y (mod r). This condition follows by eliminating k.
+//   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the first step crosses the corner. No
+//     other corner at the start is crossed. If 1 <= k <= d, w_x / d and w_y / d have no common
+//     divisor, so gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +19,15 @@
 
 namespace iog::traversal {
 
-// True if a line starts on a corner and crosses it with its first step.
+// Returns true if a line starts on a corner and crosses this corner with its first step.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool starts_on_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);
   return line.x().offset() == kSide && line.y().offset() == kSide;
 }
 
-// True if a line may meet a corner after its start. A result of false is certain, but a result of
-// true may be wrong.
+// Returns true if a line may meet a corner after its start. A result of false is certain, but a
+// result of true may be wrong.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool may_meet_corner(const Line<kResolution>& line) {
   constexpr auto kSide = static_cast<std::uint32_t>(kResolution);

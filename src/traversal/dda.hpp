@@ -1,36 +1,37 @@
-// Finds the columns in which a line rises by one row. They are the carries of a sum, which makes
-// this an exact digital differential analyser.
+// Finds the columns in which a line rises by one row. A line rises exactly when a sum carries, so
+// the algorithm is an exact digital differential analyser.
 //
-// u counts columns along the axis on which the line is longer. v counts rows along the other axis.
-// Both count in the direction of the line. w_u >= w_v are the lengths of the line in subcells, and
-// r is the side of a cell in subcells. Let e_c be the error term of the walk (traversal/walk.hpp)
-// at the point where the line enters column c, with u as the column axis. The line rises in that
-// column exactly if e_c >= 0, and
+// The column number u counts along the axis on which the line is longer, and the row number v
+// counts along the other axis. Both numbers count in the direction of the line. The lengths of the
+// line in subcells are w_u >= w_v, and r is the side of a cell in subcells. Let e_c be the error
+// term of the walk (traversal/walk.hpp) at the point where the line enters column c, with u as the
+// column axis. The line rises in that column if and only if e_c >= 0. The next error term is
 //     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
 //
 // The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
 // r) + w_u - w_v. The line then rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v,
 // minus w_u if the line rises. Therefore y rotates on a circle of w_u, and the line rises when y
-// wraps. y_c / w_u is the height of the line above the bottom of its row at the left side of column
-// c.
+// wraps. The value y_c / w_u is the height of the line above the bottom of its row at the left side
+// of column c.
 //
-// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, it is an addition of 32-bit words
-// whose carry indicates a rise:
+// The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of
+// 32-bit words whose carry indicates a rise:
 //     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
-// Both are too large by at most 1, and never too small. After n columns, the phase therefore
-// exceeds the exact phase by at most n + 1. No carry is missed. No false carry occurs while the
-// excess is below 2^32 / w_u, because y is an integer and at most w_u - 1 if there is no carry.
-// This requires
-//     (n + 1) w_u < 2^32,
-// which is checked with most_columns(). If w_u = w_v, the step would be 2^32. Such a line rises in
-// every column. With phase 2^31 and step 2^32 - 1, the sum also carries in each of 2^31 columns.
+// `phase` and `step` are too large by at most 1, and never too small. After n columns, the phase
+// therefore exceeds the exact phase by at most n + 1. No carry is missed. The value y is an
+// integer, and is at most w_u - 1 in a column without a carry. No false carry therefore occurs
+// while the excess is below 2^32 / w_u. This requires
+//     (n + 1) w_u < 2^32.
+// The function most_columns() is used to check this condition. If w_u = w_v, the step would be
+// 2^32. Such a line rises in every column. With phase 2^31 and step 2^32 - 1, the sum also carries
+// in each of 2^31 columns.
 //
-// Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. Its
-// start may be on a border. If the start is on the lower or left border of its cell, all of the
-// above holds. If the start is on the upper left corner, the line is just below the upper border of
-// its row when it enters its first column. floor((e - 1) / r) keeps it in that row. If the start is
-// on the upper right corner, e_0 = 0, and the sum rises in the first column. The computed line then
-// enters the cell above, although the exact line does not.
+// Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. The
+// start of a line may be on a border. If the start is on the lower or left border of its cell, all
+// of the above holds. If the start is on the upper left corner, the line is just below the upper
+// border of its row when it enters its first column. Using floor((e - 1) / r) keeps the line in
+// that row. If the start is on the upper right corner, e_0 = 0, and the sum rises in the first
+// column. The computed line then enters the cell above, although the exact line does not.
 #pragma once
 
 #include <cstdint>
@@ -41,15 +42,14 @@
 
 namespace iog::traversal {
 
-// The height of the line at the left side of a column. It consists of an integer row and a phase in
-// 2^-32 rows.
+// The height of the line at the left side of a column, as an integer row and a phase in 2^-32 rows.
 struct Dda {
   std::int32_t row = 0;  // row of the first column, relative to the row in which the line starts
   std::uint32_t phase = 0;
   std::uint32_t step = 0;  // phase increment per column, > 0
 
   // Advances to the next column. Returns `bits` shifted by one, plus 1 if the line rises by a row.
-  // Written as one 64-bit addition so that it compiles to a single add with carry.
+  // The function uses one 64-bit addition, so that it compiles to a single add with carry.
   [[nodiscard]] constexpr std::uint32_t advance(std::uint32_t bits) {
     const std::uint64_t shifted = static_cast<std::uint64_t>(bits) << 32;
     const std::uint64_t sum = (shifted | phase) + (shifted | step);
@@ -58,13 +58,13 @@ struct Dda {
   }
 };
 
-// The number of columns for which the heights of a line of length w_u are exact.
+// Returns the number of columns for which the heights of a line of length w_u are exact.
 [[nodiscard]] constexpr std::uint32_t most_columns(std::uint32_t length_u) {
   return std::numeric_limits<std::uint32_t>::max() / (length_u + 1) - 1;
 }
 
-// Starts `columns_before` columns before the start of the line. is_steep is true if y is the u
-// axis.
+// Returns the Dda `columns_before` columns before the start of the line. `is_steep` is true if y is
+// the u axis.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr Dda dda_of(const Line<kResolution>& line, bool is_steep,
                                    std::uint32_t columns_before) {

@@ -1,20 +1,20 @@
-// The line of a beam on the grid, computed in integers. It gives the points at which the line
-// crosses cell borders, and the number of borders crossed after any fraction of its length.
+// The line of a beam on the grid, computed in integers. A Line computes the points at which the
+// line crosses cell borders, and the number of borders crossed after any fraction of its length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
-// its end E, both given in subcells. It is mirrored into the first quadrant, so x and y increase in
-// its direction.
+// its end E, both given in subcells. The line is mirrored into the first quadrant, so x and y
+// increase in its direction.
 //
 // Position: A cell of a line is identified by the numbers of column borders (x) and row borders (y)
-// that the line has crossed before it. The sum of both numbers, `crossed`, increases along the
-// line. At a corner a line crosses both borders at once and enters neither of the two adjacent
+// that the line has crossed before the cell. The sum of both numbers, `crossed`, increases along
+// the line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
 // cells, so `crossed` increases by two. All positions returned by these functions are cells that
 // the line actually enters.
 //
-// Ranges: let w = |E - S| for each axis, in subcells. (w_x + w_y) * r < 2^31 keeps the error term
-// of the walk within 32 bits; this is asserted for the longest beam of a car. S and E lie within
-// +-2^29.
+// Ranges: let w = |E - S| for each axis, in subcells. If (w_x + w_y) * r < 2^31, the error term of
+// the walk stays within 32 bits. The condition is asserted for the longest beam of a car. S and E
+// are within +-2^29.
 //   * through() and before(): the fraction of the line is num / den with 0 <= num, 0 < den and
 //     f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
 //   * All dividends are non-negative, and all results are rounded down.
@@ -44,13 +44,14 @@ struct Position {
   friend constexpr bool operator==(const Position&, const Position&) = default;
 };
 
-// A fraction of a line's length: numerator / denominator.
+// A fraction of a line's length, given as numerator / denominator.
 struct Share {
   std::uint64_t numerator = 0;
   std::uint64_t denominator = 1;
 };
 
-// The length in millimetres of a beam's line, 1 ... 2^18 - 1, together with its reciprocal.
+// The length of a beam's line in millimetres, from 1 to 2^18 - 1, together with the reciprocal of
+// the length.
 class LineLength {
  public:
   constexpr LineLength() = default;
@@ -97,27 +98,28 @@ class Axis {
     return start_cell_ + step_ * static_cast<std::int32_t>(crossed);
   }
 
-  // The number of borders crossed up to and including this fraction of the line.
+  // Returns the number of borders crossed up to and including this fraction of the line.
   [[nodiscard]] constexpr std::uint32_t through(Share share) const {
     return static_cast<std::uint32_t>(scaled(share) / (share.denominator * kSide));
   }
 
-  // The number of borders crossed strictly before this fraction of the line.
+  // Returns the number of borders crossed strictly before this fraction of the line.
   [[nodiscard]] constexpr std::uint32_t before(Share share) const {
     const std::uint64_t reached = scaled(share);
     return reached == 0 ? 0
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // The number of borders crossed strictly before the end of the line. This needs no division.
+  // Returns the number of borders crossed strictly before the end of the line. The function needs
+  // no division.
   [[nodiscard]] constexpr std::uint32_t before_end() const {
     const std::uint32_t reached = offset_ + length_;
     return reached == 0 ? 0 : (reached - 1) / kSide;
   }
 
-  // through() for the fraction distance / length, without a division by the length. Requires
-  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r.
-  // This is below 2^31 for lines of up to 2,000 cells.
+  // Computes through() for the fraction distance / length, without a division by the length.
+  // Requires distance < 2^20 mm. The quotient of the division by r is at most length + distance * w
+  // / r. The quotient is below 2^31 for lines of up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -125,13 +127,13 @@ class Axis {
     return length.reciprocal().divide(static_cast<std::uint32_t>(reached / kSide));
   }
 
-  // The fraction of the line at which it crosses border number n, for n = 1, 2, ... Requires
-  // length() > 0 and n * r >= offset().
+  // Returns the fraction of the line at which the line crosses border number n, for n = 1, 2, ...
+  // Requires length() > 0 and n * r >= offset().
   [[nodiscard]] constexpr Share crossing(std::uint32_t n) const {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
 
-  // Distance from S to the next border after n crossings. It equals (n + 1) r - offset.
+  // Returns the distance from S to the next border after n crossings: (n + 1) r - offset.
   [[nodiscard]] constexpr std::int64_t to_border(std::uint32_t n) const {
     return (std::int64_t{n} + 1) * kResolution - offset_;
   }
@@ -141,14 +143,14 @@ class Axis {
     return offset_ * share.denominator + share.numerator * length_;
   }
 
-  // Kept small: many lines are cached.
+  // The members are kept small because many lines are cached.
   std::int32_t start_cell_;
   std::int16_t step_;
   std::uint16_t offset_;
   std::uint32_t length_;
 };
 
-// The part of a line inside an area, given by its first and last positions there.
+// The part of a line inside an area, given by its first and last positions in the area.
 struct Stretch {
   Position first;
   Position last;
@@ -163,34 +165,35 @@ class Line {
   [[nodiscard]] constexpr const Axis<kResolution>& y() const { return y_; }
   [[nodiscard]] constexpr Cell cell(Position at) const { return {x_.cell(at.x), y_.cell(at.y)}; }
 
-  // The cell that contains the point at this fraction of the line. If the point is on a border,
-  // this is the later cell.
+  // Returns the cell that contains the point at this fraction of the line. If the point is on a
+  // border, the result is the later cell.
   [[nodiscard]] constexpr Position through(Share share) const {
     return {x_.through(share), y_.through(share)};
   }
-  // Not inlined, because a ruler calls it only about once per 2^12 distances.
+  // The function is not inlined, because a ruler calls it only about once per 2^12 distances.
   [[nodiscard, gnu::noinline]] constexpr Position through(std::uint32_t distance_mm,
                                                           const LineLength& length) const {
     return {x_.through(distance_mm, length), y_.through(distance_mm, length)};
   }
 
-  // The last cell whose interior the line has entered before this fraction of its length.
+  // Returns the last cell whose interior the line has entered before this fraction of its length.
   [[nodiscard]] constexpr Position before(Share share) const {
     return {x_.before(share), y_.before(share)};
   }
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // The error term of the walk at a position. Its sign tells on which side of the line the next
-  // corner lies. If it is negative, the line crosses the column border first. If it is positive,
-  // the line crosses the row border first. If it is 0, the line crosses the corner itself.
+  // Returns the error term of the walk at a position. The sign of the error term shows on which
+  // side of the line the next corner is. If the error term is negative, the line crosses the column
+  // border first. If the error term is positive, the line crosses the row border first. If the
+  // error term is 0, the line crosses the corner itself.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
   }
 
-  // The part of the line inside the area, as if the line were infinitely long. Returns nothing if
-  // the line never enters the area.
+  // Returns the part of the line inside the area, as if the line were infinitely long. Returns
+  // nothing if the line never enters the area.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
     Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
@@ -200,8 +203,8 @@ class Line {
   }
 
  private:
-  // Limits the stretch to the part in which `axis` is inside [0, cells). `other` is the other axis;
-  // `swapped` means that `axis` is y. Returns false if it is never inside.
+  // Limits the stretch to the part in which `axis` is inside [0, cells). `other` is the other axis.
+  // `swapped` is true if `axis` is y. Returns false if `axis` is never inside [0, cells).
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {
     const std::int32_t to_low =
@@ -227,7 +230,8 @@ class Line {
     return true;
   }
 
-  // More borders than any line crosses, but small enough that adding one does not overflow.
+  // The limit is more than the number of borders that any line crosses, but small enough that
+  // adding one does not overflow.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;

@@ -1,35 +1,38 @@
-// Counts the borders that a line has crossed after a given distance. This takes one multiplication
-// per axis. A beam needs this for its scan point and for the start of each zone of its profile.
+// Counts the borders that a line has crossed after a given distance. Counting takes one
+// multiplication per axis. A beam needs such counts for its scan point and for the start of each
+// zone of its profile.
 //
 // Exact result: At distance z, the line has crossed floor(T) borders of one axis, where
 //     T = (f L + z w) / (r L),
 // f is the offset of the start in its cell, w is the length of the line on this axis in subcells,
-// and L is its total length in millimetres. Line::through(z) computes this result.
+// and L is the total length of the line in millimetres. Line::through(z) computes this result.
 //
 // Estimate: The ruler estimates T as base + z slope, in units of 2^-32 borders, where
 //     base  = floor(f 2^32 / r), but at most 2^32 - 1
 //     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
-// q and e are the inverse and the exponent of LineLength. Everything is rounded down, so the
+// q and e are the inverse and the exponent of LineLength. All values are rounded down, so the
 // estimate is never too large.
 //
-// Error: base is too small by at most 1. slope is too small by less than 1 because of its own
-// rounding, and by less than w / (r 2^e) because of the rounding of q. A cell is wider than 2 mm,
-// so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total the estimate is too
-// small by at most 1 + 2 z. For z < 2^18 this error is below kSlack = 2^20.
+// Error: base is too small by at most 1. The error of slope has two parts. The rounding of slope
+// itself contributes less than 1, and the rounding of q contributes less than w / (r 2^e). A cell
+// is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total, the
+// estimate is too small by at most 1 + 2 z. For z < 2^18, the error of the estimate is below kSlack
+// = 2^20.
 //
 // The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
-// next integer. Otherwise Line::through() computes the result. This happens about once per 2^12
-// distances, and whenever a distance ends on a border.
+// next integer. Otherwise, Line::through() computes the result. Line::through() is needed about
+// once per 2^12 distances, and whenever a distance ends on a border.
 //
 // A fraction of the length is converted to a distance in units of 2^-14 mm, rounded down. Only the
-// upper word of its product with the slope is used, so the result for each axis is in units of
-// 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14 borders.
-// base and the product are each too small by at most one unit. slope is too small by less than 2
-// units of 2^-32 borders per millimetre. In total this is less than 2^19 units of 2^-32 borders, or
-// 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
+// upper word of the product of distance and slope is used, so the result for each axis is in units
+// of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less than 2^-14
+// borders. The values of base and of the product are each too small by at most one unit. The value
+// of slope is too small by less than 2 units of 2^-32 borders per millimetre. Over the entire
+// distance, the error of slope adds up to less than 2^19 units of 2^-32 borders, or 2 units of
+// 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
 //
-// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses
-// fewer than 2^17 borders of an axis.
+// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses fewer than 2^17
+// borders of an axis.
 #pragma once
 
 #include <algorithm>
@@ -48,14 +51,15 @@ class MeasuredShare {
   static constexpr int kFractionBits = 14;
 
   constexpr MeasuredShare() = default;
-  // `denominator` divides by the denominator of the fraction, which must be below 2^32.
+  // `denominator` is the divisor for the denominator of the fraction. The denominator must be below
+  // 2^32.
   constexpr MeasuredShare(const Share& share, const numeric::Divisor& denominator,
                           const LineLength& length)
       : share_(share),
         distance_(denominator.divide(share.numerator * length.mm() << kFractionBits)) {}
 
   [[nodiscard]] constexpr const Share& share() const { return share_; }
-  // The distance in units of 2^-14 mm.
+  // Returns the distance in units of 2^-14 mm.
   [[nodiscard]] constexpr std::uint32_t distance() const { return distance_; }
 
  private:
@@ -78,8 +82,8 @@ class AxisRuler {
         slope_(static_cast<std::uint32_t>(
             (std::uint64_t{axis.length()} * length.inverse() / kSide) >> length.exponent())) {}
 
-  // Number of borders crossed up to and including distance_mm (< 2^18). The number is in the upper
-  // word. It may be one too small if is_exact() is false.
+  // Estimates the number of borders crossed up to and including distance_mm (< 2^18). The number is
+  // in the upper word. If is_exact() is false, the number may be too small by one.
   [[nodiscard]] constexpr std::uint64_t estimate(std::uint32_t distance_mm) const {
     return base_ + std::uint64_t{distance_mm} * slope_;
   }
@@ -87,8 +91,8 @@ class AxisRuler {
     return static_cast<std::uint32_t>(estimate) <= ~static_cast<std::uint32_t>(kSlack);
   }
 
-  // Number of borders crossed up to and including a fraction of the line, in units of 2^-14
-  // borders.
+  // Estimates the number of borders crossed up to and including a fraction of the line, in units of
+  // 2^-14 borders.
   [[nodiscard]] constexpr std::uint32_t estimate(const MeasuredShare& share) const {
     const std::uint64_t product = std::uint64_t{share.distance()} * slope_;
     return (base_ >> (32 - MeasuredShare::kFractionBits)) +
@@ -112,7 +116,7 @@ class Ruler {
   constexpr Ruler(const Line<kResolution>& line, const LineLength& length)
       : x_(line.x(), length), y_(line.y(), length) {}
 
-  // `line` and `length` must be those passed to the constructor.
+  // `line` and `length` must be the line and the length passed to the constructor.
   [[nodiscard]] constexpr Position through(std::uint32_t distance_mm, const Line<kResolution>& line,
                                            const LineLength& length) const {
     const std::uint64_t x = x_.estimate(distance_mm);
@@ -139,7 +143,7 @@ class Ruler {
  private:
   static constexpr Position kNotExact{~std::uint32_t{0}, 0};
 
-  // Reads the position this many units before the given fraction of the line.
+  // Reads the position `before` units before the given fraction of the line.
   [[nodiscard]] constexpr Position read(const MeasuredShare& share, std::uint32_t before) const {
     const std::uint32_t x = x_.estimate(share) - before;
     const std::uint32_t y = y_.estimate(share) - before;

@@ -1,21 +1,23 @@
-// Decides whether two lines with the same start cross the same cells. If they do, both can be
-// carved in one walk. At a given azimuth, the layers of a lidar have nearly the same line: their
-// lines differ only in length and in the rounding of their ends.
+// Decides whether two lines with the same start cross the same cells. Lines that cross the same
+// cells can be carved in one walk. At a given azimuth, the lines of a lidar's layers are nearly
+// identical. The lines of the layers differ only in length and in the rounding of their ends.
 //
-// Where the lines part: Two lines A and B part at a corner that lies between them. At a corner with
-// the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A = X A_y - Y
-// A_x and e_B = X B_y - Y B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x + B_y,
+// Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
+// corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =
+// X A_y - Y A_x and e_B = X B_y - Y B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x +
+// B_y,
 //     A e_B = B e_A + (X + Y) c.
 // After n common borders, the lines cross different borders next only if e_A and c have opposite
 // signs and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. This condition defines a narrow strip
 // next to 0. As long as no error term of A lies in the strip, B crosses the same borders as A.
 //
-// How the strip is searched: A column step adds r A_y to the error term of A, a row step subtracts
-// r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms are divided
-// by r and rounded down, each step adds A_y modulo A. This is a rotation. Let t = floor((n + 2) |c|
-// / B) + 1. The strip is contained in [0, t] if c < 0 and in [-1 - t, -1] if c > 0. Mirroring x to
-// -1 - x turns the second case into the first case with a rotation by A_x. A variant of Euclid's
-// algorithm finds the first time that a rotation enters [0, t], in about ten steps.
+// How the strip is searched: A column step adds r A_y to the error term of A, and a row step
+// subtracts r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms
+// are divided by r and rounded down, each step adds A_y modulo A. The terms therefore form a
+// rotation. Let t = floor((n + 2) |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
+// [-1 - t, -1] if c > 0. Mirroring x to -1 - x turns the second case into the first case with a
+// rotation by A_x. A variant of Euclid's algorithm finds the first time that a rotation enters [0,
+// t], in about ten steps.
 //
 // Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
 // < 2^12, because lines in different directions are not worth a closer look.
@@ -30,12 +32,13 @@
 
 namespace iog::traversal {
 
-// Several steps of a rotation that together turn it up or down: their total angle and their number.
+// Several steps of a rotation that together turn the value up or down. `angle` is the total angle
+// of the combined steps.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Combines this turn with `times` opposite turns, which makes its angle smaller.
+  // Reduces the angle of a turn by combining it with `times` opposite turns.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;
@@ -43,15 +46,16 @@ struct Turn {
 };
 
 // Finds the first term of a rotation whose value is at most `threshold` and returns its number.
-// Returns `limit` if the first `limit` terms are all greater. The rotation starts at x. A step
-// moves down by `down_angle`. Modulo down_angle + up_angle, this is the same as moving up by
-// `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
+// Returns `limit` if the first `limit` terms are all greater than `threshold`. The rotation starts
+// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, each step also moves up
+// by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
-// The first such term must be smaller than all terms before it. The next term that is smaller than
-// all terms before it is reached by the first downward turn of at most x. Ever shorter downward
-// turns are found as in Euclid's algorithm: the shortest upward turn so far is subtracted from the
-// shortest downward turn so far, and vice versa. The angles of both turns add up to at most the
-// whole circle, and the same holds for their steps. Therefore nothing overflows.
+// The first term that is at most `threshold` must be smaller than all terms before it. The first
+// downward turn of at most x leads to the next term that is smaller than all terms before it.
+// Shorter and shorter downward turns are found as in Euclid's algorithm. The shortest upward turn
+// so far is subtracted from the shortest downward turn so far, and vice versa. The angles of both
+// turns add up to at most a full circle, and so do the numbers of their steps. Therefore nothing
+// overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -88,9 +92,10 @@ struct Turn {
   return number;
 }
 
-// True if b crosses the same cells as a until `borders` borders are crossed. A result of true is
-// certain, but a result of false may be wrong. Both lines must start at the same point. Line a must
-// meet no corner after its start. If the lines start on a corner, both must cross it first.
+// Returns true if b crosses the same cells as a until `borders` borders are crossed. A result of
+// true is certain, but a result of false may be wrong. Both lines must start at the same point.
+// Line a must meet no corner after its start. If the lines start on a corner, both must cross this
+// corner first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -1,4 +1,4 @@
-// Walks along a line cell by cell, using integers. This is the innermost loop of the whole
+// Walks along a line cell by cell in integers. This loop is the innermost loop of the entire
 // computation.
 //
 // See docs/model.md section 5. As in appendix B.3 of the thesis, a step crosses a column border
@@ -8,8 +8,8 @@
 // walk ends at the end cell, but a line that ends on a corner never enters that cell.
 //
 // Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *
-// w_x. A column step adds r * w_y, a row step subtracts r * w_x. The line passes through the cell,
-// so e always stays within +- r * (w_x + w_y), which is below 2^31.
+// w_x. A column step adds r * w_y, and a row step subtracts r * w_x. The line passes through the
+// cell, so e always stays within +- r * (w_x + w_y), which is below 2^31.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,8 @@ class Walk {
         offset_(line.cell(from).y * stride + line.cell(from).x) {}
 
   // Visits the current cell and the following cells while fewer than `end` borders are crossed. The
-  // next call continues from there. `visit` receives the offset of each cell.
+  // next call continues at the cell after the last visited cell. `visit` receives the offset of
+  // each cell.
   template <typename Visit>
   void until(std::uint32_t end, Visit&& visit) {
     while (crossed_ < end) {
@@ -44,7 +45,7 @@ class Walk {
     }
   }
 
-  // Advances in the same way without visiting cells.
+  // Advances in the same way as until(), without visiting cells.
   void skip_until(std::uint32_t end) {
     while (crossed_ < end) {
       step();
@@ -52,7 +53,7 @@ class Walk {
   }
 
  private:
-  // At a corner the error term is 0, and both borders are crossed in one step.
+  // At a corner, the error term is 0 and both borders are crossed in one step.
   void step() {
     const std::int32_t error = error_;
     if (error <= 0) {

@@ -1,17 +1,17 @@
 // Rounds the azimuths of a sensor to steps (docs/model.md section 5).
 //
-// Azimuth t is one of T ticks per turn. It is rounded to the nearest of N steps, and ties are
-// rounded up:
+// Azimuth t is one of T ticks per turn. The azimuth is rounded to the nearest of N steps, and ties
+// are rounded up:
 //     floor(t N / T + 1 / 2)
-// A whole turn is step 0 again. If N = T, the steps are the ticks.
+// A full turn is step 0 again. If N = T, the steps are the ticks.
 //
 // The code needs only one 32 x 32-bit multiplication. Choose the largest s for which m = ceil(2^(16
 // + s) N / T) < 2^32. Then
 //     floor((2^16 t m + 2^(31 + s)) / 2^(32 + s))
 // equals that step. Proof: m is too large by less than 1, so the quotient is too large by less than
 // t / 2^(16 + s). Let T' = T / gcd(T, N). Before rounding down, the exact value is a multiple of 1
-// / 2T'. The error therefore changes nothing if (T - 1) 2T' <= 2^(16 + s). is_valid() checks this
-// condition and checks that no word overflows.
+// / 2T'. The error therefore changes nothing if (T - 1) 2T' <= 2^(16 + s). The function is_valid()
+// checks this condition, and checks that no word overflows.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,8 @@ class AzimuthSteps {
   [[nodiscard]] constexpr std::uint32_t ticks_per_turn() const { return ticks_per_turn_; }
   [[nodiscard]] constexpr std::uint32_t steps_per_turn() const { return steps_per_turn_; }
 
-  // The step of an azimuth, from 0 to steps_per_turn() - 1. azimuth_ticks must be less than one
-  // turn.
+  // Returns the step of an azimuth, from 0 to steps_per_turn() - 1. `azimuth_ticks` must be less
+  // than one turn.
   [[nodiscard]] constexpr std::uint32_t nearest(std::uint32_t azimuth_ticks) const {
     const std::uint64_t sum =
         std::uint64_t{azimuth_ticks << 16} * factor_ + (std::uint64_t{half_} << 32);

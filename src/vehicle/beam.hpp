@@ -1,5 +1,5 @@
-// Turns a scan point into its beam: the point's outcome, the beam's line on the grid, and the part
-// of the line that carves (docs/model.md sections 5 and 6).
+// Computes the beam of a scan point. The result includes the point's outcome, the beam's line on
+// the grid, and the part of the line that carves (docs/model.md sections 5 and 6).
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace iog::vehicle {
 
-// The outcome of a scan point. Each point has exactly one outcome. If several apply, the first in
-// this order is reported: no return, flagged as dirt or rain, too near, flagged as ground, too far,
-// outside the height band or the ground limits, later echo, used. These values are sent on the wire
-// (docs/spec.md).
+// The outcome of a scan point. Each point has exactly one outcome. If several outcomes apply, the
+// first in this order is reported: no return, flagged as dirt or rain, too near, flagged as ground,
+// too far, outside the height band or the ground limits, later echo, used. The values are sent on
+// the wire (docs/spec.md).
 enum class Fate : std::uint8_t {
   kUsed,               // carves and adds a hit
   kNoReturn,           // no evidence, or carves up to the sensor's no_return_clears_mm
@@ -26,16 +26,16 @@ enum class Fate : std::uint8_t {
   kMalformed,          // dropped because its packet is invalid or over budget
   kStale,              // dropped because its packet is a duplicate or late
   kNotTaken,           // dropped because its packet was shed by a target that is too slow
-  // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. Each of
-  // them carves the part of the beam between the ground limits.
+  // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. For each
+  // of these outcomes, the part of the beam between the ground limits carves.
   kGround,
   kOverhang,     // high enough above the ground to drive under it
   kUnderGround,  // a mirror image, a hole or a drop
 };
 inline constexpr std::size_t kFateCount = 13;
 
-// A part of a line. `from` and `to` are fractions of its length, measured from its start. `to` is
-// at most 1, unless the part is the whole line.
+// A part of a line. `from` and `to` are fractions of the line's length, measured from its start.
+// `to` is at most 1, unless the part is the entire line.
 struct BandPart {
   bool is_whole = true;
   bool is_empty = false;
@@ -43,7 +43,7 @@ struct BandPart {
   traversal::Share to;
 };
 
-// Cosine and sine of an azimuth, in units of 2^-30.
+// The cosine and sine of an azimuth, in units of 2^-30.
 struct Direction {
   std::int32_t cosine = 0;
   std::int32_t sine = 0;
@@ -54,7 +54,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, including both ends. It may be empty.
+// An interval of ranges in mm, including both ends. The interval may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -65,16 +65,16 @@ struct Ranges {
   friend constexpr bool operator==(const Ranges&, const Ranges&) = default;
 };
 
-// The ranges at which a point of the beam lies on the car or in the height band. on_car applies to
-// the measured range, and in_band applies to the horizontal range along the line. Both regions are
-// convex, so one interval describes each.
+// The ranges at which a point of the beam is on the car or in the height band. `on_car` applies to
+// the measured range, and `in_band` applies to the horizontal range along the line. Both regions
+// are convex, so each of them is described by one interval.
 struct BeamRanges {
   Ranges on_car;   // at least the sensor's minimum range
   Ranges in_band;  // at most L
 };
 
-// The evidence of a scan point. It consists of three bits of one word, which the compiler keeps in
-// a register.
+// The evidence of a scan point. The evidence consists of three bits of one word, which the compiler
+// keeps in a register.
 class Evidence {
  public:
   static constexpr int kBits = 3;
@@ -88,14 +88,14 @@ class Evidence {
     return its;
   }
 
-  // carves() returns whether the beam carves. marks() returns whether the point adds a hit.
+  // `carves()` returns true if the beam carves. `marks()` returns true if the point adds a hit.
   [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
   [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
   [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
-  // True if the beam is inside the band all the way to its point, or to L if the point lies beyond
-  // L.
+  // Returns true if the beam is inside the band all the way to its point. If the point lies beyond
+  // L, the beam must be inside the band up to L.
   [[nodiscard]] constexpr bool is_whole_in_band() const { return (bits_ & kWhole) != 0; }
-  // True if all three bits are set.
+  // Returns true if all three bits are set.
   [[nodiscard]] constexpr bool is_whole_hit() const { return bits_ == (kWhole | kCarves | kMarks); }
 
   [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }  // below 2^kBits
@@ -122,42 +122,44 @@ struct Classification {
                        fate == Fate::kUsed || fate == Fate::kLaterEcho, is_whole_in_band}};
 }
 
-// azimuth_step: a step of sensor.azimuths.
+// `azimuth_step` is a step of sensor.azimuths.
 [[nodiscard]] Direction direction_of(const Sensor& sensor, std::uint32_t azimuth_step);
 
-// The line of the layer's beam in this direction, and the height of the line's end in subcells.
+// `line_of()` returns the line of the layer's beam in this direction. `end_height_of()` returns the
+// height of the line's end in subcells.
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// The beam at the step nearest to an azimuth. Requires layer < sensor.layer_count and an
-// azimuth_ticks of less than one turn.
+// Returns the beam at the step nearest to an azimuth. Requires layer < sensor.layer_count.
+// `azimuth_ticks` must be less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
 // Returns the ranges at which a point of the line is within the given limits on one axis. Only
-// ranges between from_mm and to_mm are returned. `extent` is the extent of the line along this
-// axis. The result is exact.
+// ranges between from_mm and to_mm are returned. `extent` is the extent of the line along the axis.
+// The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 
 // These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// The ranges in the band at which a return is tall according to Sensor::moved.
+// Returns the ranges in the band at which a return is tall according to Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
 // The height of a return. If a return at this height is not an obstacle, `otherwise` is the outcome
-// of the point. is_whole: the beam is at obstacle height from its start to the return.
+// of the point. `is_whole` is true if the beam is at obstacle height from its start to the return.
 struct Height {
   bool is_obstacle = true;
   Fate otherwise = Fate::kUsed;
   bool is_whole = false;
 };
 
-// Classifies a point. on_car: the ranges at which its beam is on the car. along_mm: its horizontal
-// range, Layer::along_line_mm(). kNoReturn and kTooNear depend on the measured range; all other
-// outcomes depend on along_mm. height_at(reach_mm) returns the Height at along_mm, or at L if the
-// point lies beyond L. Always inlined because it is called for every point.
+// Classifies a point. `on_car` contains the ranges at which the point's beam is on the car.
+// `along_mm` is the point's horizontal range, Layer::along_line_mm(). `kNoReturn` and `kTooNear`
+// depend on the measured range. All other outcomes depend on along_mm. `height_at(reach_mm)`
+// returns the Height at along_mm, or at L if the point lies beyond L. The function is always
+// inlined because it is called for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,
@@ -189,7 +191,7 @@ template <typename HeightAt>
 }
 
 // Classifies a point by the vehicle's height band. A beam is straight, so it is inside the band if
-// both ends are.
+// both of its ends are inside.
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const BeamRanges& ranges,
                                                                     const lidar::ScanPoint& point,
@@ -210,8 +212,8 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// The part of a beam from its origin to reach_mm <= L that lies inside a height band. end_z: the
-// height of the beam's end. The band includes its limits.
+// Returns the part of a beam from its origin to reach_mm <= L that is inside a height band. `end_z`
+// is the height of the beam's end. The band includes its limits.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 

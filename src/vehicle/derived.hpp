@@ -1,6 +1,7 @@
-// Derives the members of a sensor that the loops use from its other members: reciprocals, sines,
-// and the extents of the car and the height band along the sensor's lines. The code uses only
-// integers. It runs on the PC for a car file, and on the target for the car in its image.
+// Derives members of a sensor from the sensor's other members. The loops use the derived members.
+// The derived members are reciprocals, sines, and the extents of the car and the height band along
+// the sensor's lines. The code uses only integers. The code runs on the PC for a car file, and on
+// the target for the car in its image.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace iog::vehicle {
 
-// Limits of azimuth_steps_per_turn in a car file.
+// The limits of azimuth_steps_per_turn in a car file.
 inline constexpr std::uint32_t kFewestAzimuthSteps = 256;
 inline constexpr std::uint32_t kMostAzimuthSteps = 16384;
 
@@ -38,20 +39,20 @@ constexpr numeric::SineTable sines_of(std::uint32_t steps_per_turn) {
   }
 }
 
-// low and high: limits along an axis in subcells. The origin must be within 2^29 subcells of both
-// limits. Requires length_mm < 2^18.
+// `low` and `high` are limits along an axis in subcells. The origin must be within 2^29 subcells of
+// both limits. Requires length_mm < 2^18.
 constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std::int32_t origin,
                                        std::uint32_t length_mm) {
   return {.low = (std::int64_t{low} - origin) * length_mm,
           .high = (std::int64_t{high} - origin) * length_mm};
 }
 
-// True if the sensor is mounted above its own limit for low beams.
+// Returns true if the sensor is mounted above its own limit for low beams.
 constexpr bool looks_over_things(const Sensor& sensor) {
   return sensor.moved.are_given() && sensor.origin_z > sensor.grid.subcells(sensor.moved.low_mm);
 }
 
-// The value of Sensor::share_over_ground.
+// Returns the value of Sensor::share_over_ground.
 constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origin_z) {
   constexpr std::int64_t kWhole = std::int64_t{1} << numeric::kSineFractionBits;
   return static_cast<std::uint32_t>(
@@ -61,8 +62,8 @@ constexpr std::uint32_t share_over_ground(std::int32_t z_min, std::int32_t origi
 }  // namespace derived_detail
 
 // A sensor with fixed azimuths uses its ticks as steps. A rotating sensor never repeats an azimuth
-// exactly, so its azimuths are rounded to steps. Their number per turn is a power of two from 256
-// to 16384.
+// exactly, so its azimuths are rounded to steps. The number of steps per turn is a power of two
+// from 256 to 16384.
 template <typename Decoder>
 constexpr void derive_azimuths(std::uint32_t steps_per_turn, Sensor& sensor) {
   if constexpr (Decoder::kTurns) {

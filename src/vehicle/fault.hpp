@@ -1,4 +1,4 @@
-// A fault of a car file: the field and its allowed values.
+// A fault of a car file, with the field and its allowed values.
 #pragma once
 
 #include <cstddef>

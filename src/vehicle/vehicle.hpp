@@ -1,5 +1,6 @@
-// A vehicle on the target. It contains only integers. The PC computes it from a car file
-// (tools/car). The target reads it from the block in its image (src/car_block).
+// The representation of a vehicle on the target, which contains only integers. The PC computes the
+// vehicle from a car file (tools/car). The target reads the vehicle from the block in its image
+// (src/car_block).
 #pragma once
 
 #include <algorithm>
@@ -32,17 +33,17 @@ inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the 
 
 inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies another
 
-// The maximum number of cached lines of all level rotating sensors of a vehicle. There is one line
-// for each azimuth step. A line takes about 0.7 KB.
+// The maximum number of cached lines of all level rotating sensors of a vehicle. Each azimuth step
+// has one line. A line takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
-// The coefficients of a beam's end have this many fraction bits below one subcell. 10 is the
-// maximum: a line of 2^20 subcells times 2^10 is 2^30. Multiplied by a sine of 2^30 it is 2^60, and
-// three such terms stay below 2^62. Before rounding, the end is within 0.002 subcells of the exact
-// end.
+// The coefficients of a beam's end have this many fraction bits below one subcell. The maximum is
+// 10, because a line of 2^20 subcells times 2^10 is 2^30. The product with a sine of 2^30 is 2^60,
+// and the sum of three such terms stays below 2^62. Before rounding, the end is within 0.002
+// subcells of the exact end.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of each beam of a layer, as a function of the beam's azimuth a:
+// One coordinate of the end of a layer's beams, as a function of the beam's azimuth a:
 //   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
@@ -51,9 +52,9 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// The horizontal range is range_mm times the share, rounded down. The share is in units of 2^-30.
-// The range is below 2^30 and is shifted left by 2, so the result is the upper word of one 32 x
-// 32-bit product.
+// Returns the horizontal range. It is range_mm times the share, rounded down. The share is in units
+// of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is the upper word of
+// one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
@@ -64,11 +65,12 @@ struct Layer {
   EndCoordinate x;
   EndCoordinate y;
   EndCoordinate z;
-  // Index of the first layer that has the same lines on the grid. If the sensor is level, two
+  // The index of the first layer that has the same lines on the grid. If the sensor is level, two
   // layers with opposite elevations share their lines.
   std::uint8_t line = 0;
-  // Ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share the
-  // line of elevation 0, it is the cosine of the layer's elevation; otherwise it is 1.
+  // The ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share
+  // the line of elevation 0, the ratio is the cosine of the layer's elevation. Otherwise, the ratio
+  // is 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
@@ -76,15 +78,16 @@ struct Layer {
   }
 };
 
-// The limits of a region along one axis. A point on a beam is inside if the beam's extent in
-// subcells times the range in mm is between these limits, including both.
+// The limits of a region along one axis. A point on a beam is inside if the product of the beam's
+// extent in subcells and the range in mm is between these limits. Both limits are included.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
-// Heights above the ground at which a return is an obstacle (docs/ground.md). Both limits are
-// included. Without them the sensor uses its vehicle's height band instead of following the ground.
+// The heights above the ground between which a return is an obstacle (docs/ground.md). Both limits
+// are included. If the limits are not set, the sensor uses its vehicle's height band instead of
+// following the ground.
 struct GroundLimits {
   std::uint16_t low_mm = 0;
   std::uint16_t top_mm = 0;
@@ -92,10 +95,10 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
-// Limits of free-space gating by low beams (perception/opening.hpp). A beam below low_mm opens
-// ground. A return above tall_mm may come from a moving object. Heights are measured from the car's
-// plane, or from the local ground if the sensor follows it. By default every beam is low and every
-// return is tall.
+// The limits of free-space gating by low beams (perception/opening.hpp). A beam below low_mm opens
+// ground. A return above tall_mm may come from a moving object. Heights are measured from the local
+// ground if the sensor follows it, and otherwise from the car's plane. By default, every beam is
+// low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
   // If the sensor follows the ground, a beam below this height opens nothing because it may pass
@@ -108,7 +111,7 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// Limits of the height above the car's plane in subcells, both included.
+// The limits of the height above the car's plane in subcells. Both limits are included.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -134,14 +137,14 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // Consider a beam that ends on the ground. This is the fraction of its length in which it is
-  // above the height band's lower limit, in units of 2^-30. Heights are measured from a straight
-  // line between the ground below the sensor and the end of the beam. The value is 1 if the sensor
-  // is below the band's lower limit or looks over objects.
+  // For a beam that ends on the ground, the fraction of its length in which the beam is above the
+  // height band's lower limit. The fraction is in units of 2^-30. Heights are measured from a
+  // straight line between the ground below the sensor and the end of the beam. The value is 1 if
+  // the sensor is below the band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;
-  // Only for Ouster, see lidar::Unit.
+  // columns_per_turn and column_ns are used only for Ouster sensors (see lidar::Unit).
   std::uint16_t columns_per_turn = 0;
   std::uint32_t column_ns = 0;
   bool is_synchronised = false;  // its clock is the pose source's clock
@@ -195,7 +198,7 @@ struct Vehicle {
   std::int32_t z_max = 0;
 
   [[nodiscard]] constexpr HeightBand band() const { return {z_min, z_max}; }
-  // The part of the height band in which the sensor's beams are low.
+  // Returns the part of the height band in which the sensor's beams are low.
   [[nodiscard]] constexpr HeightBand low_band(const Sensor& sensor) const {
     return {z_min, sensor.moved.low_mm == MovedLimits::kAnyHeight
                        ? z_max
@@ -212,8 +215,8 @@ struct Vehicle {
   map::SourceDescription maps{};
   perception::Rules window{};
 
-  // True if the classes depend on packet arrival times, because at least one sensor's clock is not
-  // the pose source's clock.
+  // Returns true if the classes depend on packet arrival times, because at least one sensor's clock
+  // is not the pose source's clock.
   [[nodiscard]] constexpr bool depends_on_arrival() const {
     return have_classes(grids) && !std::ranges::all_of(sensors, &Sensor::is_synchronised);
   }

@@ -1,11 +1,11 @@
-// Position of the window: a square of 32 by 32 tiles of the local frame.
+// The position of the window. The window is a square of 32 by 32 tiles of the local frame.
 //
 // Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
 // b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile
 // (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
-// data is moved when the window moves. Coordinates of the local frame are int32 millimetres, so for
-// cells of 0.1 m, tile numbers are within +-671,089. For cells of 0.2 m and 0.5 m, they are closer
-// to 0.
+// data is moved when the window moves. Coordinates of the local frame are int32 millimetres. For
+// cells of 0.1 m, tile numbers are therefore within +-671,089. For cells of 0.2 m and 0.5 m, tile
+// numbers are closer to 0.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcro
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
 inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
 
-// A tile of the local frame, or a tile of the window counted from its lowest corner.
+// A tile of the local frame, or a tile of the window counted from the window's lowest corner.
 struct TileNumber {
   std::int32_t a = 0;
   std::int32_t b = 0;
@@ -58,16 +58,17 @@ class Area {
     return Area({first_around(cell.x), first_around(cell.y)});
   }
 
-  // Returns this area after following a cell. On each axis, the area moves if the cell is more than
-  // half a tile outside the one-tile square in its middle. With cells of 0.1 m, at least 48 m
-  // therefore remain on each side, and noise at a tile border does not move the area.
+  // Returns the area after it has followed a cell. The area has a one-tile square in its middle. On
+  // each axis, the area moves if the cell is more than half a tile outside the middle square. With
+  // cells of 0.1 m, at least 48 m therefore remain on each side, and noise at a tile border does
+  // not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell).corner_;
     return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
                  is_near_middle(corner_.b, cell.y) ? corner_.b : centred.b});
   }
 
-  // The tile with the lowest a and b.
+  // Returns the tile with the lowest a and b.
   [[nodiscard]] constexpr TileNumber corner() const { return corner_; }
 
   [[nodiscard]] constexpr bool contains(TileNumber tile) const {
@@ -77,7 +78,7 @@ class Area {
     return contains(window_tile(cell));
   }
 
-  // Returns the tile of this area at a slot. The tile number wraps around if the area would exceed
+  // Returns the tile of the area at a slot. The tile number wraps around if the area would exceed
   // 32 bits.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;

@@ -1,10 +1,10 @@
-// Bit rows of a tile with a margin from its eight neighbours, and neighbourhood operations on 32
-// cells at once.
+// Stores the bit rows of a tile with a margin from its eight neighbours. Neighbourhood operations
+// process 32 cells at once.
 //
-// Each word represents a row. Bit 16 is the tile's cell 0, and 16 cells of the neighbours lie on
-// each side. There are eight additional rows below the tile and eight above it. A square of radius
-// r invalidates r cells and r rows at the border. The tile's own bits are therefore correct as long
-// as the sum of the radii is at most 8.
+// Each word represents a row. Bit 16 is cell 0 of the tile. On each side, a row contains 16 cells
+// of the neighbours. Eight additional rows are below the tile, and eight are above it. An operation
+// on squares of radius r invalidates r cells and r rows at the border. The tile's own bits are
+// therefore correct as long as the sum of the radii is at most 8.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ inline constexpr std::size_t kRowMargin = 8;
 inline constexpr int kColumnMargin = 16;
 inline constexpr std::size_t kRowCount = geometry::kTileSide + 2 * kRowMargin;
 
-// The planes of a tile and its neighbours, row by row from below. The tile's own plane is in the
-// middle, at index 4. The pointers are never null.
+// The planes of a tile and its neighbours, row by row from the lowest row. The tile's own plane is
+// in the middle, at index 4. The pointers are never null.
 using NinePlanes = std::array<const Plane*, 9>;
 
 struct alignas(16) Rows {
   std::array<std::uint64_t, kRowCount> words;  // written completely by each producer
 };
 
-// Returns the rows of a tile and kMargin rows below and above it, kMargin <= kRowMargin. Rows
-// farther out are zero.
+// Returns the rows of a tile and kMargin rows below and above it. Requires kMargin <= kRowMargin.
+// All other rows are zero.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
   constexpr std::size_t kSide = geometry::kTileSide;
@@ -93,7 +93,7 @@ inline RowPair over_runs(RowPair one) {
 }
 
 // Combines each cell with all cells of the surrounding square with side length 2 kRadius + 1.
-// kRadius is 1 ... 3. The outermost kRadius rows are set to zero.
+// `kRadius` is from 1 to 3. The outermost kRadius rows are set to zero.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
   static_assert(kRadius >= 1 && kRadius <= 3);
@@ -117,8 +117,8 @@ inline Rows over_squares(const Rows& in) {
   return out;
 }
 
-// dilated() sets a cell if any cell of the square is set. eroded() sets a cell if all cells of the
-// square are set.
+// `dilated()` sets a cell if any cell of the square is set. `eroded()` sets a cell if all cells of
+// the square are set.
 template <int kRadius>
 inline Rows dilated(const Rows& in) {
   return over_squares<Or, kRadius>(in);
@@ -128,7 +128,7 @@ inline Rows eroded(const Rows& in) {
   return over_squares<And, kRadius>(in);
 }
 
-// The same with a radius of 1 ... 3 that depends on the size of the cells.
+// The following overloads take a radius from 1 to 3 that depends on the size of the cells.
 inline Rows dilated(const Rows& in, int radius) {
   return radius == 1 ? dilated<1>(in) : radius == 2 ? dilated<2>(in) : dilated<3>(in);
 }

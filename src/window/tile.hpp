@@ -1,8 +1,8 @@
-// One tile of the window in memory: 32 by 32 cells aligned to the local frame.
+// One tile of the window in memory, with 32 by 32 cells aligned to the local frame.
 //
 // An unknown tile contains only zeros, with two exceptions. First, the masses of groups that were
-// never aged are undefined. Clearing a tile therefore need not write them. Second, the map content
-// is kept.
+// never aged are undefined. Clearing a tile therefore does not need to write the masses. Second,
+// the map content is kept.
 #pragma once
 
 #include <array>
@@ -21,11 +21,11 @@ namespace iog::window {
 inline constexpr std::size_t kGroupsPerRow = geometry::kTileSide / evidence::kGroupCells;
 inline constexpr std::size_t kGroupsPerTile = geometry::kTileCells / evidence::kGroupCells;
 
-// One bit per cell: bit x of word y. Word 0 has the lowest y.
+// A plane has one bit per cell. Bit x of word y represents cell (x, y). Word 0 has the lowest y.
 using Plane = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
-// Whether no bit of the plane is set. Reading all words is faster than testing each word.
+// Returns true if no bit of the plane is set. Reading all words is faster than testing each word.
 [[nodiscard]] inline bool is_empty(const Plane& plane) {
   std::uint32_t bits = 0;
   for (const std::uint32_t row : plane) {
@@ -38,7 +38,7 @@ static_assert(geometry::kTileSide == 32);
 using TileRuledOut = std::array<decision::RuledOut, kGroupsPerTile>;
 alignas(8) inline constexpr decision::RuledOut kNothingRuledOut{};
 
-// Cell properties for later neighbourhood tests. They were computed when the cell's group was last
+// Cell properties for later neighbourhood tests, computed when the cell's group was last
 // classified.
 struct Found {
   Plane freed{};   // free mass above one half
@@ -47,7 +47,7 @@ struct Found {
   Plane taken{};   // occupied mass above one quarter
 };
 
-// Memory of the ground, independent of objects that are currently on it.
+// The memory of the ground, which is independent of objects that are currently on the ground.
 struct Ground {
   Plane open{};       // the ground was free, with a margin
   Plane dense{};      // all surrounding cells were seen as free in one frame
@@ -59,13 +59,13 @@ struct Tile {
   // Sets all cells to unknown.
   void clear();
 
-  // Whether the group has ever been known.
+  // Returns true if the group has ever been known.
   [[nodiscard]] bool is_known(std::size_t group) const {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // The map classes ruled out in a group. If there is no map, this function avoids reading a
-  // kilobyte of zeros.
+  // Returns the map classes ruled out in a group. If the target has no map, this function avoids
+  // reading a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
       return kNothingRuledOut;
@@ -73,26 +73,28 @@ struct Tile {
     return ruled_out[group];
   }
 
-  // Stored row by row from the lowest y, like all arrays that are indexed by group.
+  // Masses are stored row by row from the lowest y, like all arrays that are indexed by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // Stored separately from the masses, because only these bytes are read to send the classes.
+  // The class bytes are stored separately from the masses, because only the class bytes are read to
+  // send the classes.
   std::array<decision::Decided, kGroupsPerTile> decided{};
-  // The map classes ruled out, even for unknown cells. 0 where the map has no information.
+  // The map classes ruled out, even for unknown cells. The value is 0 where the map has no
+  // information.
   TileRuledOut ruled_out{};
   // For each group, the clock slots of the group's last ageing and of its last evidence
   // (ageing/clock.hpp). Both slots are kNever if the group is unknown. The slot of the last
   // evidence is also kNever if this evidence is too old.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
-  // Whether the group is known and all values of its `taken` are 0.
+  // True if the group is known and all values of its `taken` are 0.
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
-  // Whether `ruled_out` has any non-zero value.
+  // True if `ruled_out` has any non-zero value.
   bool has_ruled_out = false;
-  // Set if a low beam has freed the cell since the tile became known and no stationary object has
-  // been there since.
+  // The bit of a cell is set if a low beam has freed the cell since the tile became known, and no
+  // stationary object has been in the cell since then.
   Plane from_below{};
 };
 

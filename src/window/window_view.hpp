@@ -1,5 +1,5 @@
-// A read-only view of the window for sinks, tools and measurements. It is valid until the next
-// slice or frame.
+// A read-only view of the window for sinks, tools and measurements. The view is valid until the
+// next slice or frame.
 #pragma once
 
 #include <cstddef>
@@ -21,50 +21,53 @@ class WindowView {
   WindowView(const Window& window, const Refreshed& refreshed, const ageing::Clock& clock)
       : window_(&window), refreshed_(&refreshed), clock_(&clock) {}
 
-  // Whether the window has a position. If it has no position, all cells are unknown.
+  // Returns true if the window has a position. If the window has no position, all cells are
+  // unknown.
   [[nodiscard]] bool is_centred() const { return window_->is_centred(); }
 
-  // The tiles of the local frame that the window covers, and their slots.
+  // Returns the tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Whether the tile at a slot has ever been known. If not, all of its cells are unknown.
+  // Returns true if the tile at a slot has ever been known. Otherwise, all cells of the tile are
+  // unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
-  // The tile at a slot. If the tile is unknown, only its map content is valid.
+  // Returns the tile at a slot. If the tile is unknown, only its map content is valid.
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return window_->tile(slot); }
 
   using ClassBytes = std::span<const std::byte, geometry::kTileCells>;
 
-  // The class bytes of the tile at a slot, row by row from its lowest y. Empty if no cell has a
-  // class.
+  // Returns the class bytes of the tile at a slot, row by row from the tile's lowest y. Returns
+  // nothing if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
-  // The class bytes of any tile that has ever been known, even if no cell has a class.
+  // Returns the class bytes of any tile that has ever been known, even if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
-  // Copies the class bytes. Returns false if no cell has a class. All bytes are then 0.
+  // Copies the class bytes. If no cell has a class, all bytes are set to 0 and the result is false.
   bool copy_classes(std::size_t slot, std::span<std::int8_t, geometry::kTileCells> to) const;
 
-  // The class byte of a cell of the local frame, or 0 outside the window.
+  // Returns the class byte of a cell of the local frame, or 0 for a cell outside the window.
   [[nodiscard]] std::int8_t name_of(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot)
                ? tile(at.slot).decided[at.group()][at.in_group()]
                : std::int8_t{0};
   }
-  // Whether the ground in this cell was open.
+  // Returns true if the ground in this cell was open.
   [[nodiscard]] bool is_open(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
   }
 
-  // The classes of the 3 by 3 cells around and including a cell. Bit i is set if class i occurs.
+  // Returns the classes of the 3 by 3 cells around and including a cell. Bit i is set if class i
+  // occurs.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
-  // The version of the tile at a slot. While it stays the same, the tile's classes stay the same
-  // (window/window.hpp).
+  // Returns the version of the tile at a slot. While the version stays the same, the tile's classes
+  // stay the same (window/window.hpp).
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return window_->version(slot); }
 
-  // The age of the tile's oldest classification, in frames. The tile must be known.
+  // Returns the age of the tile's oldest classification, in frames. The tile must be known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {
     return clock_->frames_since((*refreshed_)[slot]);
   }

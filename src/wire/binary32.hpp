@@ -1,8 +1,8 @@
-// Reads IEEE 754 binary32 numbers, which some wire formats contain, without floating-point
-// arithmetic.
+// Reads IEEE 754 binary32 numbers without floating-point arithmetic. Some wire formats contain
+// binary32 numbers.
 //
-// Such a number equals m 2^(e - 150) with m below 2^24. Multiplied by a factor below 2^32, m stays
-// below 2^56. One 64-bit multiplication and one shift are therefore exact.
+// A binary32 number equals m 2^(e - 150) with m below 2^24. The product of m and a factor below
+// 2^32 is below 2^56. One 64-bit multiplication and one shift are therefore exact.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace iog::wire {
 
-// The integer nearest to value * factor / 2^fraction_bits; ties are rounded away from 0. bits: the
-// encoded value. fraction_bits: 0 to 32. Returns nothing if the value is NaN, infinite, or at least
-// 2^(19 + fraction_bits).
+// Returns the integer nearest to value * factor / 2^fraction_bits. Ties are rounded away from 0.
+// `bits` is the encoded value. `fraction_bits` is from 0 to 32. Returns nothing if the value is
+// NaN, infinite, or at least 2^(19 + fraction_bits).
 [[nodiscard]] constexpr std::optional<std::int64_t> nearest_product(std::uint32_t bits,
                                                                     std::uint32_t factor,
                                                                     int fraction_bits) {

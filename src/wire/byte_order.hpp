@@ -1,12 +1,12 @@
-// Converts integers to and from wire bytes. Byte order is handled only here.
+// Converts integers to and from wire bytes. Byte order is handled only in this file.
 //
 // The parameter of each function has exactly the size of the integer:
 //     load_be16(frame.subspan<12, 2>())
 // A shorter span of static extent does not compile. A caller that converts a dynamic span to a
-// fixed span must know that the bytes exist. ByteReader and ByteWriter check this.
+// fixed span must know that the bytes exist. ByteReader and ByteWriter check that the bytes exist.
 //
-// ARMv7 can access normal memory unaligned, so GCC merges the bytewise expressions into one ldr/str
-// and one rev. No function requires alignment.
+// ARMv7 supports unaligned access to normal memory, so GCC merges the bytewise expressions into one
+// ldr/str and one rev. No function requires alignment.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Reads wire bytes sequentially and never past the end.
 //
-// A read beyond the end returns 0 or an empty span, and all later reads do the same. ok() is false
-// from then on. A decoder can therefore read a whole header and then check ok() once before it uses
+// A read beyond the end returns 0 or an empty span, and so do all later reads. From then on, ok()
+// is false. A decoder can therefore read a complete header and then check ok() once before it uses
 // any value.
 #pragma once
 
@@ -14,8 +14,9 @@
 namespace iog::wire {
 
 class ByteReader {
-  // Defined before its callers, because clang 14 otherwise cannot evaluate them at compile time.
-  // Emptying the rest makes the failure permanent without slowing down successful reads.
+  // The function is defined before its callers, because clang 14 otherwise cannot evaluate them at
+  // compile time. Emptying the rest makes the failure permanent without slowing down successful
+  // reads.
   constexpr void fail() {
     rest_ = {};
     ok_ = false;
@@ -43,14 +44,14 @@ class ByteReader {
   [[nodiscard]] constexpr std::uint64_t u64_be() { return take(load_be64); }
   [[nodiscard]] constexpr std::uint64_t u64_le() { return take(load_le64); }
 
-  // Two's complement, as in all wire formats of this project.
+  // Signed integers use two's complement, as in all wire formats of this project.
   [[nodiscard]] constexpr std::int8_t i8() { return static_cast<std::int8_t>(u8()); }
   [[nodiscard]] constexpr std::int16_t i16_be() { return static_cast<std::int16_t>(u16_be()); }
   [[nodiscard]] constexpr std::int16_t i16_le() { return static_cast<std::int16_t>(u16_le()); }
   [[nodiscard]] constexpr std::int32_t i32_be() { return static_cast<std::int32_t>(u32_be()); }
   [[nodiscard]] constexpr std::int32_t i32_le() { return static_cast<std::int32_t>(u32_le()); }
 
-  // The next `count` bytes as a view of the input. Empty if fewer bytes remain.
+  // Returns the next `count` bytes as a view of the input, or an empty span if fewer bytes remain.
   [[nodiscard]] constexpr std::span<const std::byte> bytes(std::size_t count) {
     if (count > rest_.size()) {
       fail();
@@ -63,10 +64,10 @@ class ByteReader {
 
   constexpr void skip(std::size_t count) { static_cast<void>(bytes(count)); }
 
-  // Number of unread bytes; 0 after a failed read.
+  // Returns the number of unread bytes, or 0 after a failed read.
   [[nodiscard]] constexpr std::size_t remaining() const { return rest_.size(); }
 
-  // True if no read has failed so far.
+  // Returns true if no read has failed so far.
   [[nodiscard]] constexpr bool ok() const { return ok_; }
 
  private:

@@ -1,8 +1,8 @@
 // Writes wire bytes sequentially and never past the end of the buffer.
 //
-// If a write does not fit, it and all later writes have no effect, even if they are shorter, and
-// ok() is false from then on. An encoder can therefore write a whole message and then check ok()
-// once.
+// If a write does not fit, this write and all later writes have no effect, even if later writes are
+// shorter. From then on, ok() is false. An encoder can therefore write a complete message and then
+// check ok() once.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 namespace iog::wire {
 
 class ByteWriter {
-  // Defined before its callers, because clang 14 otherwise cannot evaluate them at compile time.
-  // Setting the end of the buffer here makes the failure permanent without slowing down successful
-  // writes.
+  // The function is defined before its callers, because clang 14 otherwise cannot evaluate them at
+  // compile time. Setting the end of the buffer here makes the failure permanent without slowing
+  // down successful writes.
   constexpr void fail() {
     buffer_ = written();
     ok_ = false;
@@ -55,7 +55,7 @@ class ByteWriter {
   constexpr void u64_be(std::uint64_t value) { put(store_be64, value); }
   constexpr void u64_le(std::uint64_t value) { put(store_le64, value); }
 
-  // Two's complement, as in all wire formats of this project.
+  // Signed integers use two's complement, as in all wire formats of this project.
   constexpr void i8(std::int8_t value) { u8(static_cast<std::uint8_t>(value)); }
   constexpr void i16_be(std::int16_t value) { u16_be(static_cast<std::uint16_t>(value)); }
   constexpr void i16_le(std::int16_t value) { u16_le(static_cast<std::uint16_t>(value)); }
@@ -80,13 +80,13 @@ class ByteWriter {
   // Skips `count` bytes without writing, for a field that is filled in later.
   constexpr void skip(std::size_t count) { static_cast<void>(claim(count)); }
 
-  // All bytes so far, including skipped ones.
+  // Returns all bytes so far, including skipped bytes.
   [[nodiscard]] constexpr std::span<std::byte> written() const { return buffer_.first(position_); }
 
-  // Number of free bytes; 0 after a failed write.
+  // Returns the number of free bytes, or 0 after a failed write.
   [[nodiscard]] constexpr std::size_t remaining() const { return buffer_.size() - position_; }
 
-  // True if no write has failed so far.
+  // Returns true if no write has failed so far.
   [[nodiscard]] constexpr bool ok() const { return ok_; }
 
  private:

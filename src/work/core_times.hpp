@@ -1,5 +1,5 @@
-// The working time of each core, in ticks modulo 2^32. Each time has its own cache line. Only the
-// core itself writes its time, and other cores may read it.
+// The working time of each core, in ticks modulo 2^32. Each core's time has its own cache line.
+// Only the core itself writes its time. Other cores may read it.
 #pragma once
 
 #include <array>

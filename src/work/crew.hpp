@@ -1,6 +1,6 @@
-// The executor of a round's tasks: a team, a platform with a team, or core 0 alone.
+// The executor of a round's tasks, which is a team, a platform with a team, or core 0 alone.
 //
-// A crew is only a reference, so code that splits its work need not know which executor is used.
+// A crew is only a reference. Code that splits its work therefore does not depend on the executor.
 #pragma once
 
 #include <concepts>
@@ -10,7 +10,7 @@
 
 namespace iog::work {
 
-// The same interface as work::Team.
+// A sharer has the same interface as work::Team.
 template <typename T>
 concept Sharer = requires(T& sharer, std::size_t items, Work work, Beside beside) {
   { sharer.cores() } -> std::same_as<std::size_t>;
@@ -19,10 +19,10 @@ concept Sharer = requires(T& sharer, std::size_t items, Work work, Beside beside
 
 class Crew {
  public:
-  // Core 0 alone.
+  // Creates a crew that consists of core 0 alone.
   Crew() = default;
 
-  // sharer must outlive the crew.
+  // `sharer` must outlive the crew.
   template <Sharer S>
   explicit Crew(S& sharer)
       : sharer_(&sharer),
@@ -31,17 +31,17 @@ class Crew {
           static_cast<S*>(its)->share(items, work, beside);
         }) {}
 
-  // The number of cores that may currently work, core 0 included.
+  // Returns the number of cores that may currently work, including core 0.
   [[nodiscard]] std::size_t cores() const { return sharer_ == nullptr ? 1 : cores_(sharer_); }
   [[nodiscard]] bool is_one() const { return cores() == 1; }
 
-  // Calls do_item(item, core) for every item. `items` is at most Round::kMaxItems. Returns when all
-  // items are done.
+  // Calls do_item(item, core) for every item. `items` is at most Round::kMaxItems. The function
+  // returns when all items are done.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});
   }
-  // Same as above, but core 0 also runs `beside` once.
+  // Has the same effect as the function above, but core 0 also runs `beside` once.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item, Beside beside) const {
     share_work(items, work_of(do_item), beside);
@@ -61,8 +61,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// Returns how many items `things` elements need, with `in_each` elements per item. The last item
-// may contain fewer elements.
+// Returns the number of items needed for `things` elements with `in_each` elements per item. The
+// last item may contain fewer elements.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

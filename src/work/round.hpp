@@ -1,10 +1,11 @@
-// A round: work split into items that any core may claim. Every item is completed.
+// A round is work that is split into items. Any core may claim an item, and every item is
+// completed.
 //
 // One word, the ticket, contains the number of the round and the number of remaining items. A core
 // claims an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and
 // sets the item's flag. Core 0 opens a round only after the flags of all items of the previous
-// round have been set. The data of a round therefore does not change between claiming an item and
-// setting its flag. docs/cores.md describes the memory order.
+// round have been set. The data of a round therefore does not change from the time at which an item
+// is claimed until its flag is set. The memory order is described in docs/cores.md.
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
 // reads or writes. A core may also be stopped while it runs an item. Core 0 then repeats the item
@@ -20,15 +21,15 @@
 
 namespace iog::work {
 
-// The function that runs an item. Its arguments include the number of the core that runs the item.
+// The function that runs an item. The arguments include the number of the core that runs the item.
 struct Work {
   void (*run)(void* context, std::size_t item, std::size_t core) = nullptr;
   void* context = nullptr;
 };
 
 // A task that core 0 runs once, before it claims items. The task must not write data that an item
-// reads, or read data that an item writes. The task is never repeated, because core 0 is never
-// lost.
+// reads, and must not read data that an item writes. The task is never repeated, because core 0 is
+// never lost.
 struct Beside {
   void (*run)(void* context) = nullptr;
   void* context = nullptr;
@@ -40,7 +41,7 @@ struct Beside {
   }
 };
 
-// Runs everything on core 0.
+// Runs all items and the extra task on core 0.
 inline void do_alone(std::size_t items, Work work, Beside beside = {}) {
   beside();
   for (std::size_t item = 0; item < items; ++item) {
@@ -63,8 +64,8 @@ template <typename Callable>
 }
 
 // Adds to a counter that only one core writes and other cores may read. A load and a store are
-// enough, because no other core writes in between. This also avoids an exclusive access, which
-// could follow a store to a device.
+// enough, because no other core writes in between. The function also avoids an exclusive access,
+// which could follow a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -81,14 +82,15 @@ class Round {
     [[nodiscard]] std::size_t left() const { return word & 0xFFFFU; }
   };
 
-  // Begins a round of at most kMaxItems items. Core 0 calls it when the previous round is done.
+  // Begins a round of at most kMaxItems items. Core 0 calls open() when the previous round is done.
   void open(std::size_t items, Work work);
 
-  // Any core may call these functions. look() returns the current ticket. claim() claims an item if
-  // the ticket has not changed and an item is left. Otherwise it sets `seen` to the current ticket.
+  // Any core may call these functions. `look()` returns the current ticket. `claim()` claims an
+  // item if the ticket has not changed and an item is left. Otherwise, claim() sets `seen` to the
+  // current ticket.
   [[nodiscard]] Ticket look() const { return {ticket_.load(std::memory_order_acquire)}; }
   [[nodiscard]] std::optional<std::size_t> claim(Ticket& seen);
-  // Only the core that claimed the item may call it.
+  // Only the core that claimed the item may call these functions.
   void run(std::size_t item, std::size_t core) { work_.run(work_.context, item, core); }
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
@@ -96,17 +98,17 @@ class Round {
   // completed items to `done`, which only this core may write.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
-  // Whether the flags of all items are set. If it returns true, all stores of the items are
-  // visible. Only core 0 may call it.
+  // Returns true if the flags of all items are set. If the result is true, all stores of the items
+  // are visible. Only core 0 may call is_done().
   [[nodiscard]] bool is_done();
 
-  // Runs the items whose flag is not set, and returns their number. Core 0 calls it when no other
-  // core runs items.
+  // Runs the items whose flag is not set, and returns the number of these items. Core 0 calls
+  // redo() when no other core runs items.
   std::size_t redo();
 
  private:
-  // These members share a cache line, because a core that claims an item needs the work next. Only
-  // core 0 writes the members after the ticket, and only while no item is left.
+  // The ticket and the work share a cache line, because a core that claims an item needs the work
+  // next. Only core 0 writes the members after the ticket, and only while no item is left.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
   std::size_t checked_ = 0;  // for core 0: the flags of all items below this one are set

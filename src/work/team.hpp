@@ -1,9 +1,10 @@
-// The worker pool: core 0, which opens rounds, and the helpers.
+// The worker pool consists of core 0, which opens rounds, and the helpers.
 //
-// Core 0 claims items like any helper, so a round is completed even without helpers. A helper that
-// faults or hangs while it runs an item is stopped and never used again, and core 0 runs its item.
-// A helper that does not answer a wake-up has not claimed an item, and may answer later. Losing a
-// core therefore only costs time. No wait is longer than patience_us, unless an item takes longer.
+// Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
+// faults or hangs while it runs an item, the helper is stopped and never used again, and core 0
+// runs the item. A helper that does not answer a wake-up has not claimed an item, and may answer
+// later. Losing a core therefore only costs time. No wait is longer than patience_us, unless an
+// item takes longer.
 #pragma once
 
 #include <algorithm>
@@ -29,13 +30,13 @@ enum class Loss : std::uint8_t {
   kSilent,    // it has not answered a wake-up yet, and will be woken again
 };
 
-// Since start, modulo 2^32.
+// Counts since start-up, modulo 2^32.
 struct TeamCounts {
   std::uint32_t at_work = 0;                          // cores that currently work
   std::uint32_t for_lost = 0;                         // items of lost cores that core 0 did
   std::array<std::uint32_t, hal::kMaxCores> items{};  // completed by each core
 
-  // Names in the stream (stream/target_table.hpp).
+  // The names of the counters in the stream (stream/target_table.hpp).
   static constexpr auto kNames =
       std::to_array<std::string_view>({"cores at work", "items for lost cores", "items of core 0",
                                        "items of core 1", "items of core 2", "items of core 3"});
@@ -44,9 +45,9 @@ struct TeamCounts {
 template <hal::Cores C>
 class Team {
  public:
-  // cores must outlive the team. patience_us is the maximum time for a helper to answer a wake-up,
-  // or to finish its item after all other helpers have finished. It must be longer than any item
-  // takes.
+  // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. After all
+  // other helpers have finished, a helper must also finish its item within `patience_us`.
+  // `patience_us` must be longer than any item takes.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
@@ -54,8 +55,8 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  // Starts helpers until `wanted` cores work, core 0 included, or until the machine has no more
-  // cores. Returns the number of working cores. Call it once.
+  // Starts helpers until `wanted` cores work, including core 0, or until the machine has no more
+  // cores. Returns the number of working cores. Call start() once.
   std::size_t start(std::size_t wanted) {
     const std::size_t count = std::min(wanted, cores_->count());
     for (std::size_t core = 1; core < hal::kMaxCores && core < count; ++core) {
@@ -84,13 +85,13 @@ class Team {
   }
 
   // Wakes every available helper without giving it work, so that comes() shows which helpers are
-  // alive. Call it between rounds.
+  // alive. Use call() between rounds.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
   }
 
-  // The number of cores that work or may still answer, core 0 included.
+  // Returns the number of cores that work or may still answer, including core 0.
   [[nodiscard]] std::size_t cores() const {
     std::size_t cores = 0;
     for (std::size_t core = 0; core < loss_.size(); ++core) {
@@ -103,19 +104,20 @@ class Team {
     return cores_->last_word(core);
   }
 
-  // Whether a helper should answer a wake-up. This is the case if it has started and is not known
-  // to be lost.
+  // Returns true if a helper should answer a wake-up. A helper should answer if it has started and
+  // is not known to be lost.
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // The number of times that a helper has answered a wake-up and gone idle again, since start-up
-  // and modulo 2^32.
+  // Returns the number of times that a helper has answered a wake-up and gone idle again, since
+  // start-up and modulo 2^32.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
-  // items() returns the number of items that a core has completed. redone() returns the number of
-  // items of lost cores that core 0 completed. Both are counted since start-up, modulo 2^32.
+  // `items()` returns the number of items that a core has completed. `redone()` returns the number
+  // of items of lost cores that core 0 completed. Both numbers are counted since start-up, modulo
+  // 2^32.
   [[nodiscard]] std::uint32_t items(std::size_t core) const {
     return seats_[core].items.load(std::memory_order_relaxed);
   }
@@ -126,14 +128,15 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Incremented when a core is lost, or when it fails to answer for the first time.
+  // Returns the number of times that a core was lost or failed to answer for the first time.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // This value is not the number of a round. It indicates that the helper is looking for items.
+  // The value kInside differs from every round number. The value indicates that the helper is
+  // looking for items.
   static constexpr std::uint32_t kInside = 1U << 16;
 
-  // Only the seat's own core writes it. Each seat has its own cache line.
+  // Only the seat's own core writes these members. Each seat has its own cache line.
   struct alignas(64) Seat {
     std::atomic<std::uint32_t> place{0};  // kInside, or the round in which the core found no more
                                           // items

@@ -1,4 +1,5 @@
-// A PHY according to IEEE 802.3 clause 22: its registers, and the link that they describe.
+// Defines the registers of a PHY according to IEEE 802.3 clause 22, and the link that these
+// registers describe.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,8 @@ inline constexpr std::uint16_t kGigabitFull = 1u << 9;
 inline constexpr std::uint16_t kGigabitHalf = 1u << 8;
 inline constexpr std::uint16_t kNegotiateAnew = 1u << 12 | 1u << 9;
 
-// The best mode that both ends support according to the four registers (802.3 annex 28B.3). If the
-// partner does not negotiate, the result is 10 Mbit/s half duplex.
+// Returns the best mode that both ends support, according to the four registers (802.3 annex
+// 28B.3). If the partner does not negotiate, the result is 10 Mbit/s half duplex.
 constexpr Link resolve(std::uint16_t advertised, std::uint16_t partner,
                        std::uint16_t gigabit_control, std::uint16_t gigabit_status) {
   // The partner's gigabit bits are two positions above our own.

@@ -14,13 +14,14 @@ template <typename Mdio>
 class LinkMonitor {
  public:
   static constexpr std::uint32_t kPeriodUs = 100'000;
-  // An access takes 27 us at 2.4 MHz and 150 us at 0.4 MHz. If it takes twenty times as long, the
-  // bus is stuck.
+  // An access takes 27 us at 2.4 MHz and 150 us at 0.4 MHz. If an access takes twenty times as
+  // long, the bus is stuck.
   static constexpr std::uint32_t kAccessTimeoutUs = 3000;
 
   explicit LinkMonitor(Mdio& mdio) : mdio_(mdio) {}
 
-  // Returns the new state of the link if it has changed. Call it once per pass of the loop.
+  // Returns the new state of the link if the state has changed. Call this function once per pass of
+  // the loop.
   std::optional<Link> poll(std::uint64_t now_us) {
     if (!reading_) {
       if (now_us - began_us_ >= kPeriodUs) {
@@ -37,15 +38,15 @@ class LinkMonitor {
     return std::nullopt;
   }
 
-  // Call it after a reset of the controller, because a started access will then never finish. The
-  // next poll starts a new one.
+  // Call this function after a reset of the controller, because an access that was started before
+  // the reset never finishes. The next poll starts a new access.
   void abandon() { reading_ = false; }
 
   const Link& link() const { return link_; }
 
  private:
-  // The registers in reading order. The status is read in every round, the others only after the
-  // link has come up.
+  // The registers in reading order. The status is read in every round. The other registers are read
+  // only after the link has come up.
   static constexpr std::array<unsigned, 5> kSequence = {phy::kBasicStatus, phy::kAdvertised,
                                                         phy::kPartnerAbility, phy::kGigabitControl,
                                                         phy::kGigabitStatus};

@@ -1,6 +1,6 @@
 // The management bus of the PHY, with the frames of IEEE 802.3 clause 22. The controller must have
-// a 32-bit register that contains such a frame without its preamble. A port starts a frame and
-// reports how it ends.
+// a 32-bit register that contains a frame without its preamble. A port starts a frame and reports
+// the frame's result.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class Mdio {
  public:
   explicit Mdio(typename Port::Registers& registers) : port_(registers) {}
 
-  // Sets the bus clock to at most 2.5 MHz (IEEE 802.3). Also call it after a reset of the
-  // controller, which ends a started access.
+  // Sets the bus clock to at most 2.5 MHz (IEEE 802.3). Also call this function after a reset of
+  // the controller. The reset ends a started access.
   void start() { port_.start(); }
 
-  // Sets the PHY address of all further accesses, 0 to 31.
+  // Sets the PHY address, 0 to 31, of all further accesses.
   void select(unsigned phy_address) { phy_address_ = phy_address; }
 
   // Selects the first PHY that answers at one of these addresses. All waits are bounded.
@@ -36,7 +36,8 @@ class Mdio {
     return {};
   }
 
-  // Waits for the access, for a bounded time. Use it only during start-up.
+  // Reads a register and waits for the result, for a bounded time. Use this function only during
+  // start-up.
   std::optional<std::uint16_t> read(unsigned phy_register) {
     begin_read(phy_register);
     if (!wait()) {
@@ -49,13 +50,13 @@ class Mdio {
     return wait();
   }
 
-  // Call it only after find() has found the PHY. Failures are ignored, because start-up cannot
-  // correct them. After a failed write, the link stays down or loses frames.
+  // Call this function only after find() has found the PHY. Failures are ignored, because start-up
+  // cannot correct failures. After a failed write, the link stays down or loses frames.
   void set(unsigned phy_register, std::uint16_t value) {
     static_cast<void>(write(phy_register, value));
   }
 
-  // The same in two steps that do not wait, for the loop.
+  // The loop reads a register in steps that do not wait.
   void begin_read(unsigned phy_register) { port_.begin(frame(kRead, phy_register)); }
   bool finished() const { return port_.finished(); }
   std::uint16_t result() const { return port_.data(); }

@@ -1,17 +1,19 @@
-// Implements hal::EthernetPort with an Ethernet controller: manages the rings and the link, limits
-// the transmit rate (transmit_shaper.hpp), and restarts the controller when it has stopped.
+// Implements hal::EthernetPort with an Ethernet controller. Port manages the rings and the link,
+// limits the transmit rate (transmit_shaper.hpp), and restarts the controller when the controller
+// has stopped.
 //
 // The controller's memory is uncached. A received frame is therefore copied once, in bursts, into
-// cached memory and parsed there, and its buffer is returned at once. On the i.MX6, 1500 bytes are
-// 47 bursts of about 140 cycles, or 7 us. If a frame were parsed in place, reading each field and
-// each word of the checksum would take as long as a burst. The cost model (docs/a9_model.md)
-// predicts 100 us per LUX packet, which adds 2 ms to a frame of four LUX, whereas the copies add
-// 0.12 ms. Cached buffers would save most of the copying. However, all 47 lines would have to be
-// invalidated in both cache levels, before and after the transfer, through the PL310's slow port
-// and with erratum 764369 in mind. This would cost as much and be more error-prone.
+// cached memory, where it is parsed. The frame's buffer is returned immediately. On the i.MX6, 1500
+// bytes are 47 bursts of about 140 cycles, or 7 us. If a frame were parsed in place, reading each
+// field and each word of the checksum would take as long as a burst. The cost model
+// (docs/a9_model.md) predicts 100 us per LUX packet, which adds 2 ms to a frame of four LUX,
+// whereas the copies add 0.12 ms. Cached buffers would save most of the copying. However, all 47
+// lines would have to be invalidated in both cache levels, before and after the transfer, through
+// the PL310's slow port and with erratum 764369 in mind. Invalidation would cost as much as
+// copying, and would be more error-prone.
 //
-// Each board provides a Controller. It has the types Format (rings.hpp), Mdio (mdio.hpp) and Clock,
-// and these functions:
+// Each board provides a Controller with the types Format (rings.hpp), Mdio (mdio.hpp) and Clock,
+// and the following functions:
 //
 //   stop()              resets the controller, its events and its statistics
 //   set_up(settings)    writes the settings of the stopped controller; then mdio() works
@@ -42,13 +44,12 @@
 
 namespace iog::board {
 
-// The rings and their buffers, which the controller's DMA accesses. There is one instance, in the
-// uncached region.
-// Guards separate its parts.
+// The rings and their buffers, which the controller's DMA accesses. The only instance is in the
+// uncached region. Guards separate the parts of this memory.
 //
-// The transmit ring holds a complete grid without waiting: 1024 tiles, 64 other frames at the same
-// time (status, ARP, echo replies), and 64 earlier frames that may still be in flight. Another 256
-// buffers are for a subscriber's copies, which never take buffers that the peer needs
+// The transmit ring has room for a complete grid: 1024 tiles, 64 other frames at the same time
+// (status, ARP, echo replies), and 64 earlier frames that may still be in flight. Another 256
+// buffers are for copies to a subscriber, which never take buffers that the peer needs
 // (app/offering.hpp).
 template <typename Format>
 struct PortMemory {
@@ -67,14 +68,15 @@ struct PortMemory {
   health::Guard behind_transmit_buffers;
 };
 
-// The guards in order of address, lowest first.
+// Returns the guards in ascending order of addresses.
 template <typename Format>
 constexpr std::array<health::Guard*, 5> guards_of(PortMemory<Format>& memory) {
   return {&memory.below, &memory.behind_receive_descriptors, &memory.behind_transmit_descriptors,
           &memory.behind_receive_buffers, &memory.behind_transmit_buffers};
 }
 
-// The functions are defined in port_functions.hpp, which one file of each board includes.
+// The header port_functions.hpp, which one file of each board includes, defines the functions of
+// Port.
 template <typename Controller>
 class Port {
  public:
@@ -107,12 +109,12 @@ class Port {
   Port(const Port&) = delete;  // the parts refer to each other
   Port& operator=(const Port&) = delete;
 
-  // Resets the controller, finds the PHY and starts receiving. Pads and clocks must already be set
+  // Resets the controller, finds the PHY, and starts receiving. Pads and clocks must already be set
   // up.
   void start(const MacAddress& address);
 
-  // Also receives frames to this multicast group from now on, and some frames to other groups,
-  // because groups share hash bins.
+  // Starts receiving frames to a multicast group. The port also receives some frames to other
+  // groups, because groups share hash bins.
   void join(const MacAddress& group);
 
   // The interface of hal::EthernetPort.
@@ -125,8 +127,8 @@ class Port {
   hal::PortCounters counters() const { return counters_; }
   hal::PortLife life() const;
 
-  // Clears the receive event, which wakes the loop. Poll the rings afterwards, so that no frame is
-  // missed.
+  // Clears the receive event, which wakes the loop. Poll the rings after this call, so that no
+  // frame is missed.
   void clear_event() { controller_.clear_event(); }
 
   const Link& link() const { return link_monitor_.link(); }

@@ -7,14 +7,16 @@
 
 namespace iog::board {
 
-// Longer than a working controller can keep a frame. At 10 Mbit/s and half duplex, it backs off
-// from collisions 15 times, for at most 7151 slots of 51.2 us in total (802.3, 4.2.3.2.5), and
-// sends 16 times for 1.2 ms each. This takes 386 ms. At full duplex, it takes 1.2 ms. Half a second
-// is also many passes of the loop, and each pass wakes a sleeping transmitter.
+// This time is longer than a working controller can keep a frame. At 10 Mbit/s and half duplex, a
+// controller backs off from collisions 15 times, for at most 7151 slots of 51.2 us in total (802.3,
+// 4.2.3.2.5), and sends 16 times for 1.2 ms each. These steps take 386 ms. At full duplex, sending
+// takes 1.2 ms. The loop runs many passes in half a second, and each pass wakes a sleeping
+// transmitter.
 inline constexpr std::uint64_t kStuckUs = 500'000;
 // The shortest time between two restarts because of bus errors.
 inline constexpr std::uint64_t kBusErrorPauseUs = 100'000;
-// The GEM's smallest statistics counter has 10 bits. At 1 Gbit/s, it saturates after 0.7 ms.
+// The GEM's smallest statistics counter has 10 bits. At 1 Gbit/s, this counter saturates after 0.7
+// ms.
 inline constexpr std::uint64_t kStatisticsPeriodUs = 1000;
 
 template <typename Controller>
@@ -25,7 +27,7 @@ void Port<Controller>::start(const MacAddress& address) {
   controller_.run();
 }
 
-// A controller that is stopped forgets its positions in the rings, so both rings start again.
+// A stopped controller forgets its positions in the rings, so both rings start again.
 template <typename Controller>
 void Port<Controller>::set_up(const Link& mode) {
   mode_ = mode;
@@ -39,7 +41,7 @@ void Port<Controller>::set_up(const Link& mode) {
                       .transmit_ring = transmit_ring_.bus_address()});
 }
 
-// The filter may change while frames arrive. A restart sets it again.
+// The filter may change while frames arrive. A restart sets the filter again.
 template <typename Controller>
 void Port<Controller>::join(const MacAddress& group) {
   groups_ |= std::uint64_t{1} << Controller::bin_of(group);
@@ -48,9 +50,9 @@ void Port<Controller>::join(const MacAddress& group) {
 
 template <typename Controller>
 std::span<const std::byte> Port<Controller>::receive() {
-  // Drops bad frames until it finds a good frame or the ring is empty. If bad frames arrive faster
-  // than they are dropped, they must not block the loop, so each call drops at most one ring of
-  // frames.
+  // This function drops bad frames until it finds a good frame or the ring is empty. Each call
+  // drops at most one ring of frames, so that bad frames that arrive faster than they are dropped
+  // cannot block the loop.
   for (std::size_t dropped = 0; frame_.empty() && dropped < Format::kReceiveFrames; ++dropped) {
     if (!receive_ring_.filled()) {
       controller_.found_none(receive_ring_.was_full(), counters_);
@@ -63,11 +65,11 @@ std::span<const std::byte> Port<Controller>::receive() {
   return frame_;
 }
 
-// Examines the next filled buffer. If it contains a good frame, copies it, and frame_ refers to the
-// copy.
+// Examines the next filled buffer. If the buffer contains a good frame, the function copies the
+// frame, and frame_ refers to the copy.
 template <typename Controller>
 void Port<Controller>::accept() {
-  // Whole bursts are copied, and they must not extend beyond the frame's buffer.
+  // The function copies whole bursts, which must not extend beyond the frame's buffer.
   static_assert(kFrameBursts * machine::kBurstBytes <= Format::kReceiveBytes);
   static_assert(Format::kReceiveBytes % machine::kBurstBytes == 0);
   const std::size_t bytes = controller_.frame_bytes(receive_ring_.descriptor(), counters_);
@@ -124,7 +126,7 @@ void Port<Controller>::commit(std::size_t frame_bytes) {
 }
 
 // If the transmitter is woken while it ends its last frame, the wake-up may be lost. Every pass
-// therefore wakes it again while frames are in flight.
+// therefore wakes the transmitter again while frames are in flight.
 template <typename Controller>
 void Port<Controller>::pump() {
   const std::uint64_t now_us = clock_.now_us();
@@ -144,10 +146,10 @@ void Port<Controller>::pump() {
   }
 }
 
-// There are three reasons for a restart. After a bus error, the controller has stopped, or the
-// position of its DMA is unknown. A frame that never leaves means that the transmitter has stopped.
-// A new speed or duplex mode can be set only while the controller is stopped. A link that is down
-// keeps its mode.
+// A restart has one of three reasons. After a bus error, the controller has stopped, or the
+// position of the controller's DMA is unknown. A frame that never leaves means that the transmitter
+// has stopped. A new speed or duplex mode can be set only while the controller is stopped. A link
+// that is down keeps its mode.
 template <typename Controller>
 bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
   const bool stuck = is_stuck(now_us);  // always called, because it keeps track of time
@@ -158,8 +160,8 @@ bool Port<Controller>::must_start_anew(std::uint64_t now_us) {
   return acquired_.empty() && (stuck || mode_differs || bus_error);
 }
 
-// True if frames are in flight and none has left for kStuckUs. Time without a link does not count,
-// because the PHY may then have stopped the clock.
+// Returns true if frames are in flight and no frame has left for kStuckUs. Time without a link does
+// not count, because the PHY may have stopped the clock.
 template <typename Controller>
 bool Port<Controller>::is_stuck(std::uint64_t now_us) {
   const TransmitOrder& order = transmit_ring_.order();
@@ -171,7 +173,7 @@ bool Port<Controller>::is_stuck(std::uint64_t now_us) {
 }
 
 // Discards and counts all frames that wait in either ring, because the controller's position in the
-// rings is unknown. Takes about 0.2 ms on the i.MX6, mostly for the descriptors.
+// rings is unknown. This function takes about 0.2 ms on the i.MX6, mostly for the descriptors.
 template <typename Controller>
 void Port<Controller>::start_anew(std::uint64_t now_us) {
   ++counters_.restarts;

@@ -1,10 +1,12 @@
-// The receive ring, whose buffers the controller fills, and the transmit ring, whose buffers it
-// sends. The rings manage the ownership and the order of buffers and do not interpret frames.
+// Defines the receive ring, whose buffers the controller fills, and the transmit ring, whose
+// buffers the controller sends. The rings manage the ownership and the order of buffers, but do not
+// interpret frames.
 //
-// Format (ethernet/descriptor.hpp of the board) defines how a Descriptor is written, and its Memory
-// drains stores to memory. To hand over a descriptor, first drain all earlier stores, including the
-// buffer and its length. Then store the word with the owner bit. Before waking the controller,
-// drain once more, so that the controller reads the new owner bit.
+// Format (ethernet/descriptor.hpp of the board) defines the content of a Descriptor, and
+// Format::Memory drains stores to memory. To hand over a descriptor, first drain all earlier
+// stores, including the buffer and the buffer's length. Then store the word with the owner bit.
+// Before waking the controller, drain stores once more, so that the controller reads the new owner
+// bit.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +28,7 @@ class Ring {
   using Memory = typename Format::Memory;
   static constexpr std::size_t kBufferBytes = kBytes;
 
-  // The address of the ring for the controller.
+  // Returns the address of the ring for the controller.
   std::uint32_t bus_address() const { return machine::bus_address(descriptors_.front()); }
 
  protected:
@@ -56,7 +58,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
               typename Base::Memory& memory)
       : Base(descriptors, buffers, memory) {}
 
-  // Gives all buffers to the controller and begins with the first.
+  // Gives all buffers to the controller, and begins with the first buffer.
   void start() {
     for (next_ = 0; next_ < this->descriptors_.size(); ++next_) {
       Format::place(this->descriptors_[next_], this->buffer_address(next_));
@@ -67,12 +69,12 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
     this->memory_.drain_stores();
   }
 
-  // The number of buffers that the controller has filled and that were not recycled.
+  // Returns the number of buffers that the controller has filled and that were not recycled.
   std::size_t waiting() const {
     return static_cast<std::size_t>(std::ranges::count_if(this->descriptors_, Format::is_filled));
   }
 
-  // True if the controller has filled the next buffer.
+  // Returns true if the controller has filled the next buffer.
   bool filled() const {
     if (!Format::is_filled(descriptor())) {
       return false;
@@ -82,12 +84,13 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
     return true;
   }
 
-  // The descriptor and the buffer that are next. Valid while filled() is true.
+  // These functions return the next descriptor and the next buffer. Both are valid while filled()
+  // returns true.
   const Descriptor& descriptor() const { return this->descriptors_[next_]; }
   std::span<std::byte> buffer() const { return Base::buffer(next_); }
 
-  // Call this after filled() has returned false. True if the ring may have been full, because all
-  // of its buffers were filled in a row.
+  // Returns true if the ring may have been full, because all buffers were filled in a row. Call
+  // this function after filled() has returned false.
   bool was_full() { return std::exchange(recycled_, 0U) >= this->descriptors_.size(); }
 
   // Returns the next buffer to the controller and advances.
@@ -109,7 +112,7 @@ class ReceiveRing : public Ring<Format, Format::kReceiveBytes> {
   std::size_t recycled_ = 0;  // since filled() last found none
 };
 
-// The longest frame, 1514 bytes, rounded up to whole 64-byte bursts.
+// The length of the longest frame, 1514 bytes, rounded up to whole 64-byte bursts.
 inline constexpr std::size_t kTransmitBytes = 1536;
 
 template <typename Format>
@@ -122,7 +125,7 @@ class TransmitRing : public Ring<Format, kTransmitBytes> {
                typename Base::Memory& memory)
       : Base(descriptors, buffers, memory), order_(descriptors.size()) {}
 
-  // Frees all buffers, including those that were queued or in flight.
+  // Frees all buffers, including buffers that were queued or in flight.
   void start() {
     for (std::size_t index = 0; index < this->descriptors_.size(); ++index) {
       Format::place_free(this->descriptors_[index], this->buffer_address(index),
@@ -134,20 +137,20 @@ class TransmitRing : public Ring<Format, kTransmitBytes> {
 
   const TransmitOrder& order() const { return order_; }
 
-  // The buffer to fill next. Requires room.
+  // Returns the buffer to fill next. The ring must have room.
   std::span<std::byte> buffer() const { return Base::buffer(order_.next()); }
 
-  // Queues the first `bytes` of buffer(). hand_over_queued() sets the owner bit.
+  // Queues the first `bytes` of buffer(). `hand_over_queued()` sets the owner bit.
   void commit(std::size_t bytes) {
     Format::set_length(this->descriptors_[order_.next()], bytes);
     order_.commit();
   }
 
-  // Hands at most `frames` queued buffers to the controller, oldest first, and returns their
-  // number. The caller must wake the controller.
+  // Hands at most `frames` queued buffers to the controller, oldest first, and returns the number
+  // of these buffers. The caller must wake the controller.
   std::size_t hand_over_queued(std::size_t frames) {
     const std::size_t handed = std::min(frames, order_.queued());
-    // One drain suffices for all frames, because it precedes the first owner bit.
+    // One drain is enough for all frames, because it precedes the first owner bit.
     if (handed != 0) {
       this->memory_.drain_stores();
     }

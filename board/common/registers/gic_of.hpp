@@ -1,6 +1,6 @@
-// Generic Interrupt Controller, ARM IHI 0048 (GIC architecture). Contains the registers that
-// version 1 (Cortex-A9 MPCore) and version 2 (GIC-400) have in common. The number of interrupts is
-// a parameter.
+// The Generic Interrupt Controller, ARM IHI 0048 (GIC architecture). This file contains the
+// registers that version 1 (Cortex-A9 MPCore) and version 2 (GIC-400) have in common. The number of
+// interrupts is a parameter.
 #pragma once
 
 #include <cstddef>

@@ -61,7 +61,7 @@ using W1c32 = W1c<std::uint32_t>;
 using Rw16 = Rw<std::uint16_t>;
 using Ro16 = Ro<std::uint16_t>;
 
-// Space between two registers, named after the offset at which it begins.
+// The space between two registers. A gap is named after the offset at which it begins.
 template <unsigned kFrom, unsigned kTo>
 using Gap = std::uint8_t[kTo - kFrom];
 

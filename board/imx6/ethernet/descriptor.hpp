@@ -42,10 +42,11 @@ struct DescriptorFormat {
   using Descriptor = imx6::Descriptor;
   using Memory = L2Cache;
   // Four LUX at 25 Hz send about 1000 frames of 1500 bytes per second, and a Velodyne sends 1500
-  // frames. The ring thus holds 100 ms of both together, which is longer than the slowest pass of
-  // the loop.
+  // frames. The ring therefore holds 100 ms of the traffic of all these sensors, which is longer
+  // than the slowest pass of the loop.
   static constexpr std::size_t kReceiveFrames = 256;
-  // Holds the longest frame (1518 bytes) and aligns every buffer to 64-byte bursts.
+  // A buffer has room for the longest frame (1518 bytes), and its size aligns every buffer to
+  // 64-byte bursts.
   static constexpr std::size_t kReceiveBytes = 2048;
 
   static void place(Descriptor& descriptor, std::uint32_t buffer) {

@@ -1,4 +1,4 @@
-// The ENET, the controller of this board's Ethernet port (board/common/ethernet/port.hpp).
+// The ENET is the controller of this board's Ethernet port (board/common/ethernet/port.hpp).
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ class Enet {
   using Mdio = imx6::Mdio;
   using Clock = GptClock;
 
-  // The value of MRBR. It is a multiple of 16 below 2048, because with legacy descriptors, a
-  // receive buffer size of 2 KiB makes the DMA run away (FreeBSD if_ffec.c, ffec_init_locked).
+  // The value of MRBR, a multiple of 16 below 2048. With legacy descriptors, a receive buffer size
+  // of 2 KiB makes the DMA run away (FreeBSD if_ffec.c, ffec_init_locked).
   static constexpr std::uint32_t kUsableBytes = 2032;
 
   explicit Enet(EnetRegisters& registers) : registers_(registers) {}
@@ -58,7 +58,7 @@ using EnetMemory = board::PortMemory<DescriptorFormat>;
 static_assert(EnetMemory::kTransmitFrames == 1408);
 static_assert(sizeof(EnetMemory) <= 3u << 20, "fits three sections of the DMA region");
 
-// The memory of the firmware's only controller. Its definition is constinit. For the cores, the
+// The memory of the firmware's only controller. The definition is constinit. For the cores, the
 // addresses before and after the region are unmapped.
 extern EnetMemory enet_memory;  // NOLINT(bugprone-dynamic-static-initializers)
 

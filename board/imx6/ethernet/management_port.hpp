@@ -1,4 +1,4 @@
-// The management bus of the PHY, accessed through the ENET's MMFR register.
+// Accesses the management bus of the PHY through the ENET's MMFR register.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@ namespace iog::imx6 {
 class ManagementPort {
  public:
   using Registers = EnetRegisters;
-  // A management frame has 64 bits and takes 27 us. 10 000 reads of a device take at least 500 us.
+  // A management frame has 64 bits and takes 27 us. Reading a device 10 000 times takes at least
+  // 500 us.
   static constexpr unsigned kMaxPolls = 10'000;
 
   explicit ManagementPort(EnetRegisters& registers) : registers_(registers) {}

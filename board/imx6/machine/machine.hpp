@@ -1,6 +1,7 @@
-// The only access to the machine: single loads and stores of device registers and DMA descriptors,
-// copies from DMA buffers, barriers, and sleep. Tests on a PC use another file of this name
-// (tests/host/fakes/machine.hpp), which records the same calls. CMake selects the file.
+// Contains all accesses to the machine: single loads and stores of device registers and DMA
+// descriptors, copies from DMA buffers, barriers, and sleep. Tests on a PC use another file with
+// the same name (tests/host/fakes/machine.hpp), which records the same calls. CMake selects the
+// file.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +19,10 @@ namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 32;
 
-// Copies `bursts` times kBurstBytes. Requires bursts >= 1; both addresses must be aligned to 8
-// bytes. From uncached memory, an LDM is one bus burst of up to nine times 64 bits (Cortex-A9 TRM,
-// ARM DDI 0388I, 8.1.2), whereas each load of a single field is a separate DDR access.
+// Copies `bursts` times kBurstBytes. `bursts` must be at least 1, and both addresses must be
+// aligned to 8 bytes. From uncached memory, an LDM is one bus burst of up to nine times 64 bits
+// (Cortex-A9 TRM, ARM DDI 0388I, 8.1.2), whereas each load of a single field is a separate DDR
+// access.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
   __asm__ volatile(
       "1: ldmia %[from]!, {r4, r5, r6, r7, r8, r9, r10, r12}\n\t"
@@ -35,7 +37,7 @@ inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts
 inline void mask_interrupts() { __asm__ volatile("cpsid i" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("cpsie i\n\tisb" ::: "memory"); }
 
-// The number of this core, from MPIDR.
+// Returns the number of this core, from MPIDR.
 inline std::size_t core_number() {
   std::uint32_t mpidr = 0;
   __asm__("mrc p15, 0, %0, c0, c0, 5" : "=r"(mpidr));

@@ -1,5 +1,5 @@
-// The PL310 level-2 cache: 1 MiB between the core and DDR. QEMU has none; there, all calls have no
-// effect.
+// The PL310 level-2 cache has 1 MiB and lies between the core and DDR. QEMU has no PL310, so calls
+// have no effect in QEMU.
 #pragma once
 
 #include "registers/pl310.hpp"
@@ -10,19 +10,19 @@ class L2Cache {
  public:
   explicit L2Cache(Pl310Registers& registers) : registers_(registers) {}
 
-  // Invalidates the cache and switches it on. It must be off and contain no dirty lines, as
-  // startup.S leaves it. If the controller does not finish the invalidation, the cache stays off,
-  // which is slower but correct. Returns whether it is on.
+  // Invalidates the cache and switches it on. Before the call, the cache must be off and contain no
+  // dirty lines, as startup.S leaves it. If the controller does not finish the invalidation, the
+  // cache stays off, which is slower but correct. Returns true if the cache is on.
   [[nodiscard]] bool start();
 
   // After this call, all stores of this core are in memory, where a DMA engine reads them.
   //
-  // A barrier alone is not enough on this chip: its PL310 (r3p1) keeps uncached stores in a store
-  // buffer until it fills up or a cache sync drains it (ARM erratum 769419).
+  // On this chip, a barrier alone is not enough, because the PL310 (r3p1) keeps uncached stores in
+  // a store buffer until the buffer is full or a cache sync drains it (ARM erratum 769419).
   void drain_stores();
 
   // The interface of hal::SharedCache. While content is kept, two of the 16 ways stay open for
-  // data. Lines that are in the cache are still found in every way, and code may use all ways.
+  // data. Cached lines are still found in every way, and code may use all ways.
   void keep(bool keep);
 
  private:

@@ -1,10 +1,10 @@
 // Builds the translation tables, which alone define the permitted accesses to every address.
 //
-// Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables. One
-// is the section of the stacks, in which the page below each stack is unmapped and the tables
-// themselves are read-only. The other is the first section of the image, which maps code and
-// constants in pages of 4 and 64 KiB. All other accesses fault: null pointers, the boot ROM, other
-// peripherals, and addresses past the end of DDR.
+// Addresses are mapped one to one, in sections of 1 MiB. Two sections have second-level tables. In
+// the section of the stacks, the page below each stack is unmapped, and the tables themselves are
+// read-only. The first section of the image maps code and constants in pages of 4 and 64 KiB. All
+// other accesses fault, such as accesses to null pointers, the boot ROM, other peripherals, and
+// addresses past the end of DDR.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ enum class Memory : std::uint8_t {
 namespace detail {
 
 // TEX, C and B specify the memory type (ARM ARM table B3-10, TEX remap off). S makes memory
-// shareable, which the Cortex-A9 requires of cached memory once ACTLR.SMP is set. AP[2:0]: 0b001
-// privileged read and write, 0b101 privileged read only.
+// shareable, which the Cortex-A9 requires for cached memory if ACTLR.SMP is set. AP[2:0] is 0b001
+// for privileged read and write, and 0b101 for privileged read only.
 struct Attributes {
   std::uint32_t tex;
   std::uint32_t c;
@@ -85,7 +85,7 @@ constexpr std::uint32_t page_table(std::uint32_t table_address) {
   return (table_address & ~0x3ffu) | 0b01;
 }
 
-// Addresses from begin to end, excluding end.
+// The addresses from begin to end, excluding end.
 struct Range {
   std::uint32_t begin;
   std::uint32_t end;
@@ -94,7 +94,7 @@ struct Range {
 };
 
 // The map that linker/imx6.ld defines. In sections with a table, ranges begin and end at page
-// boundaries, elsewhere at section boundaries.
+// boundaries. In other sections, ranges begin and end at section boundaries.
 struct MemoryMap {
   std::uint32_t image_section;     // has a table
   std::array<Range, 2> code;       // vectors, text
@@ -118,12 +118,12 @@ struct Tables {
   PageTable stacks;
 };
 
-// Fills the tables. bus_address(table) is the bus address of a page table.
+// Fills the tables. `bus_address(table)` is the bus address of a page table.
 void build(Tables& tables, const MemoryMap& map, std::uint32_t image_address,
            std::uint32_t stacks_address);
 
-// True if the address is in a guard page: in the section of the stacks, but in no stack and no
-// table.
+// Returns true if the address is in a guard page, that is, in the section of the stacks, but in no
+// stack and no table.
 bool in_stack_guard(const MemoryMap& map, std::uint32_t address);
 
 }  // namespace iog::imx6::mmu

@@ -17,7 +17,7 @@ struct CcmRegisters {
 
   static constexpr std::uint32_t kCscdr1UartPodf = 0x3fu;  // 0: UART clock = PLL3 / 6 = 80 MHz
   static constexpr std::uint32_t kClpcrLpm = 3u << 0;      // 0: WFI stops no clock
-  // Each gate has two bits; 3 keeps the clock on in every mode.
+  // Each gate has two bits. The value 3 keeps the clock on in every mode.
   static constexpr std::uint32_t kCcgr1Enet = 3u << 10;
   static constexpr std::uint32_t kCcgr1Epit1 = 3u << 12;
   static constexpr std::uint32_t kCcgr1Gpt = 3u << 20;

@@ -1,5 +1,5 @@
-// On-Chip OTP Controller, i.MX6DQRM chapter "On-Chip OTP Controller (OCOTP_CTRL)": the shadow
-// registers into which the boot ROM copies the fuses at reset.
+// On-Chip OTP Controller, i.MX6DQRM chapter "On-Chip OTP Controller (OCOTP_CTRL)". At reset, the
+// boot ROM copies the fuses to these shadow registers.
 #pragma once
 
 #include <cstddef>

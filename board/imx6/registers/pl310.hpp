@@ -1,5 +1,5 @@
-// PL310 level-2 cache controller, ARM DDI 0246 (L2C-310 TRM). QEMU has none: reads return 0, and
-// writes have no effect.
+// PL310 level-2 cache controller, ARM DDI 0246 (L2C-310 TRM). QEMU has no PL310, so reads return 0,
+// and writes have no effect.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". Contains only the bits in
-// use.
+// UART, i.MX6DQRM chapter "Universal Asynchronous Receiver/Transmitter". This file contains only
+// the bits in use.
 #pragma once
 
 #include <cstddef>

@@ -1,10 +1,12 @@
-// Microseconds since start-up, from the General Purpose Timer. Satisfies hal::Clock.
+// Counts microseconds since start-up with the General Purpose Timer. The class satisfies
+// hal::Clock.
 //
-// CLKSRC 5 is the 24 MHz crystal divided by eight, that is 3 MHz, in QEMU and on the i.MX6Q since
-// revision 1.1. The prescaler divides it to 1 MHz. Revision 1.0, which QEMU reports, has no such
-// source. There the driver uses CLKSRC 1 (ipg_clk): 66 MHz, which the boot loader derives from the
-// same crystal through PLL2 (Linux does the same, clk-imx6q.c). CLKSRC 7 is 24 MHz only in QEMU.
-// The 24 MHz path in the chip (EN_24M) exists only on other i.MX6 variants.
+// In QEMU and on the i.MX6Q since revision 1.1, CLKSRC 5 is the 24 MHz crystal divided by eight,
+// that is, 3 MHz. The prescaler divides this clock to 1 MHz. Revision 1.0, which QEMU reports, has
+// no such source. On revision 1.0, the driver uses CLKSRC 1 (ipg_clk), which has 66 MHz. The boot
+// loader derives this clock from the same crystal through PLL2 (Linux does the same, clk-imx6q.c).
+// CLKSRC 7 is 24 MHz only in QEMU. The 24 MHz path in the chip (EN_24M) exists only on other i.MX6
+// variants.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +18,7 @@ namespace iog::imx6 {
 
 enum class GptSource : std::uint8_t { kCrystal, kPeripheral };
 
-// The source of this chip revision.
+// Returns the clock source for this chip revision.
 GptSource gpt_source(const AnalogRegisters& analog);
 
 class GptClock {
@@ -25,11 +27,12 @@ class GptClock {
 
   void start(GptSource source = GptSource::kCrystal);
 
-  // Must be called at least once in 71 minutes, the period of the 32-bit counter. The loop calls it
-  // every millisecond.
+  // Call this function at least once in 71 minutes, the period of the 32-bit counter. The loop
+  // calls it every millisecond.
   std::uint64_t now_us();
 
-  // Busy-waits. Only for start-up sequences with times from a data sheet, never in the loop.
+  // Busy-waits. Use this function only for start-up sequences with times from a data sheet, and
+  // never in the loop.
   void wait_us(std::uint32_t duration_us);
 
  private:

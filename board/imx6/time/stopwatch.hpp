@@ -1,7 +1,8 @@
-// The Cortex-A9 global timer as a 32-bit stopwatch. Satisfies hal::Stopwatch.
+// Uses the Cortex-A9 global timer as a 32-bit stopwatch. The class satisfies hal::Stopwatch.
 //
-// It counts PERIPHCLK, which is half the core clock: 396 MHz on the board after U-Boot, 100 MHz in
-// QEMU. Its rate is therefore measured against the crystal at start-up.
+// The timer counts PERIPHCLK, which has half the frequency of the core clock: 396 MHz on the board
+// after U-Boot, and 100 MHz in QEMU. The rate of the timer is therefore measured against the
+// crystal at start-up.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ class Stopwatch {
  public:
   explicit Stopwatch(GlobalTimerRegisters& registers) : registers_(registers) {}
 
-  // Starts the counter and measures its rate, which takes about 2 ms (at most 8 ms) of the running
-  // clock.
+  // Starts the counter and measures its rate. The measurement takes about 2 ms (at most 8 ms) of
+  // the running clock.
   void start(GptClock& clock);
 
   std::uint32_t ticks() const { return registers_.counter_low.read(); }

@@ -1,5 +1,5 @@
-// A buffer descriptor of the GEM's DMA with 64-bit addresses: four words (UG1085, "Receive buffer
-// descriptor entry", "Transmit buffer descriptor entry").
+// A buffer descriptor of the GEM's DMA with 64-bit addresses consists of four words (UG1085,
+// "Receive buffer descriptor entry", "Transmit buffer descriptor entry").
 #pragma once
 
 #include <cstddef>
@@ -41,10 +41,10 @@ inline constexpr std::uint32_t kOurs = 1u << 31;
 struct DescriptorFormat {
   using Descriptor = zcu102::Descriptor;
   using Memory = UncachedMemory;
-  // Two fast lidars send about 3000 frames per second, so the ring holds a third of a second. In
-  // QEMU, all frames that wait for a full ring are lost (gem.cpp).
+  // Two fast lidars send about 3000 frames per second, so the ring holds the frames of a third of a
+  // second. In QEMU, all frames that wait for a full ring are lost (gem.cpp).
   static constexpr std::size_t kReceiveFrames = 1024;
-  // The longest frame is 1518 bytes; the controller counts in units of 64.
+  // The longest frame has 1518 bytes, and the controller counts in units of 64 bytes.
   static constexpr std::size_t kReceiveBytes = 1536;
 
   static void place(Descriptor& descriptor, std::uint32_t /*buffer*/) {

@@ -1,5 +1,5 @@
-// The GEM, the controller of this board's Ethernet port (board/common/ethernet/port.hpp). Its DMA
-// bypasses the cache-coherent interconnect.
+// The GEM is the controller of this board's Ethernet port (board/common/ethernet/port.hpp). The
+// GEM's DMA bypasses the cache-coherent interconnect.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class Gem {
   void collect(hal::PortCounters& counters);
   bool can_receive() const;
   bool has_bus_error() const;
-  // According to UG1087, writing a one clears an event. In QEMU, reading clears it.
+  // According to UG1087, writing a one clears an event. In QEMU, reading clears the event.
   void clear_event() { registers_.int_status.clear(registers_.int_status.read()); }
 
  private:

@@ -1,4 +1,4 @@
-// The management bus of the PHY, accessed through the GEM's PHY_MANAGEMENT register.
+// Accesses the management bus of the PHY through the GEM's PHY_MANAGEMENT register.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,13 @@
 
 namespace iog::zcu102 {
 
-// NETWORK_CONFIG divides the clock by 224. This results in at most 2.5 MHz for any clock up to 560
-// MHz, and in 0.45 MHz for the 100 MHz that the boot loaders set.
+// NETWORK_CONFIG divides the clock by 224. The result is at most 2.5 MHz for any clock up to 560
+// MHz, and 0.45 MHz for the 100 MHz that the boot loaders set.
 class ManagementPort {
  public:
   using Registers = GemRegisters;
-  // A management frame has 64 bits and takes 144 us. 10 000 reads of a device take at least 500 us.
+  // A management frame has 64 bits and takes 144 us. Reading a device 10 000 times takes at least
+  // 500 us.
   static constexpr unsigned kMaxPolls = 10'000;
 
   explicit ManagementPort(GemRegisters& registers) : registers_(registers) {}

@@ -5,8 +5,8 @@
 
 namespace iog::zcu102 {
 
-// Finds the PHY at any of the 32 addresses and selects it for all later accesses of `mdio`. A
-// DP83867 gets its RGMII delays and negotiates without half duplex at 1000 Mbit/s, which the GEM
+// Finds the PHY at any of the 32 addresses, and selects this PHY for all later accesses of `mdio`.
+// A DP83867 gets its RGMII delays and negotiates without half duplex at 1000 Mbit/s, which the GEM
 // does not support. All waits are bounded.
 phy::Identity start_phy(Mdio& mdio);
 

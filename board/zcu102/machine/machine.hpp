@@ -1,6 +1,6 @@
-// The only access to the machine: single loads and stores of device registers and DMA descriptors,
-// barriers, sleep, and calls of the platform firmware. Tests on a PC use another file of this name
-// (tests/host/fakes/machine.hpp).
+// Contains all accesses to the machine: single loads and stores of device registers and DMA
+// descriptors, barriers, sleep, and calls of the platform firmware. Tests on a PC use another file
+// with the same name (tests/host/fakes/machine.hpp).
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace iog::machine {
 
 inline constexpr std::size_t kBurstBytes = 64;  // a cache line
 
-// Copies `bursts` times kBurstBytes. Requires bursts >= 1.
+// Copies `bursts` times kBurstBytes. `bursts` must be at least 1.
 inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts) {
   std::memcpy(to, from, bursts * kBurstBytes);
 }
@@ -27,15 +27,15 @@ inline void copy_bursts(std::byte* to, const std::byte* from, std::size_t bursts
 inline void mask_interrupts() { __asm__ volatile("msr daifset, #2" ::: "memory"); }
 inline void unmask_interrupts() { __asm__ volatile("msr daifclr, #2\n\tisb" ::: "memory"); }
 
-// The number of this core, from MPIDR_EL1.
+// Returns the number of this core, from MPIDR_EL1.
 inline std::size_t core_number() {
   std::uint64_t mpidr = 0;
   __asm__("mrs %0, mpidr_el1" : "=r"(mpidr));
   return mpidr & 0xff;
 }
 
-// The generic timer (ARM ARM, D11): its counter, which is read after all earlier instructions, and
-// its frequency, which the boot loader has set.
+// These functions read the generic timer (ARM ARM, D11). The counter is read after all earlier
+// instructions. The boot loader has set the frequency.
 inline std::uint64_t counter() {
   std::uint64_t ticks = 0;
   __asm__ volatile("isb\n\tmrs %0, cntpct_el0" : "=r"(ticks)::"memory");
@@ -47,7 +47,8 @@ inline std::uint64_t counter_hz() {
   return hz;
 }
 
-// Requests its interrupt after this many ticks, or never.
+// alarm_in() requests the timer's interrupt after this many ticks. `alarm_off()` cancels the
+// request.
 inline void alarm_in(std::uint64_t ticks) {
   __asm__ volatile("msr cntp_tval_el0, %0\n\tmsr cntp_ctl_el0, %1\n\tisb" ::"r"(ticks),
                    "r"(std::uint64_t{1}));

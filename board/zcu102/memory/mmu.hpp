@@ -1,8 +1,8 @@
 // Builds the translation tables, which alone define the permitted accesses to every address.
 //
 // Addresses from 0 to 4 GiB are mapped one to one, in blocks of 2 MiB, or in pages of 4 KiB where a
-// range does not fill a block. All other accesses fault: null pointers, other peripherals, guards
-// below the stacks, and addresses past the end of DDR.
+// range does not fill a block. All other accesses fault, such as accesses to null pointers, other
+// peripherals, guards below the stacks, and addresses past the end of DDR.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ enum class Memory : std::uint8_t {
   kDevice,     // never executed
 };
 
-// Lower and upper attributes of a VMSAv8-64 block or page for EL1 only (ARM ARM, D5.3.3). The
-// memory type is an index into MAIR_EL1, which startup.S sets.
+// Returns the lower and upper attributes of a VMSAv8-64 block or page for EL1 only (ARM ARM,
+// D5.3.3). The memory type is an index into MAIR_EL1, which startup.S sets.
 constexpr std::uint64_t attributes(Memory memory) {
   constexpr std::uint64_t kAccessed = 1u << 10;
   constexpr std::uint64_t kInnerShareable = 3u << 8;
@@ -56,15 +56,15 @@ constexpr std::uint64_t page(std::uint64_t address, Memory memory) {
 }
 constexpr std::uint64_t table(std::uint64_t address) { return address | 0b11; }
 
-// Addresses from begin to end, excluding end. Both are page boundaries.
+// The addresses from begin to end, excluding end. Both begin and end are page boundaries.
 struct Range {
   std::uint64_t begin;
   std::uint64_t end;
   Memory memory;
 };
 
-// Level 1 has an entry for each GiB, level 2 for each 2 MiB, level 3 for each page. Tables of
-// levels 2 and 3 are taken from `pool` as they are needed.
+// Level 1 has an entry for each GiB, level 2 has an entry for each 2 MiB, and level 3 has an entry
+// for each page. Tables of levels 2 and 3 are taken from `pool` as needed.
 struct Tables {
   using Table = std::array<std::uint64_t, 512>;
   alignas(kPageBytes) Table level1;

@@ -1,4 +1,5 @@
-// Memory that is mapped uncached: stores pass only through the core's own store buffer.
+// Memory that is mapped uncached. Stores to this memory pass only through the core's own store
+// buffer.
 #pragma once
 
 #include "machine.hpp"

@@ -82,7 +82,7 @@ static_assert(offsetof(GemRegisters, receive_q1_ptr) == 0x480);
 static_assert(offsetof(GemRegisters, upper_tx_q_base_addr) == 0x4c8);
 static_assert(offsetof(GemRegisters, upper_rx_q_base_addr) == 0x4d4);
 
-// Clocks of the low-power domain (UG1087 module "CRL_APB"), only those of GEM3.
+// The clocks of GEM3 in the low-power domain (UG1087 module "CRL_APB").
 struct CrlApbRegisters {
   Gap<0x000, 0x05c> gap_000;
   Rw32 gem3_ref_ctrl;

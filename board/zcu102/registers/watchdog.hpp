@@ -13,7 +13,7 @@ struct WatchdogRegisters {
   Wo32 restart;
   Ro32 status;
 
-  // A write without its key has no effect.
+  // A write without the register's key has no effect.
   static constexpr std::uint32_t kModeKey = 0xabcu << 12;
   static constexpr std::uint32_t kModeEnable = 1u << 0;
   static constexpr std::uint32_t kModeReset = 1u << 1;

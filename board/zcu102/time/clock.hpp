@@ -1,4 +1,4 @@
-// Time from the generic timer, at the frequency that the boot loader has set.
+// Reads time from the generic timer, at the frequency that the boot loader has set.
 #pragma once
 
 #include "hal/clock.hpp"
@@ -6,7 +6,8 @@
 
 namespace iog::zcu102 {
 
-// Microseconds since the counter started, which was before the firmware. Satisfies hal::Clock.
+// Returns microseconds since the counter started. The counter starts before the firmware. The class
+// satisfies hal::Clock.
 class Clock {
  public:
   std::uint64_t now_us() {
@@ -19,7 +20,7 @@ class Clock {
 };
 static_assert(hal::Clock<Clock>);
 
-// The same counter, for short durations. Satisfies hal::Stopwatch.
+// Reads the same counter for short durations. The class satisfies hal::Stopwatch.
 class Stopwatch {
  public:
   std::uint32_t ticks() const { return static_cast<std::uint32_t>(machine::counter()); }
