@@ -178,10 +178,11 @@ Cycle Pipeline::execute_memory(const ProgramInstruction& what,
   const Cycle issued = reserve_port(what, accesses, start);
   address_order_ = issued;
   write(instruction.base_writes, issued + 1, 0);
-  if (instruction.kind == Kind::kPreload) {
+  if (accesses.empty()) {  // its condition failed
     return issued + 1;
   }
-  if (accesses.empty()) {  // its condition failed
+  if (instruction.kind == Kind::kPreload) {
+    memory_.preload(accesses.front().address, issued);
     return issued + 1;
   }
   return stores ? store(what, accesses, issued) : load(what, accesses, issued);

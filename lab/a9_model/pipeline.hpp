@@ -25,6 +25,7 @@ struct MemoryAccess {
 // An instruction of the program, decoded once.
 struct ProgramInstruction {
   std::uint32_t address = 0;
+  std::uint32_t word = 0;
   Instruction instruction;
   Timing timing;
   Place place{};

@@ -24,6 +24,7 @@
 
 #include "decode.hpp"
 #include "larger_tlb.hpp"
+#include "preload.hpp"
 #include "qemu_plugin.hpp"
 #include "recorder.hpp"
 
@@ -131,6 +132,13 @@ void on_execute(unsigned /*processor*/, void* instruction) {
   session->recorder.begin(*static_cast<const ProgramInstruction*>(instruction));
 }
 
+void on_preload(unsigned /*processor*/, void* data) {
+  const auto& preload = *static_cast<const ProgramInstruction*>(data);
+  session->recorder.begin(preload);
+  session->recorder.access(preloaded_address(preload.word, preload.address, register_of_processor),
+                           1);
+}
+
 void on_execute_unsupported(unsigned /*processor*/, void* /*data*/) {
   session->recorder.skip_unsupported();
 }
@@ -147,6 +155,7 @@ ProgramInstruction* instruction_at(std::uint32_t address, std::uint32_t word) {
   if (known == nullptr) {
     const Instruction instruction = decode(word);
     session->program.push_back({.address = address,
+                                .word = word,
                                 .instruction = instruction,
                                 .timing = timing_of(instruction, session->options.constants),
                                 .place = session->stages.at(address)});
@@ -160,8 +169,9 @@ void watch(qemu_plugin_insn* translated) {
   std::memcpy(&word, qemu_plugin_insn_data(translated), sizeof word);
   ProgramInstruction* const instruction =
       instruction_at(static_cast<std::uint32_t>(qemu_plugin_insn_vaddr(translated)), word);
-  qemu_plugin_register_vcpu_insn_exec_cb(translated, on_execute, QEMU_PLUGIN_CB_NO_REGS,
-                                         instruction);
+  const bool preloads = instruction->instruction.kind == Kind::kPreload && can_read_registers();
+  qemu_plugin_register_vcpu_insn_exec_cb(translated, preloads ? on_preload : on_execute,
+                                         QEMU_PLUGIN_CB_NO_REGS, instruction);
   if (instruction->timing.unit == Unit::kMemory) {
     qemu_plugin_register_vcpu_mem_cb(translated, on_access, QEMU_PLUGIN_CB_NO_REGS,
                                      QEMU_PLUGIN_MEM_RW, nullptr);

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <ctime>
 #include <string>
+#include <string_view>
 
 #include "lab/evidence/projection.hpp"
 #include "lab/peers/contender.hpp"
@@ -117,16 +118,24 @@ std::array<Entry, 9> entries() {
           entry<make_octomap_rays>("octomap_rays")};
 }
 
-void enter(const std::string& name, void (*measure)(benchmark::State&)) {
-  benchmark::RegisterBenchmark(name.c_str(), measure)
-      ->UseManualTime()
-      ->Unit(benchmark::kMicrosecond);
+// passes: over all frames, to count instructions; 0 for as many as the library wants.
+void enter(const std::string& name, void (*measure)(benchmark::State&), int passes) {
+  auto* const entered = benchmark::RegisterBenchmark(name.c_str(), measure)
+                            ->UseManualTime()
+                            ->Unit(benchmark::kMicrosecond);
+  if (passes > 0) {
+    entered->Iterations(passes);
+  }
 }
 
 }  // namespace
 }  // namespace iog::lab
 
+// With --passes=N as the last argument, each benchmark makes N passes over its frames.
 int main(int argc, char** argv) {
+  constexpr std::string_view kPasses = "--passes=";
+  const std::string_view last = argv[argc - 1];
+  const int passes = last.starts_with(kPasses) ? std::stoi(argv[--argc] + kPasses.size()) : 0;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
     return 2;
@@ -134,8 +143,8 @@ int main(int argc, char** argv) {
   iog::lab::describe("city", iog::lab::frames<iog::lab::kCity>());
   iog::lab::describe("ring_road", iog::lab::frames<iog::lab::kRingRoad>());
   for (const iog::lab::Entry& entry : iog::lab::entries()) {
-    iog::lab::enter("city/" + entry.name, entry.in_city);
-    iog::lab::enter("ring_road/" + entry.name, entry.on_ring_road);
+    iog::lab::enter("city/" + entry.name, entry.in_city, passes);
+    iog::lab::enter("ring_road/" + entry.name, entry.on_ring_road, passes);
   }
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -10,6 +10,7 @@ import collections
 import csv
 import typing
 
+import a9_moved
 import a9_perception
 import a9_runs
 
@@ -128,9 +129,13 @@ def ddr_line(place: a9_runs.Place, variant: str) -> int:
     return next(int(row[variant]) for row in constants if row["constant"] == "ddr_line")
 
 
+def image_of(drive: str) -> str:
+    return "perception_cost" if drive != a9_moved.TRACKED else f"perception_cost-{drive}_objects"
+
+
 def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> list[Row]:
     printed = a9_runs.printed_by_model(place, variant, FUNCTIONS | OUTSIDE,
-                                       place.images / "perception_cost", capture, FRAMES, WARM_UP,
+                                       place.images / image_of(drive), capture, FRAMES, WARM_UP,
                                        max(CORES))
     rounds, line = rounds_of(printed), ddr_line(place, variant)
     return [row for cores in CORES for row in divided(drive, variant, cores, rounds, line)]
@@ -149,7 +154,7 @@ def of_one_core(place: a9_runs.Place, drive: str, variant: str, capture: str) ->
     hands to the window while it joins is not of fusing."""
     functions = UNDIVIDED | OUTSIDE
     _, own = a9_runs.own_of(
-        a9_runs.printed_by_model(place, variant, functions, place.images / "perception_cost",
+        a9_runs.printed_by_model(place, variant, functions, place.images / image_of(drive),
                                  capture, FRAMES, WARM_UP), functions)
 
     def row(stage: str, *names: str) -> Row:

@@ -13,6 +13,7 @@ import a9_turning
 
 VEHICLES = a9_turning.VEHICLES
 KINDS = {"_classes": "no", "_moved": "yes"}  # of the image and its car: what they say of `moved`
+TRACKED = "roof_hdl64e"  # the vehicle that has an image with moving objects, too (a9_cores.py)
 WARM_UP = 12
 FRAMES = 3
 

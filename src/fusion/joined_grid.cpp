@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "lanes/bring.hpp"
 #include "lanes/lanes.hpp"
 
 namespace iog::fusion {
 namespace {
 
 using index::OccupancyIndex;
+
+// The number of bytes by which preloads run ahead.
+constexpr std::size_t kAhead = 4 * lanes::kLineBytes;
 
 std::uint32_t hits_of(const OccupancyIndex* row) {
   std::uint32_t hits = 0;
@@ -28,6 +32,10 @@ void join(std::span<OccupancyIndex, geometry::kTileCells> to, JoinedGrid::TileIn
   const grid::Lanes unknown = grid::Lanes::all(index::kUnknown);
   const grid::Lanes least = grid::Lanes::all(index::kIndexMin<OccupancyIndex>);
   for (std::size_t i = 0; i < to.size(); i += grid::kLaneCount) {
+    if (i % lanes::kLineBytes == 0) {
+      lanes::preload(&more[i], kAhead);
+      lanes::preload(&to[i], kAhead);
+    }
     const grid::Lanes one = grid::Lanes::load_bytes(&to[i]);
     const grid::Lanes other = grid::Lanes::load_bytes(&more[i]);
     const grid::Lanes hit = one.max(unknown).add(other.max(unknown));

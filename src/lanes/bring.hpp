@@ -21,4 +21,10 @@ inline void bring(std::span<const std::byte> bytes) {
   }
 }
 
+// Asks for the cache line at a distance from an address, without waiting for it (PLD). The line may
+// lie outside of the object, and outside of memory.
+inline void preload(const void* address, std::size_t bytes_ahead) {
+  __builtin_prefetch(static_cast<const std::byte*>(address) + bytes_ahead);
+}
+
 }  // namespace iog::lanes
