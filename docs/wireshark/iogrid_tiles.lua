@@ -38,9 +38,9 @@ local function place_of(corner, remainder, places)
 end
 
 -- Where a tile of the window lies in the local frame, in tiles.
-local function show_place(item, range, window, x, y, across)
+local function show_place(item, range, window, x, y, across, up)
   local a = place_of(window["window.a"], x, across)
-  local b = place_of(window["window.b"], y, across)
+  local b = place_of(window["window.b"], y, up)
   parts.add_generated(item, "tile.a", range, a)
   parts.add_generated(item, "tile.b", range, b)
   item:append_text(string.format(", a %d, b %d", a, b))
@@ -55,12 +55,13 @@ local function show_tile(tree, cursor, header, window, before)
   local tile = parts.add_part(item, range, part)
   local number, encoding, bytes = tile.tile, tile["tile.encoding"], tile["tile.bytes"]
   local across = bit.rshift(header.width, header.side_log2 % 32)
-  if across > 0 then
+  local up = bit.rshift(header.height, header.side_log2 % 32)
+  if across > 0 and up > 0 then
     local x, y = number % across, math.floor(number / across)
     parts.add_generated(item, "tile.x", range, x)
     parts.add_generated(item, "tile.y", range, y)
     item:set_text(string.format("Tile %d (x %d, y %d)", number, x, y))
-    if window then show_place(item, range, window, x, y, across) end
+    if window then show_place(item, range, window, x, y, across, up) end
   end
   item:append_text(string.format(", %d bytes, %s", bytes,
                                  layout.ENCODINGS[encoding] or "unknown encoding"))

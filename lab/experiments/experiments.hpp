@@ -29,6 +29,8 @@ namespace iog::lab {
 [[nodiscard]] Tables evidential_map(const Input& input);     // in every scan, or at the decision
 [[nodiscard]] Tables evidential_city(const Input& input);    // its choices on the same drives
 [[nodiscard]] Tables evidential_street(const Input& input);
+[[nodiscard]] Tables evidential_sizes_city(const Input& input);  // ours, in cells of three sizes
+[[nodiscard]] Tables evidential_sizes_street(const Input& input);
 [[nodiscard]] Tables evidential_roc(const Input& input);    // the same, whatever the threshold
 [[nodiscard]] Tables evidential_cells(const Input& input);  // and with other cells
 

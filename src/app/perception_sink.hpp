@@ -49,15 +49,17 @@ class PerceptionSink : private NetworkSink<P> {
     Indexes::encode_tiles(do_beside);
   }
   void encode_classes(const window::WindowView& classes) {
-    classes_.begin(this->header(), class_end_.window);
+    const window::Area& area = classes.area();
+    classes_.begin(this->header(), class_end_.window, area.extent());
     if (!classes_.do_wait()) {
       end_indexes();
     }
-    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+    area.for_each_tile([&](std::size_t number, window::TileNumber tile) {
+      const std::size_t slot = window::slot_of(tile);
       if (const auto cells = classes.known_bytes(slot)) {
-        classes_.add_classes(slot, *cells, classes.age_frames(slot), classes.version(slot));
+        classes_.add_classes(number, *cells, classes.age_frames(slot), classes.version(slot));
       }
-    }
+    });
     if (classes_.do_wait()) {
       classes_.encode([this] { end_indexes(); });
     }

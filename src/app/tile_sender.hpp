@@ -68,10 +68,12 @@ class TileSender {
     hash_ = Hash();
     tiles_.begin_grid(header, stream::geometry_of(grid_));
   }
-  void begin(const stream::Header& header, const stream::ClassWindow& window) {
+  void begin(const stream::Header& header, const stream::ClassWindow& window,
+             window::Extent extent = {}) {
     begin_frame(header);
     hash_ = Hash({.a = window.corner_a, .b = window.corner_b});
-    tiles_.begin_classes(header, window, grid_.cell_mm);
+    tiles_.begin_classes(header, window, grid_.cell_mm, extent);
+    end_tile_ = extent.tile_count();
   }
 
   // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have at least one
@@ -79,10 +81,10 @@ class TileSender {
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
-  // Adds a tile of classes. The cells must not change until finish(). The tile is skipped if no
-  // cell has a class. `age_frames` is the number of frames since the tile's classes were computed.
-  // `version` must not be 0, and must differ from the previous version if the cells have changed
-  // since the tile was last added.
+  // Adds a tile of classes by its number in messages. The cells must not change until finish(). The
+  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the
+  // tile's classes were computed. `version` must not be 0, and must differ from the previous
+  // version if the cells have changed since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
@@ -114,7 +116,7 @@ class TileSender {
   // only the calling core, so it may be called while other cores are busy.
   Sent finish_encoded() {
     send_waiting();
-    send_tiles(geometry::kTileCount);
+    send_tiles(end_tile_);
     sent_.crc = hash_.value();
     return sent_;
   }
@@ -309,6 +311,7 @@ class TileSender {
   Sent sent_;
   Hash hash_;
   stream::TilesWriter tiles_;
+  std::size_t end_tile_ = geometry::kTileCount;
   protection::TailRemainder tail_;  // of the current message, if its last tile is raw
   bool do_wait_ = false;
   std::size_t waiting_count_ = 0;

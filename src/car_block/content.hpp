@@ -87,7 +87,7 @@ void visit_sensor(auto& content, auto& sensor) {
 void visit_window(auto& content, auto& rules) {
   content.below(4, rules.discounting);
   content.below(2, rules.weighing);
-  content.moved_and_tables(rules.moved, rules.tables);
+  content.moved_tables_and_extent(rules.moved, rules.tables, rules.extent);
   content.numbers(rules.group_budget);
   content.assignment(rules.assignment);
 }
@@ -168,11 +168,18 @@ class Writer {
       number(epsilon_e5);
     }
   }
-  // If the car has its own evidential constants, an extra bit is set and the constants follow.
-  void moved_and_tables(perception::Moved moved, const ageing::Tables* tables) {
-    number(static_cast<std::uint8_t>(static_cast<unsigned>(moved) | (tables == nullptr ? 0U : 2U)));
+  // Extra bits are set if evidential constants follow, and if the window has fewer tiles than the
+  // memory.
+  void moved_tables_and_extent(perception::Moved moved, const ageing::Tables* tables,
+                               window::Extent extent) {
+    const unsigned has_tables = tables == nullptr ? 0U : 2U;
+    const unsigned is_smaller = extent == window::Extent{} ? 0U : 4U;
+    number(static_cast<std::uint8_t>(static_cast<unsigned>(moved) | has_tables | is_smaller));
     if (tables != nullptr) {
       visit_tables(*this, *tables);
+    }
+    if (is_smaller != 0) {
+      numbers(extent.columns, extent.rows);
     }
   }
   void below(unsigned /*count*/, auto value) { number(static_cast<std::uint8_t>(value)); }

@@ -68,6 +68,17 @@ void check_cells(const Vehicle& car, const Tell& tell) {
   }
 }
 
+// The window of classes is at most as large as its memory.
+void check_window(window::Extent extent, const Tell& tell) {
+  const auto check_side = [&](std::uint8_t tiles, std::string_view field) {
+    if (!window::Extent{tiles, tiles}.is_allowed()) {
+      tell({.field = field, .allowed = "128 ... 1024 cells, in steps of 32"});
+    }
+  };
+  check_side(extent.columns, "window.side_x_m");
+  check_side(extent.rows, "window.side_y_m");
+}
+
 // The memory has 1024 x 1024 cells, and each side consists of whole tiles.
 // Returns false if lengths cannot be converted to cells.
 bool check_grid(const Vehicle& car, const Tell& tell) {
@@ -88,6 +99,7 @@ bool check_grid(const Vehicle& car, const Tell& tell) {
   check_side(grid.rows, grid.origin_row, "grid.left_m",
              "with right_m 32 ... 1024 cells, in steps of 32");
   check_cells(car, tell);
+  check_window(car.window.extent, tell);
   return true;
 }
 

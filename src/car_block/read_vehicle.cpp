@@ -148,16 +148,22 @@ class Reader {
     is_of_other_grid_ = is_other && ok();
   }
 
-  void moved_and_tables(perception::Moved& moved, const ageing::Tables*& tables) {
-    const auto byte = number<std::uint8_t>();
-    demand(byte < 4);
-    moved = static_cast<perception::Moved>(byte % 2);
+  void moved_tables_and_extent(perception::Moved& moved, const ageing::Tables*& tables,
+                               window::Extent& extent) {
+    unsigned bits = 0;
+    below(8, bits);
+    moved = static_cast<perception::Moved>(bits & 1U);
     tables = nullptr;
-    if (byte >= 2 && ok()) {
+    if ((bits & 2U) != 0 && ok()) {
       ageing::Tables& read = memory_.tables;
       content_detail::visit_tables(*this, read);
       read.free[0] = read.free[1];
       tables = &read;
+    }
+    extent = {};
+    if ((bits & 4U) != 0) {
+      numbers(extent.columns, extent.rows);
+      demand(extent != window::Extent{});
     }
   }
 

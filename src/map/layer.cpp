@@ -10,7 +10,7 @@ constexpr window::TileRuledOut kAnywhere{};
 void Layer::work(const Block* block, const std::optional<pose::MapTransform>& transform,
                  perception::WindowFusion& window) {
   ++frame_;
-  take_inputs(block, transform, window.cell_mm());
+  take_inputs(block, transform, window);
   const Cause cause = cause_of(block, window.view().is_centred());
   if (cause == Cause::kNone) {
     find_stale(*block, window);
@@ -29,12 +29,12 @@ void Layer::work(const Block* block, const std::optional<pose::MapTransform>& tr
 
 void Layer::look(const Block* block, const std::optional<pose::MapTransform>& transform,
                  const perception::WindowFusion& window) {
-  take_inputs(block, transform, window.cell_mm());
+  take_inputs(block, transform, window);
   report_cause(cause_of(block, window.view().is_centred()));
 }
 
 void Layer::report_cause(Cause cause) {
-  const bool is_outside = report_.tiles_outside == window::kSlotCount;
+  const bool is_outside = report_.tiles_outside == tiles_;
   if (cause == Cause::kNone && (is_outside || agreement_.is_contradicted())) {
     cause = is_outside ? Cause::kOutside : Cause::kContradicted;
   }
@@ -42,8 +42,9 @@ void Layer::report_cause(Cause cause) {
 }
 
 void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform,
-                        std::int32_t cell_mm) {
-  cell_mm_ = cell_mm;
+                        const perception::WindowFusion& window) {
+  cell_mm_ = window.cell_mm();
+  tiles_ = window.view().area().extent().tile_count();
   report_.crc = block == nullptr ? 0 : block->crc();
   report_.origin = block == nullptr ? 0 : block->origin();
   report_.transform = transform;
@@ -53,7 +54,7 @@ void Layer::take_inputs(const Block* block, const std::optional<pose::MapTransfo
   report_.work = 0;
   if (block != nullptr && transform) {
     const std::uint32_t radius =
-        blur_radius(block->accuracy_mm(), transform->sigma, static_cast<std::uint32_t>(cell_mm));
+        blur_radius(block->accuracy_mm(), transform->sigma, static_cast<std::uint32_t>(cell_mm_));
     report_.radius = radius <= kHalo ? static_cast<std::uint8_t>(radius) : 0;
     now_ = {.local_frame = transform->local_frame, .radius = report_.radius};
   }
@@ -98,6 +99,10 @@ void Layer::find_stale(const Block& block, perception::WindowFusion& window) {
   if (is_other_map || area.corner() != area_.corner() || is_other_basis) {
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       const window::TileNumber tile = area.tile_at(slot);
+      if (!area.contains(tile)) {
+        withdraw(slot, State::kIdle, window);
+        continue;
+      }
       if (states_[slot] == State::kIdle || tile != area_.tile_at(slot) ||
           (is_done(slot) && (is_other_map || (is_other_basis && is_stale(bases_[slot], tile))))) {
         since_[slot] = frame_;
@@ -115,7 +120,7 @@ void Layer::find_stale(const Block& block, perception::WindowFusion& window) {
 void Layer::drop_stale_drawing(const window::Area& area, bool is_of_other_bytes) {
   if (unfinished_) {
     const window::TileNumber tile = area_.tile_at(unfinished_->slot);
-    if (is_of_other_bytes || area.tile_at(unfinished_->slot) != tile ||
+    if (is_of_other_bytes || !area.contains(tile) || area.tile_at(unfinished_->slot) != tile ||
         is_stale(unfinished_->basis, tile)) {
       unfinished_.reset();
     }

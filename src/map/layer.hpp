@@ -74,7 +74,7 @@ class Layer {
 
  private:
   enum class State : std::uint8_t {
-    kIdle,     // a cause prevents drawing, or there has never been a map
+    kIdle,     // a cause prevents drawing, there has never been a map, or it is outside the window
     kWaiting,  // to be drawn
     kDrawn,
     kOutside,
@@ -97,7 +97,7 @@ class Layer {
   };
 
   void take_inputs(const Block* block, const std::optional<pose::MapTransform>& transform,
-                   std::int32_t cell_mm);
+                   const perception::WindowFusion& window);
   void report_cause(Cause cause);
   [[nodiscard]] Cause cause_of(const Block* block, bool is_centred) const;
   void begin(Cause cause);
@@ -131,7 +131,8 @@ class Layer {
   LayerReport report_;
   std::uint32_t frame_ = 0;
   std::int32_t cell_mm_ = geometry::kCellMm;
-  std::uint32_t budget_ = 0;  // remaining work of this frame
+  std::size_t tiles_ = window::kSlotCount;  // of the window
+  std::uint32_t budget_ = 0;                // remaining work of this frame
   Basis now_{};
   // The following members describe the last frame in which nothing prevented drawing.
   Basis basis_{};

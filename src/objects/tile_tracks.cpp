@@ -50,13 +50,14 @@ std::uint32_t TileTracks::list(std::span<const Track> tracks, const ClaimGates& 
 
 std::uint32_t TileTracks::add(std::size_t track, const Bounds& bounds, const window::Area& area) {
   constexpr std::int32_t kTileMm = window::kTileSide * geometry::kCellMm;
-  const auto first_and_last = [](std::int32_t low_mm, std::int32_t high_mm, std::int32_t corner) {
-    return Interval{
-        std::max(numeric::div_floor(low_mm, kTileMm), corner),
-        std::min(numeric::div_floor(high_mm, kTileMm), corner + window::kTilesAcross - 1)};
+  const auto first_and_last = [](std::int32_t low_mm, std::int32_t high_mm, std::int32_t corner,
+                                 std::int32_t tiles) {
+    return Interval{std::max(numeric::div_floor(low_mm, kTileMm), corner),
+                    std::min(numeric::div_floor(high_mm, kTileMm), corner + tiles - 1)};
   };
-  const Interval a = first_and_last(bounds.low.x_mm, bounds.high.x_mm, area.corner().a);
-  const Interval b = first_and_last(bounds.low.y_mm, bounds.high.y_mm, area.corner().b);
+  const auto [columns, rows] = area.extent();
+  const Interval a = first_and_last(bounds.low.x_mm, bounds.high.x_mm, area.corner().a, columns);
+  const Interval b = first_and_last(bounds.low.y_mm, bounds.high.y_mm, area.corner().b, rows);
   std::uint32_t left = 0;
   for (std::int32_t y = b.low; y <= b.high; ++y) {
     for (std::int32_t x = a.low; x <= a.high; ++x) {

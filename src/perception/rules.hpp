@@ -7,6 +7,7 @@
 #include "ageing/gains.hpp"
 #include "evidence/assignment.hpp"
 #include "geometry/grid.hpp"
+#include "window/area.hpp"
 
 namespace iog::perception {
 
@@ -79,6 +80,7 @@ struct Rules {
   int tall_within = kTallWithin;
   Around around{};
   std::uint32_t group_budget = kGroupBudget;
+  window::Extent extent{};  // of the window
 };
 
 }  // namespace iog::perception

@@ -11,6 +11,7 @@
 namespace iog::perception {
 WindowFusion::WindowFusion(const Rules& rules, bool is_followed, std::int32_t cell_mm)
     : ground_(rules.around),
+      window_(rules.extent),
       rules_(rules),
       is_followed_(is_followed),
       cell_mm_(cell_mm),

@@ -70,16 +70,18 @@ void FrameEvidence::add(std::span<const PlacedCells> slices, const window::Area&
     addings[i].emplace(slices[i], area);
   }
   if (crew.is_one()) {
-    add_to({}, addings);
+    add_to({.extent = area.extent()}, addings);
     beside();
     return;
   }
   before_.begin();
+  const auto regions = static_cast<std::size_t>(regions_along(area.extent().columns) *
+                                                regions_along(area.extent().rows));
   crew.share(
-      kRegionCount,
+      regions,
       [this, &area, &addings](std::size_t item, std::size_t core) {
         keep_before(area, item, core);
-        add_to(region_of(item), addings);
+        add_to(region_of(area.extent(), item), addings);
       },
       beside);
 }
@@ -93,23 +95,27 @@ void FrameEvidence::add_to(const Region& region, const Addings& addings) {
   }
 }
 
-FrameEvidence::Region FrameEvidence::region_of(std::size_t item) {
+FrameEvidence::Region FrameEvidence::region_of(const window::Extent& window, std::size_t item) {
   const auto number = static_cast<std::int32_t>(item);
-  return {.low = {number % kRegionsAcross * kRegionAcross, number / kRegionsAcross * kRegionAcross},
-          .tiles_across = kRegionAcross};
+  const std::int32_t across = regions_along(window.columns);
+  const window::TileNumber low{number % across * kRegionAcross, number / across * kRegionAcross};
+  const auto tiles = [](std::int32_t all, std::int32_t first) {
+    return static_cast<std::uint8_t>(std::min(kRegionAcross, all - first));
+  };
+  return {.low = low, .extent = {tiles(window.columns, low.a), tiles(window.rows, low.b)}};
 }
 
 void FrameEvidence::keep_before(const window::Area& area, std::size_t item, std::size_t core) {
   if (Before* const before = before_.of(core)) {
-    remember(area, region_of(item), *before);
+    remember(area, region_of(area.extent(), item), *before);
     before_.keep(core, item);
   } else if (const Before* const left = before_.of_lost(item)) {
-    put_back(area, region_of(item), *left);
+    put_back(area, region_of(area.extent(), item), *left);
   }
 }
 
 void FrameEvidence::remember(const window::Area& area, const Region& region, Before& before) const {
-  for (std::size_t i = 0; i < kRegionTiles; ++i) {
+  for (std::size_t i = 0; i < region.extent.tile_count(); ++i) {
     const std::size_t slot = slot_in(area, region.tile(i));
     before.is_touched[i] = is_touched_[slot];
     before.has_hit[i] = has_hit_[slot];
@@ -121,7 +127,7 @@ void FrameEvidence::remember(const window::Area& area, const Region& region, Bef
 }
 
 void FrameEvidence::put_back(const window::Area& area, const Region& region, const Before& before) {
-  for (std::size_t i = 0; i < kRegionTiles; ++i) {
+  for (std::size_t i = 0; i < region.extent.tile_count(); ++i) {
     const std::size_t slot = slot_in(area, region.tile(i));
     is_touched_[slot] = before.is_touched[i];
     has_hit_[slot] = before.has_hit[i];
@@ -137,9 +143,9 @@ void FrameEvidence::pull(const Adding& adding, const Region& region) {
   const Reach reach = Reach::of_square(window::kTileSide, adding.steps.step);
   ExactPoint row =
       map.exactly({region.low.a * window::kTileSide, region.low.b * window::kTileSide});
-  for (std::int32_t b = 0; b < region.tiles_across; ++b, row = map.a_tile_along_y(row)) {
+  for (std::int32_t b = 0; b < region.extent.rows; ++b, row = map.a_tile_along_y(row)) {
     ExactPoint tile = row;
-    for (std::int32_t a = 0; a < region.tiles_across; ++a, tile = map.a_tile_along_x(tile)) {
+    for (std::int32_t a = 0; a < region.extent.columns; ++a, tile = map.a_tile_along_x(tile)) {
       const FinePoint first = tile.fine();
       const geometry::Cell low = reach.low(first);
       const geometry::Cell high = reach.high(first);

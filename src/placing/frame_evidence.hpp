@@ -80,36 +80,36 @@ class FrameEvidence {
   void leave_out(std::size_t slot, const window::Plane& cells);
 
  private:
-  // A square block of tiles in the window. Tiles are counted from the window's lowest corner.
+  // A rectangle of tiles of the window. Tiles are counted from the window's lowest corner.
   struct Region {
     window::TileNumber low{};
-    std::int32_t tiles_across = window::kTilesAcross;
+    window::Extent extent{};
 
     [[nodiscard]] bool contains(geometry::Cell cell) const {
-      const std::int32_t side = tiles_across * window::kTileSide;
-      return geometry::CellArea{side, side}.contains(
+      return extent.cells().contains(
           geometry::Cell{cell.x - low.a * window::kTileSide, cell.y - low.b * window::kTileSide});
     }
     [[nodiscard]] window::TileNumber tile(std::size_t i) const {
       const auto number = static_cast<std::int32_t>(i);
-      return {low.a + number % tiles_across, low.b + number / tiles_across};
+      return {low.a + number % extent.columns, low.b + number / extent.columns};
     }
     // Returns true if any cell of the rectangle low_cell ... high_cell may lie in the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
-             (low_cell.x >> geometry::kTileSideLog2) < low.a + tiles_across &&
+             (low_cell.x >> geometry::kTileSideLog2) < low.a + extent.columns &&
              (high_cell.y >> geometry::kTileSideLog2) >= low.b &&
-             (low_cell.y >> geometry::kTileSideLog2) < low.b + tiles_across;
+             (low_cell.y >> geometry::kTileSideLog2) < low.b + extent.rows;
     }
   };
   // The side length of a region, in tiles, if several cores are used. Regions are large enough that
   // few hits are examined for two regions, and small enough that no core waits long for the last
-  // region.
+  // region. Regions at the highest sides of the window may be smaller.
   static constexpr std::int32_t kRegionAcross = 4;
-  static constexpr std::int32_t kRegionsAcross = window::kTilesAcross / kRegionAcross;
-  static constexpr std::size_t kRegionCount = std::size_t{kRegionsAcross} * kRegionsAcross;
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
-  static Region region_of(std::size_t item);
+  static constexpr std::int32_t regions_along(std::int32_t tiles) {
+    return (tiles + kRegionAcross - 1) / kRegionAcross;
+  }
+  static Region region_of(const window::Extent& window, std::size_t item);
 
   // The undo log of a region. The cells of untouched tiles are not stored.
   struct Before {

@@ -7,13 +7,14 @@ namespace iog::placing {
 void HitList::add(std::span<const PlacedCells> slices, const window::Area& area) {
   const geometry::Cell lowest{area.corner().a * window::kTileSide,
                               area.corner().b * window::kTileSide};
+  const geometry::CellArea inside = area.extent().cells();
   std::size_t count = count_;  // a local copy, because a store of a hit might alias count_
   for (const PlacedCells& slice : slices) {
     for_each_hit(
         *slice.cells, CellMap::to_window(area, slice.at),
         [](geometry::Cell /*low*/, geometry::Cell /*high*/) { return true; },
         [&](geometry::Cell cell, std::int8_t /*byte*/) __attribute__((always_inline)) {
-          if (!window::kWindowCells.contains(cell)) {
+          if (!inside.contains(cell)) {
             return;
           }
           if (count < hits_.size()) {

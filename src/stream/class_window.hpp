@@ -44,10 +44,11 @@ struct ClassWindow {
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// Returns the area of the window. In messages, the tiles of the window are numbered by slot. A tile
-// keeps its slot when the window moves.
-[[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes) {
-  return window::Area({.a = classes.corner_a, .b = classes.corner_b});
+// Returns the area of the window. The number of a tile in messages does not change when the window
+// moves (window/area.hpp).
+[[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes,
+                                             window::Extent extent = {}) {
+  return window::Area({.a = classes.corner_a, .b = classes.corner_b}, extent);
 }
 
 // A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). A cell with the

@@ -60,8 +60,8 @@ void TilesWriter::begin_grid(const Header& header, const Geometry& geometry) {
 }
 
 void TilesWriter::begin_classes(const Header& header, const ClassWindow& window,
-                                std::uint16_t cell_mm) {
-  write_head(header, geometry_of_classes(cell_mm));
+                                std::uint16_t cell_mm, window::Extent extent) {
+  write_head(header, geometry_of_classes(cell_mm, extent));
   write_class_window(window, std::span(message_).subspan<kRecords, kClassWindowBytes>());
   records_ = kRecords + kClassWindowBytes;
   begin_message(0);

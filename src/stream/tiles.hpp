@@ -87,13 +87,27 @@ struct Geometry {
   return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
-// Returns the geometry of the firmware's window. The window has as many cells as the grid.
-[[nodiscard]] constexpr Geometry geometry_of_classes(std::uint16_t cell_mm = geometry::kCellMm) {
+// Returns the geometry of a window.
+[[nodiscard]] constexpr Geometry geometry_of_classes(std::uint16_t cell_mm = geometry::kCellMm,
+                                                     window::Extent extent = {}) {
   Geometry geometry = geometry_of_level(0, {.cell_mm = cell_mm});
   geometry.storage = Storage::kClass;
+  geometry.width = static_cast<std::uint16_t>(extent.cells().width);
+  geometry.height = static_cast<std::uint16_t>(extent.cells().height);
   geometry.origin_x_mm = 0;
   geometry.origin_y_mm = 0;
   return geometry;
+}
+
+// Returns the extent of the window with this geometry, or nothing if no car can have it.
+[[nodiscard]] constexpr std::optional<window::Extent> extent_of(const Geometry& geometry) {
+  const auto tiles = [](std::uint16_t cells) {
+    return static_cast<std::uint8_t>(cells / geometry::kTileSide);
+  };
+  const window::Extent extent{.columns = tiles(geometry.width), .rows = tiles(geometry.height)};
+  const bool fits = geometry::is_cell_size(geometry.cell_mm) && extent.is_allowed() &&
+                    geometry_of_classes(geometry.cell_mm, extent) == geometry;
+  return fits ? std::optional(extent) : std::nullopt;
 }
 
 struct TilesHeader {
@@ -117,10 +131,10 @@ class TilesWriter {
   // Starts a grid and its first message at tile 0. `header` is the header of the frame. The type
   // and sequence number of the frame header are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
-  // Starts a class grid. Tiles are numbered by window::slot_of().
+  // Starts a class grid. Tiles are numbered as in window/area.hpp.
   void begin_classes(const Header& header, const ClassWindow& window,
-                     std::uint16_t cell_mm = geometry::kCellMm);
-  // Discards the tiles of the current message, and restarts the message at another tile.
+                     std::uint16_t cell_mm = geometry::kCellMm, window::Extent extent = {});
+  // Discards the tiles of the current message and restarts the message at another tile.
   void begin_message(std::size_t first_tile);
 
   // Appends a tile. Tile numbers must be in ascending order. If the tile does not fit, returns

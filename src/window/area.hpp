@@ -1,11 +1,13 @@
-// The position of the window. The window is a square of 32 by 32 tiles of the local frame.
+// The position of the window. The window is a rectangle of at most 32 by 32 tiles of the local
+// frame.
 //
-// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1), in units of the cell size. Tile
-// (a, b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of
-// tile (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window,
-// so no data is moved when the window moves. Coordinates of the local frame are int32 millimetres.
-// If cells are 0.1 m, tile numbers are therefore within +-671,089. If cells are larger, tile
-// numbers are closer to 0.
+// Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
+// b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile
+// (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
+// data is moved when the window moves. In messages, the tiles of a window of c by r tiles are
+// numbered c (b mod r) + a mod c, which is the slot if c and r are 32. Coordinates of the local
+// frame are int32 millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For cells
+// of 0.2 m and 0.5 m, they are closer to 0.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +33,21 @@ struct TileNumber {
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
+// The sides of a window in tiles, along x and y of the local frame.
+struct Extent {
+  std::uint8_t columns = kTilesAcross;
+  std::uint8_t rows = kTilesAcross;
+  [[nodiscard]] constexpr std::size_t tile_count() const { return std::size_t{columns} * rows; }
+  [[nodiscard]] constexpr geometry::CellArea cells() const {
+    return {columns * kTileSide, rows * kTileSide};
+  }
+  // At least a tile must remain on each side of the car.
+  [[nodiscard]] constexpr bool is_allowed() const {
+    return columns >= 4 && columns <= kTilesAcross && rows >= 4 && rows <= kTilesAcross;
+  }
+  friend constexpr bool operator==(const Extent&, const Extent&) = default;
+};
+
 // Returns the tile of the local frame that contains a cell.
 [[nodiscard]] constexpr TileNumber window_tile(geometry::Cell cell) {
   return {cell.x >> geometry::kTileSideLog2, cell.y >> geometry::kTileSideLog2};
@@ -51,58 +68,83 @@ struct TileNumber {
 class Area {
  public:
   constexpr Area() = default;
-  explicit constexpr Area(TileNumber corner) : corner_(corner) {}
+  explicit constexpr Area(TileNumber corner, Extent extent = {})
+      : corner_(corner), extent_(extent) {}
 
-  // Returns the area that is centred on the tile corner nearest to a cell.
-  [[nodiscard]] static constexpr Area around(geometry::Cell cell) {
-    return Area({first_around(cell.x), first_around(cell.y)});
+  // Returns the area whose middle is as near as possible to a cell.
+  [[nodiscard]] static constexpr Area around(geometry::Cell cell, Extent extent = {}) {
+    return Area({first_around(cell.x, extent.columns), first_around(cell.y, extent.rows)}, extent);
   }
 
-  // Returns the area after it has followed a cell. The area has a one-tile square in its middle. On
-  // each axis, the area moves if the cell is more than half a tile outside this square. If cells
-  // are 0.1 m, at least 48 m therefore remain on each side, and noise at a tile border does not
-  // move the area.
+  // Returns the area after it has followed a cell. On each axis, the area moves if the cell is more
+  // than one tile away from the middle. With 32 tiles of cells of 0.1 m, at least 48 m therefore
+  // remain on each side, and noise at a tile border does not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
-    const TileNumber centred = around(cell).corner_;
-    return Area({is_near_middle(corner_.a, cell.x) ? corner_.a : centred.a,
-                 is_near_middle(corner_.b, cell.y) ? corner_.b : centred.b});
+    const TileNumber centred = around(cell, extent_).corner_;
+    return Area({is_near_middle(corner_.a, cell.x, extent_.columns) ? corner_.a : centred.a,
+                 is_near_middle(corner_.b, cell.y, extent_.rows) ? corner_.b : centred.b},
+                extent_);
   }
 
   // Returns the tile with the lowest a and b.
   [[nodiscard]] constexpr TileNumber corner() const { return corner_; }
+  [[nodiscard]] constexpr Extent extent() const { return extent_; }
 
   [[nodiscard]] constexpr bool contains(TileNumber tile) const {
-    return is_inside(tile.a - corner_.a) && is_inside(tile.b - corner_.b);
+    return is_inside(tile.a - corner_.a, extent_.columns) &&
+           is_inside(tile.b - corner_.b, extent_.rows);
   }
   [[nodiscard]] constexpr bool contains(geometry::Cell cell) const {
     return contains(window_tile(cell));
   }
 
-  // Returns the tile of the area in a slot. If the area exceeds the range of 32 bits, the tile
-  // number wraps around.
+  // Returns the tile at a slot. If the area has fewer than 32 by 32 tiles, the tile may be outside
+  // the area. The tile number wraps around if it would exceed 32 bits.
   [[nodiscard]] constexpr TileNumber tile_at(std::size_t slot) const {
     constexpr std::uint32_t kMask = kTilesAcross - 1;
     const auto column = static_cast<std::uint32_t>(slot);
     const std::uint32_t row = column / kTilesAcross;
-    const std::uint32_t right = (column - static_cast<std::uint32_t>(corner_.a)) & kMask;
-    const std::uint32_t up = (row - static_cast<std::uint32_t>(corner_.b)) & kMask;
-    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(corner_.a) + right),
-            static_cast<std::int32_t>(static_cast<std::uint32_t>(corner_.b) + up)};
+    return {plus(corner_.a, (column - static_cast<std::uint32_t>(corner_.a)) & kMask),
+            plus(corner_.b, (row - static_cast<std::uint32_t>(corner_.b)) & kMask)};
+  }
+
+  // Calls visit(number, tile) for each tile of the area, in the order of their numbers in messages.
+  template <typename Visit>
+  constexpr void for_each_tile(Visit&& visit) const {
+    const std::uint32_t a = remainder(corner_.a, extent_.columns);
+    const std::uint32_t b = remainder(corner_.b, extent_.rows);
+    std::size_t number = 0;
+    for (std::uint32_t row = 0; row < extent_.rows; ++row) {
+      const std::int32_t up = plus(corner_.b, row < b ? row + extent_.rows - b : row - b);
+      for (std::uint32_t column = 0; column < extent_.columns; ++column) {
+        const std::uint32_t right = column < a ? column + extent_.columns - a : column - a;
+        visit(number++, TileNumber{plus(corner_.a, right), up});
+      }
+    }
   }
 
  private:
-  static constexpr std::int32_t kHalf = kTilesAcross / 2;
-
-  static constexpr std::int32_t first_around(std::int32_t cell) {
-    return numeric::div_floor(cell + kTileSide / 2, kTileSide) - kHalf;
+  static constexpr std::int32_t plus(std::int32_t first, std::uint32_t tiles) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(first) + tiles);
   }
-  static constexpr bool is_near_middle(std::int32_t first, std::int32_t cell) {
-    const std::int64_t from_middle = cell - std::int64_t{first + kHalf} * kTileSide;
+  static constexpr std::uint32_t remainder(std::int32_t tile, std::int32_t across) {
+    const std::int32_t rest = tile % across;
+    return static_cast<std::uint32_t>(rest < 0 ? rest + across : rest);
+  }
+  static constexpr std::int32_t first_around(std::int32_t cell, std::int32_t across) {
+    return numeric::div_floor(cell - (across - 1) * kTileSide / 2, kTileSide);
+  }
+  static constexpr bool is_near_middle(std::int32_t first, std::int32_t cell, std::int32_t across) {
+    const std::int64_t from_middle =
+        cell - std::int64_t{first} * kTileSide - across * kTileSide / 2;
     return from_middle >= -kTileSide && from_middle < kTileSide;
   }
-  static constexpr bool is_inside(std::int32_t tiles) { return tiles >= 0 && tiles < kTilesAcross; }
+  static constexpr bool is_inside(std::int32_t tiles, std::int32_t across) {
+    return tiles >= 0 && tiles < across;
+  }
 
   TileNumber corner_{};
+  Extent extent_{};
 };
 
 }  // namespace iog::window

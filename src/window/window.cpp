@@ -15,7 +15,7 @@ void name_by_masses(Tile& tile, std::size_t group) {
 }  // namespace
 
 void Window::follow(geometry::Cell vehicle) {
-  const Area next = is_centred_ ? area_.following(vehicle) : Area::around(vehicle);
+  const Area next = is_centred_ ? area_.following(vehicle) : Area::around(vehicle, area_.extent());
   is_centred_ = true;
   if (next.corner() == area_.corner()) {
     return;

@@ -1,5 +1,5 @@
-// The world-aligned window. The window consists of 32 by 32 tiles of the local frame around the
-// vehicle.
+// The world-aligned window, with tiles of the local frame around the vehicle. The window has 32 by
+// 32 tiles, unless the car file specifies fewer. The memory always has 32 by 32 tiles.
 //
 // When a tile enters the window, it is only marked as unknown. The memory of a tile is cleared just
 // before the first write to the tile, and the memory of each group is cleared just before the first
@@ -19,8 +19,10 @@ namespace iog::window {
 
 class Window {
  public:
-  // Moves the window if the vehicle is too far from its middle (Area::following). A window without
-  // content is centred on the vehicle.
+  explicit Window(Extent extent = {}) : area_(TileNumber{}, extent) {}
+
+  // Moves the window if the vehicle is too far from the window's middle (Area::following). A window
+  // without content is centred on the vehicle.
   void follow(geometry::Cell vehicle);
 
   // Sets all tiles to unknown.

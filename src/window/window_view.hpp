@@ -63,9 +63,13 @@ class WindowView {
   // Returns the classes of a cell and its eight neighbours. Bit i is set if class i occurs.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
-  // Returns the version of the tile in a slot. As long as the version stays the same, so do the
-  // tile's classes (window/window.hpp).
-  [[nodiscard]] std::uint32_t version(std::size_t slot) const { return window_->version(slot); }
+  // Returns the version of the tile at a slot, which is not 0. While the version stays the same,
+  // the tile's classes stay the same (window/window.hpp). Tiles of different slots have different
+  // versions.
+  [[nodiscard]] std::uint32_t version(std::size_t slot) const {
+    const auto number = static_cast<std::uint32_t>(slot);
+    return (window_->version(slot) * std::uint32_t{kSlotCount} + number) * 2 + 1;
+  }
 
   // Returns the age of the tile's oldest classification, in frames. The tile must be known.
   [[nodiscard]] std::uint8_t age_frames(std::size_t slot) const {

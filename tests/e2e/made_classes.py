@@ -40,9 +40,10 @@ class Window:
     """Class bytes by cell of the local frame, where the car is in it, and what kept it from being
     placed. Angles are in turns, counter-clockwise from x."""
 
-    def __init__(self, x_m: float = 0, y_m: float = 0, turns: float = 0, corner=(-16, -16)):
+    def __init__(self, x_m: float = 0, y_m: float = 0, turns: float = 0, corner=(-16, -16),
+                 sides=(TILES_ACROSS, TILES_ACROSS)):
         self.pose = (x_m, y_m, turns)
-        self.corner = corner
+        self.corner, self.sides = corner, sides  # in tiles
         self.sigma_mm, self.sigma_10_urad = 20, 100
         self.slices = 6
         self.causes = 0
@@ -90,10 +91,9 @@ class Window:
     @property
     def by_slot(self) -> list[tuple[int, bytes]]:
         """The tiles in which a cell has a class, in the order of their numbers."""
-        return sorted((b % TILES_ACROSS * TILES_ACROSS + a % TILES_ACROSS, bytes(cells))
-                      for (a, b), cells in self.tiles.items()
-                      if any(cells) and 0 <= a - self.corner[0] < TILES_ACROSS
-                      and 0 <= b - self.corner[1] < TILES_ACROSS)
+        columns, rows = self.sides
+        return sorted((b % rows * columns + a % columns, bytes(cells)) for (a, b), cells in self.tiles.items()
+                      if any(cells) and 0 <= a - self.corner[0] < columns and 0 <= b - self.corner[1] < rows)
 
     @property
     def crc(self) -> int:
@@ -105,20 +105,20 @@ class Window:
     def bodies(self, age: int = 0) -> list[tuple[int, bytes]]:
         """Message types and what is behind their headers, one tile in each message."""
         bodies = []
-        known = self.by_slot
+        known, count = self.by_slot, self.sides[0] * self.sides[1]
         first = 0
         for i, (number, cells) in enumerate(known):
-            end = known[i + 1][0] if i + 1 < len(known) else grid_stream.TILE_COUNT
+            end = known[i + 1][0] if i + 1 < len(known) else count
             record = struct.pack(">HBBH", number, 0, age, TILE * TILE) + cells
             bodies.append((grid_stream.TILES, self._tiles(first, end, 1) + record))
             first = end
         if not known:
-            bodies.append((grid_stream.TILES, self._tiles(0, grid_stream.TILE_COUNT, 0)))
+            bodies.append((grid_stream.TILES, self._tiles(0, count, 0)))
         return [*bodies, (CLASS_END, self._end(len(known)))]
 
     def _tiles(self, first: int, end: int, count: int) -> bytes:
-        side = TILE * TILES_ACROSS
-        return struct.pack(">HHHBBHHHHii", first, end, count, 5, 2, side, side, 100, 0, 0,
+        columns, rows = self.sides
+        return struct.pack(">HHHBBHHHHii", first, end, count, 5, 2, TILE * columns, TILE * rows, 100, 0, 0,
                            0) + self.header
 
     def _end(self, tiles: int) -> bytes:

@@ -114,6 +114,11 @@ def check_picture(street: Street) -> None:
     for part in ("moving", "as sure as can be", "local frame 8.05, 0.05 m"):
         assert part in words, (part, words)
     assert "unknown" in page.hover(572, 405)
+    rectangle = picture_of_window(corner=(-5, -4), sides=(9, 7))
+    street.expect(rectangle, 9, 0, COLOURS[MOVING])
+    street.expect(rectangle, 0, 9, COLOURS[STANDING])
+    assert page.page.value("[iogPage.view.shape.columns, iogPage.view.shape.rows]") == [288, 224]
+    street.show(window)
     page.page.press("v")
     page.page.wait_for("!iogPage.view.showsClasses")
     assert "Occupancy index" in page.text("legend")

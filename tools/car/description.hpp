@@ -98,6 +98,12 @@ struct GridConfig {
   double right_m = geometry::kOriginCell * cell_m;
 };
 
+// The sides of the window of classes along x and y of the local frame; none: 1024 cells.
+struct WindowConfig {
+  std::optional<double> side_x_m{};
+  std::optional<double> side_y_m{};
+};
+
 // The constants of Kurdej 2015, table 7.1 and section 7.3, that a car file can set. The accumulator
 // is designed for an object of length L that moves at V_min at a distance d behind another object.
 struct EvidenceConfig {
@@ -127,8 +133,9 @@ struct Description {
   pose::SourceDescription poses{};  // who says where the vehicle is
   map::SourceDescription maps{};    // who sends maps
   perception::Rules window{};       // how evidence becomes classes
-  EvidenceConfig evidence{};        // of which the window's tables are made
-  bool objects = true;              // things with a speed are followed (docs/objects.md)
+  WindowConfig window_sides{};
+  EvidenceConfig evidence{};  // of which the window's tables are made
+  bool objects = true;        // things with a speed are followed (docs/objects.md)
 };
 
 }  // namespace iog::description

@@ -250,6 +250,18 @@ geometry::Grid grid_of(const GridConfig& config) {
           .origin_row = cells(config.right_m)};
 }
 
+namespace {
+
+window::Extent extent_of(const WindowConfig& sides, double cell_m) {
+  const auto tiles = [&](const std::optional<double>& metres) {
+    const double exact = metres ? *metres / cell_m / geometry::kTileSide : window::kTilesAcross;
+    return static_cast<std::uint8_t>(is_whole(exact) && exact <= 255 ? numeric::round(exact) : 0);
+  };
+  return {.columns = tiles(sides.side_x_m), .rows = tiles(sides.side_y_m)};
+}
+
+}  // namespace
+
 std::optional<ageing::Tables> tables_of(const EvidenceConfig& evidence) {
   if (evidence == EvidenceConfig{}) {
     return std::nullopt;
@@ -323,6 +335,8 @@ Sensor numbers_of(const SensorConfig& config) {
 }
 
 Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
+  perception::Rules window = car.window;
+  window.extent = extent_of(car.window_sides, car.grid.cell_m);
   return {.name = car.name,
           .sensors = sensors,
           .grid = grid_of(car.grid),
@@ -334,7 +348,7 @@ Vehicle numbers_of(const Description& car, std::span<const Sensor> sensors) {
           .has_objects = vehicle::have_classes(car.grids) && car.objects,
           .poses = car.poses,
           .maps = car.maps,
-          .window = car.window};
+          .window = window};
 }
 
 Sensor sensor_of(const SensorConfig& config, const Description& car) {

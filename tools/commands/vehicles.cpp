@@ -47,6 +47,11 @@ void show_all() {
     if (entry.vehicle->grid != geometry::Grid{}) {
       std::cout << "  grid           " << words_of_grid(entry.vehicle->grid) << '\n';
     }
+    if (entry.vehicle->window.extent != window::Extent{}) {
+      std::cout << "  window         "
+                << words_of_window(entry.vehicle->window.extent, entry.vehicle->grid.cell_mm)
+                << '\n';
+    }
     for (const description::SensorConfig& sensor : entry.sensors) {
       const description::MountConfig& mount = sensor.mount;
       std::cout << "  " << std::left << std::setw(14) << sensor.name << " UDP " << sensor.udp_port

@@ -13,24 +13,34 @@
 
 namespace iog::tools {
 
+// By tile of a window's messages (geometry::Grid::tile_in_memory), its slot; kTileCount: no tile.
+using SlotsOfTiles = std::array<std::size_t, geometry::kTileCount>;
+
 struct ClassGrid {
   stream::ClassWindow window;  // where it is; of any of its messages
   std::uint16_t cell_mm = geometry::kCellMm;
+  window::Extent extent{};
   stream::ClassEnd end;  // only if has_end
   bool has_end = false;
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
-  // Sets of tiles are by slot (window::slot_of).
+  // Sets of tiles are by slot (window::slot_of). Tiles outside the window are valid and unknown.
   TileSet valid_tiles;  // whose cells are those of this frame; all others are missing
   TileSet known_tiles;  // of these, those that the target knows something of
   // By slot, of known tiles: frames since it was decided, 255: 255 or more.
   std::array<std::uint8_t, geometry::kTileCount> age_frames{};
-  // Class bytes (stream::class_of, stream::sureness_of) row by row from the window's corner; of a
-  // missing tile 0.
+  // Class bytes (stream::class_of, stream::sureness_of) row by row from the window's corner, 1024 a
+  // row; of a missing tile, and outside the window, 0.
   std::vector<std::int8_t> cells = std::vector<std::int8_t>(geometry::kCellCount);
 
   // Whether anything has arrived, so that the window is known.
   [[nodiscard]] bool has_window() const { return has_end || valid_tiles.any(); }
+  // Takes the size of its cells and its sides from those of its messages.
+  SlotsOfTiles take_shape(const geometry::Grid& shape);
+  // Takes sets of tiles that are by tile of its messages.
+  void take_tiles(const SlotsOfTiles& slots, const TileSet& valid, const TileSet& known);
+
+  [[nodiscard]] window::Area area() const { return stream::area_of(window, extent); }
   // Everything that the target knows has arrived.
   [[nodiscard]] bool is_whole() const {
     return has_end && end.tiles_lost == 0 && valid_tiles.all() &&

@@ -240,8 +240,7 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
   if (stream::read_tiles(body, tiles, records) != stream::ReadStatus::kOk) {
     return &MessageCounts::malformed;
   }
-  const std::uint16_t cell_mm = tiles.geometry.cell_mm;
-  if (geometry::is_cell_size(cell_mm) && tiles.geometry == stream::geometry_of_classes(cell_mm)) {
+  if (stream::extent_of(tiles.geometry)) {
     return take_class_tiles(waiting, tiles, body);
   }
   const std::optional<geometry::Grid> grid = stream::grid_of(tiles.geometry);
@@ -261,7 +260,8 @@ FrameAssembler::Fate FrameAssembler::take_tiles(WaitingFrame& waiting,
 FrameAssembler::Fate FrameAssembler::take_class_tiles(WaitingFrame& waiting,
                                                       const stream::TilesHeader& tiles,
                                                       std::span<const std::byte> body) {
-  const geometry::Grid grid{.cell_mm = tiles.geometry.cell_mm};
+  const stream::Geometry& its = tiles.geometry;
+  const geometry::Grid grid{.cell_mm = its.cell_mm, .columns = its.width, .rows = its.height};
   const bool is_taken = waiting.agree_on(*tiles.window) && waiting.classes.take(tiles, grid, body);
   return is_taken ? &MessageCounts::messages : &MessageCounts::malformed;
 }
@@ -337,16 +337,16 @@ void FrameAssembler::decode_indexes(WaitingFrame& waiting) {
 
 void FrameAssembler::decode_classes(WaitingFrame& waiting) {
   ClassGrid& classes = *waiting.frame.classes;
-  const auto tiles = waiting.classes.decode(
-      classes_, waiting.frame.header.frame_number, counts_,
-      [&](const stream::TileRecord& record, const TileBytes& cells) {
-        put_tile(cells, tile_in_window(classes.window, record.tile), classes.cells);
-        classes.age_frames.at(record.tile) = record.age_frames;
-      });
   shapes_.classes = waiting.classes.grid().value_or(shapes_.classes);
-  classes.cell_mm = shapes_.classes.cell_mm;
-  classes.valid_tiles = tiles.valid;
-  classes.known_tiles = tiles.known;
+  const SlotsOfTiles slots = classes.take_shape(shapes_.classes);
+  const auto tiles =
+      waiting.classes.decode(classes_, waiting.frame.header.frame_number, counts_,
+                             [&](const stream::TileRecord& record, const TileBytes& cells) {
+                               const std::size_t slot = slots.at(record.tile);
+                               put_tile(cells, tile_in_window(classes.window, slot), classes.cells);
+                               classes.age_frames.at(slot) = record.age_frames;
+                             });
+  classes.take_tiles(slots, tiles.valid, tiles.known);
   counts_.class_tiles += tiles.known.count();
 }
 

@@ -28,16 +28,16 @@ void LiveClasses::take(const GridFrame& frame) {
     return;
   }
   const ClassGrid& classes = *frame.classes;
-  if (!is_next || (classes.window.causes & kForgettingCauses) != 0 || classes.cell_mm != cell_mm_) {
+  if (!is_next || (classes.window.causes & kForgettingCauses) != 0 || classes.cell_mm != cell_mm_ ||
+      classes.extent != extent_) {
     forget();
   }
-  cell_mm_ = classes.cell_mm;
-  move_to(classes.window);
+  move_to(classes);
   for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
-    if (classes.valid_tiles.test(slot)) {
-      kept_.at(slot) = Kept{.frame = newest_frame_,
-                            .age_frames = classes.age_frames.at(slot),
-                            .place = stream::area_of(classes.window).tile_at(slot)};
+    const window::TileNumber tile = classes.area().tile_at(slot);
+    if (classes.valid_tiles.test(slot) && classes.area().contains(tile)) {
+      kept_.at(slot) =
+          Kept{.frame = newest_frame_, .age_frames = classes.age_frames.at(slot), .place = tile};
       tiles_.at(slot) = tile_of(classes, slot);
     }
   }
@@ -50,11 +50,14 @@ void LiveClasses::forget() {
   window_.reset();
 }
 
-void LiveClasses::move_to(const stream::ClassWindow& window) {
-  window_ = window;
-  const window::Area area = stream::area_of(window);
+void LiveClasses::move_to(const ClassGrid& classes) {
+  window_ = classes.window;
+  cell_mm_ = classes.cell_mm;
+  extent_ = classes.extent;
+  const window::Area area = classes.area();
   for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
-    if (kept_.at(slot) && kept_.at(slot)->place != area.tile_at(slot)) {
+    if (kept_.at(slot) &&
+        (!area.contains(kept_.at(slot)->place) || kept_.at(slot)->place != area.tile_at(slot))) {
       forget_tile(slot);
     }
   }
@@ -82,8 +85,9 @@ std::optional<std::uint8_t> LiveClasses::decided_ago(std::size_t slot) const {
 }
 
 std::size_t LiveClasses::stale_tiles() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      kept_, [this](const auto& kept) { return !kept || kept->frame != newest_frame_; }));
+  const auto fresh = std::ranges::count_if(
+      kept_, [this](const auto& kept) { return kept && kept->frame == newest_frame_; });
+  return extent_.tile_count() - static_cast<std::size_t>(fresh);
 }
 
 }  // namespace iog::tools

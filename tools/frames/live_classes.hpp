@@ -36,6 +36,7 @@ class LiveClasses {
   [[nodiscard]] const std::optional<stream::ClassWindow>& window() const { return window_; }
 
   [[nodiscard]] std::uint16_t cell_mm() const { return cell_mm_; }
+  [[nodiscard]] window::Extent extent() const { return extent_; }
 
   // How many frames older than the newest frame the tile's cells are; 0 is fresh. Nothing if none
   // of them is known to be of where the window now is.
@@ -45,7 +46,7 @@ class LiveClasses {
   // above.
   [[nodiscard]] std::optional<std::uint8_t> decided_ago(std::size_t slot) const;
 
-  // Older than the newest frame, or missing.
+  // Tiles of the window that are older than the newest frame, or missing.
   [[nodiscard]] std::size_t stale_tiles() const;
 
   // Class bytes row by row; 0 where age_of() says nothing.
@@ -58,13 +59,14 @@ class LiveClasses {
     window::TileNumber place{};
   };
 
-  void move_to(const stream::ClassWindow& window);
+  void move_to(const ClassGrid& classes);
   void forget_tile(std::size_t slot);
 
   std::vector<Tile> tiles_ = std::vector<Tile>(geometry::kTileCount);
   std::array<std::optional<Kept>, geometry::kTileCount> kept_{};
   std::optional<stream::ClassWindow> window_;
   std::uint16_t cell_mm_ = geometry::kCellMm;
+  window::Extent extent_{};
   std::uint32_t newest_frame_ = 0;
   std::uint32_t run_number_ = 0;
 };

@@ -144,6 +144,9 @@ std::string words_of_image(const FirmwareImage& image) {
   }
   words += row("car", std::string(car.vehicle.name) + ", in a stream " + hex(car.vehicle.id));
   words += row_if(car.vehicle.grid != geometry::Grid{}, "  grid", words_of_grid(car.vehicle.grid));
+  const window::Extent window = car.vehicle.window.extent;
+  words += row_if(window != window::Extent{}, "  window",
+                  words_of_window(window, car.vehicle.grid.cell_mm));
   for (const vehicle::Sensor& sensor : car.vehicle.sensors) {
     words += words_of_sensor(sensor);
   }

@@ -10,6 +10,7 @@
 #include "tools/program/hexadecimal.hpp"
 #include "tools/report/map_words.hpp"
 #include "tools/report/names.hpp"
+#include "tools/vehicles/grid_words.hpp"
 
 namespace iog::tools {
 namespace {
@@ -37,6 +38,7 @@ void ClassStatistics::add(const GridFrame& frame) {
   }
   const ClassGrid& classes = *frame.classes;
   cell_mm_ = classes.cell_mm;
+  extent_ = classes.extent;
   ++frames_;
   incomplete_ += classes.is_whole() || classes.is_damaged ? 0U : 1U;
   damaged_ += classes.is_damaged ? 1U : 0U;
@@ -114,8 +116,8 @@ std::string ClassStatistics::table() const {
          row_if(incomplete_ + damaged_ > 0, "class frames not whole",
                 std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
                     " damaged") +
-         row_if(cell_mm_ != geometry::kCellMm, "class window",
-                "1024 x 1024 cells of " + std::to_string(cell_mm_ / 10) + " cm") +
+         row_if(cell_mm_ != geometry::kCellMm || extent_ != window::Extent{}, "class window",
+                words_of_window(extent_, cell_mm_)) +
          row("class tiles", std::to_string(tiles_)) +
          row_if(tiles_not_sent_ > 0, "class tiles not sent", std::to_string(tiles_not_sent_)) +
          row("packets placed", std::to_string(packets_placed_) + ", and " +

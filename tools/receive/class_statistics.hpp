@@ -32,6 +32,7 @@ class ClassStatistics {
 
  private:
   std::uint16_t cell_mm_ = geometry::kCellMm;
+  window::Extent extent_{};
   std::uint64_t frames_ = 0;
   std::uint64_t incomplete_ = 0;  // a message about classes is missing
   std::uint64_t damaged_ = 0;     // not the classes that the target says, though all have come

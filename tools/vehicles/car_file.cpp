@@ -65,8 +65,15 @@ map::SourceDescription read_maps(TomlTable table) {
   return maps;
 }
 
-perception::Rules read_window(TomlTable table, description::EvidenceConfig& evidence) {
+perception::Rules read_window(TomlTable table, description::WindowConfig& sides,
+                              description::EvidenceConfig& evidence) {
   perception::Rules rules;
+  for (const auto& [key, side] :
+       {std::pair{"side_x_m", &sides.side_x_m}, std::pair{"side_y_m", &sides.side_y_m}}) {
+    if (table.has(key)) {
+      table.read(key, side->emplace());
+    }
+  }
   table.read("slowest_m_s", evidence.slowest_m_s);
   table.read("object_m", evidence.object_m);
   table.read("gap_m", evidence.gap_m);
@@ -153,7 +160,8 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   table.read("frame_period_us", description.frame_period_us);
   description.poses = read_poses(table.table("poses"));
   description.maps = read_maps(table.table("maps"));
-  description.window = read_window(table.table("window"), description.evidence);
+  description.window =
+      read_window(table.table("window"), description.window_sides, description.evidence);
   description.objects = description::grid_of(description.grid).cell_mm == geometry::kCellMm;
   table.read("objects", description.objects);
   car.network = read_network(table.table("network"));

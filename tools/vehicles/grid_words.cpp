@@ -4,6 +4,12 @@
 
 namespace iog::tools {
 
+std::string words_of_window(window::Extent extent, std::uint16_t cell_mm) {
+  const auto [columns, rows] = extent.cells();
+  return std::to_string(columns) + " x " + std::to_string(rows) + " cells of " +
+         std::to_string(cell_mm / 10) + " cm";
+}
+
 std::string words_of_grid(const geometry::Grid& grid) {
   const auto metres = [&grid](int cells) { return cells * grid.cell_mm / 1000.0; };
   std::ostringstream words;

@@ -137,7 +137,10 @@ Json classes_json(const FrameFacts& frame) {
   }
   const ClassFacts& classes = *frame.classes;
   const stream::ClassWindow& window = classes.window;
+  const auto [columns, rows] = classes.extent.cells();
   return {{"cell_m", classes.cell_mm / 1000.0},
+          {"columns", columns},
+          {"rows", rows},
           {"corner_a", window.corner_a},
           {"corner_b", window.corner_b},
           {"x_m", window.pose.x_mm / 1000.0},
@@ -264,10 +267,12 @@ ClassFacts class_facts_of(const ClassGrid& frame, const LiveClasses& classes,
   ClassFacts facts{.window = frame.window,
                    .is_whole = frame.is_whole() || frame.is_damaged,
                    .is_damaged = frame.is_damaged,
-                   .missing_tiles = geometry::kTileCount - frame.valid_tiles.count(),
+                   .missing_tiles = std::min(geometry::kTileCount - frame.valid_tiles.count(),
+                                             frame.extent.tile_count()),
                    .stale_tiles = classes.stale_tiles(),
                    .known_tiles = frame.known_tiles.count(),
-                   .cell_mm = frame.cell_mm};
+                   .cell_mm = frame.cell_mm,
+                   .extent = frame.extent};
   if (!frame.has_end) {
     return facts;
   }

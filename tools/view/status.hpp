@@ -28,6 +28,7 @@ struct ClassFacts {
   std::size_t stale_tiles = 0;
   std::size_t known_tiles = 0;
   std::uint16_t cell_mm = geometry::kCellMm;
+  window::Extent extent{};
 };
 
 // before: the facts of the frame before, null if there was none.

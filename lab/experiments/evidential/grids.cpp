@@ -106,7 +106,7 @@ void run_firmware(const EvidentialDrive& drive, double cell_m,
                   const std::function<void(const TrueScan&, const ByteOf&)>& use) {
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   description::Description description = *car.description;
-  description.grid.cell_m = cell_m;
+  description.grid = {.cell_m = cell_m};
   std::vector<vehicle::Sensor> sensors;
   for (const description::SensorConfig& config : car.sensors) {
     sensors.push_back(description::sensor_of(config, description));

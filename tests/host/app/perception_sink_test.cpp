@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ constexpr int kIndexTiles = 10 + static_cast<int>(stream::Storage::kOccupancyInd
 constexpr int kClassEnd = static_cast<int>(stream::MessageType::kClassEnd);
 constexpr int kFrameEnd = static_cast<int>(stream::MessageType::kFrameEnd);
 
-// Keeps the class bytes of every frame, by slot, as the window shows them.
+// Keeps the class bytes of every frame, by number in messages, as the window shows them.
 class ShownClasses {
  public:
   using Tiles = std::map<std::size_t, std::pair<int, std::vector<std::int8_t>>>;
@@ -35,13 +36,18 @@ class ShownClasses {
   void take_tile(std::size_t /*tile*/, tile_coding::TileCells /*cells*/) {}
   void end_frame() {}
   void take_classes(const stream::ClassEnd& /*end*/, const window::WindowView& classes) {
+    const auto [columns, rows] = classes.area().extent();
     corners.push_back(classes.area().corner());
     Tiles tiles;
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       std::vector<std::int8_t> cells(geometry::kTileCells);
       classes.copy_classes(slot, std::span(cells).first<geometry::kTileCells>());
       if (std::ranges::any_of(cells, [](std::int8_t cell) { return cell != 0; })) {
-        tiles[slot] = {classes.age_frames(slot), cells};
+        const window::TileNumber tile = classes.area().tile_at(slot);
+        const auto remainder = [](std::int32_t n, std::int32_t by) { return (n % by + by) % by; };
+        tiles[static_cast<std::size_t>(remainder(tile.b, rows) * columns +
+                                       remainder(tile.a, columns))] = {classes.age_frames(slot),
+                                                                       cells};
       }
     }
     frames.push_back(std::move(tiles));
@@ -52,9 +58,11 @@ class ShownClasses {
 };
 
 struct ClassBench {
-  explicit ClassBench(vehicle::Grids grids, Coding coding = Coding::kShortest)
+  explicit ClassBench(vehicle::Grids grids, Coding coding = Coding::kShortest,
+                      window::Extent extent = {})
       : car(tests::OneLux::kVehicle, true), vehicle(car.vehicle()) {
     vehicle.grids = grids;
+    vehicle.window.extent = extent;
     pipeline = std::make_unique<PerceptionPipeline<FakePlatform, ShownClasses>>(
         vehicle, testing::kReplayer, platform, coding, shown);
   }
@@ -155,6 +163,25 @@ TEST(PerceptionSink, WhatArrivesIsTheWindow) {
     }
     EXPECT_GT(bench.platform.frames.back().classes.size(), 30U);
   }
+}
+
+// A car of 10 m/s leaves tiles of a window of 12.8 x 22.4 m behind; each number is another tile's.
+TEST(PerceptionSink, WhatArrivesIsTheWindowThatIsARectangle) {
+  constexpr window::Extent kExtent{4, 7};
+  ClassBench bench(vehicle::Grids::kClasses, Coding::kShortest, kExtent);
+  bench.take(class_drive(60));
+  ASSERT_EQ(bench.platform.frames.size(), 60U);
+  EXPECT_EQ(bench.platform.unreadable(), 0);
+  std::set<std::int32_t> corners;
+  for (std::size_t i = 0; i < 60; ++i) {
+    const ReceivedFrame& frame = bench.platform.frames[i];
+    ASSERT_NO_FATAL_FAILURE(expect_shown(frame, bench.shown.frames[i]));
+    EXPECT_EQ(frame.class_end->classes_crc, name_of(frame));
+    EXPECT_EQ(frame.class_tiles_spoken_of, kExtent.tile_count());
+    corners.insert(frame.class_end->window.corner_a);
+  }
+  EXPECT_GT(bench.platform.frames.back().classes.size(), 10U);
+  EXPECT_GT(corners.size(), 5U);
 }
 
 // Against what was sent before, a tile that has hardly changed is short: 20 frames of some 100

@@ -40,6 +40,14 @@ constexpr Case kGradedCircle{
     "graded evidence", [](auto& p) { return testing::play_circle(p, testing::kGradedRules); }};
 constexpr Case kOverBudget{
     "over budget", [](auto& p) { return testing::play_circle(p, {.group_budget = 3'000}); }};
+constexpr Case kRectangle{"a window of 7 by 5 tiles", [](auto& p) {
+                            return testing::play_circle(p, {.extent = {.columns = 7, .rows = 5}});
+                          }};
+constexpr Case kRectangleOverGround{"a window of 6 by 9 tiles over the ground", [](auto& p) {
+                                      vehicle::Vehicle car = testing::ground_vlp16();
+                                      car.window.extent = {.columns = 6, .rows = 9};
+                                      return testing::play_parts_of_turns(p, car);
+                                    }};
 constexpr Case kShortSlices{"more slices than are placed at once", testing::play_short_slices};
 constexpr Case kClassesOverGround{"classes over the ground", [](auto& p) {
                                     return testing::play_parts_of_turns(p, testing::ground_vlp16());
@@ -60,11 +68,23 @@ constexpr Case kNewClasses{"classes that are all new",
                            [](auto& p) { return testing::play_class_tiles(p, false); }};
 constexpr Case kClasses{"classes", [](auto& p) { return testing::play_class_tiles(p, true); },
                         &kNewClasses};
-constexpr std::array kCases{kOnePart,    kFourParts,       kManyParts,
-                            kManySlices, kCircle,          kGradedCircle,
-                            kOverBudget, kShortSlices,     kClassesOverGround,
-                            kTurns,      kTurnsOverGround, kShuffled,
-                            kFullFrames, kBayes,           kTiles,
+constexpr std::array kCases{kOnePart,
+                            kFourParts,
+                            kManyParts,
+                            kManySlices,
+                            kCircle,
+                            kGradedCircle,
+                            kOverBudget,
+                            kShortSlices,
+                            kClassesOverGround,
+                            kRectangle,
+                            kRectangleOverGround,
+                            kTurns,
+                            kTurnsOverGround,
+                            kShuffled,
+                            kFullFrames,
+                            kBayes,
+                            kTiles,
                             kClasses};
 
 // By one core that nothing happens to: what the others are compared with.

@@ -143,6 +143,17 @@ TEST(CarBlock, EvidentialConstantsComeBackAsTheyAre) {
   EXPECT_NE(bytes.car.id, reference.vehicle.id);
 }
 
+TEST(CarBlock, TheWindowComesBackAsItIs) {
+  const vehicles::Car& reference = vehicles::car("reference_car");
+  vehicles::Car car = reference;
+  car.vehicle.window.extent = {.columns = 12, .rows = 32};
+  CarBytes bytes(car);
+  ASSERT_EQ(bytes.read().refusal, Refusal::kNone);
+  EXPECT_EQ(bytes.car.window.extent, car.vehicle.window.extent);
+  EXPECT_EQ(bytes.car.window.moved, reference.vehicle.window.moved);
+  EXPECT_NE(bytes.car.id, reference.vehicle.id);
+}
+
 // An image for cars to come says what it takes, and that it has none (docs/spec.md, section 8).
 TEST(CarBlock, WithoutACarItIsRefused) {
   const vehicles::Car& car = vehicles::cars()[0];

@@ -77,6 +77,19 @@ TEST(Identity, HasTheRectangleOfTheGrid) {
   EXPECT_EQ(identity_of(with), crc_of(grid.all));
 }
 
+// A window of fewer tiles than the memory has: 4 more in the byte of `moved`, and two numbers.
+TEST(Identity, HasTheRectangleOfTheWindow) {
+  Vehicle with = car();
+  with.window.extent = {.columns = 12, .rows = 32};
+  const auto whole = bytes_of_car().number(1, 0).all;
+  const auto moved = whole.end() - 7;  // then the budget, no assignment and no sensors
+  Bytes bytes;
+  bytes.all.assign(whole.begin(), moved);
+  bytes.number(1, 4).number(1, 12).number(1, 32);
+  bytes.all.insert(bytes.all.end(), moved + 1, whole.end());
+  EXPECT_EQ(identity_of(with), crc_of(bytes.all));
+}
+
 TEST(Identity, HasTheSensorsToo) {
   std::array<Sensor, 1> sensors;
   Sensor& sensor = sensors[0];

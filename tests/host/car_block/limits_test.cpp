@@ -60,6 +60,19 @@ TEST(CarLimits, OfTheGrid) {
   EXPECT_EQ(fault_of({.rows = 992, .origin_row = 993}), "grid.left_m");
 }
 
+TEST(CarLimits, OfTheWindow) {
+  const auto fault_of = [](std::uint8_t columns, std::uint8_t rows) {
+    return fault_with([&](Changed& c) { c.car.window.extent = {columns, rows}; });
+  };
+  EXPECT_EQ(fault_of(32, 32), "");
+  EXPECT_EQ(fault_of(4, 32), "");
+  EXPECT_EQ(fault_of(9, 4), "");
+  EXPECT_EQ(fault_of(3, 32), "window.side_x_m");
+  EXPECT_EQ(fault_of(33, 32), "window.side_x_m");
+  EXPECT_EQ(fault_of(32, 0), "window.side_y_m");
+  EXPECT_EQ(fault_of(32, 255), "window.side_y_m");
+}
+
 // Classes have cells of 0.1 m or more, objects 0.1 m, and `moved` needs classes and at most 0.2 m.
 TEST(CarLimits, OfTheCellsOfClasses) {
   struct Case {

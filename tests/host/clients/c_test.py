@@ -120,6 +120,17 @@ class Header(unittest.TestCase):
         self.compare(messages)
         self.compare(messages[1:])
 
+    def test_a_window_that_is_a_rectangle(self):
+        """It moves, so that numbers become those of other tiles."""
+        target, messages = made_stream.Target(0), []
+        for step in range(4):
+            window = made_classes.Window(10.0 + 3 * step, 20.0, 0.25, corner=(-2 + step, 3 - step), sides=(9, 7))
+            window.fill(range(90, 200), range(150, 252), made_classes.class_byte(made_classes.FREE, step))
+            window.fill(range(-10, 20), range(100, 120), made_classes.class_byte(made_classes.MOVING, 2))
+            messages += target.messages_of(made_stream.Grid(), 1, window)
+        self.compare(messages)
+        self.compare(messages[1:], program("clang", *SANITIZERS))
+
     def test_a_grid_larger_than_any_is_dropped(self):
         """Though the message says nothing of its tiles. Nobody reads behind the memory."""
         target, messages = made_stream.Target(0), []

@@ -127,6 +127,19 @@ class Places(unittest.TestCase):
         row, column = frame.cell_at(5.0, 0.01)
         self.assertEqual((row, column), (250 + 16 * 32, 99 + 16 * 32))
 
+    def test_a_window_that_is_a_rectangle(self):
+        """9 by 7 tiles; the cell 5 m before the car is in tile (3, 7), whose number is 7 % 7 * 9 + 3 % 9."""
+        window = made_classes.Window(10.0, 20.0, 0.25, corner=(-2, 3), sides=(9, 7))
+        window.fill(range(98, 102), range(248, 252), class_byte(OCCUPIED))
+        self.assertEqual([number for number, _ in window.by_slot], [3])
+        frame = frame_with(window)
+        self.assertEqual(frame.classes.shape, (7 * 32, 9 * 32))
+        self.assertEqual(frame.class_at(5.0, 0.0), iogrid.Class.OCCUPIED)
+        self.assertEqual(frame.class_at(5.3, 0.0), iogrid.Class.UNKNOWN)
+        self.assertEqual(frame.cell_at(5.0, 0.01), (250 - 3 * 32, 99 + 2 * 32))
+        self.assertIsNone(frame.cell_at(12.1, 0))  # y is 32 m, the window ends at 10 tiles of 3.2 m
+        self.assertIsNotNone(frame.cell_at(11.9, 0))
+
     def test_nothing_is_free_without_a_place(self):
         window = made_classes.Window().without_pose().without_place(LOST, 7)
         window.fill(range(-400, 400), range(-400, 400), class_byte(FREE))

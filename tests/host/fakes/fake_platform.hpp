@@ -37,7 +37,8 @@ struct ReceivedFrame {
   std::map<std::size_t, ReceivedClassTile> classes{};
   std::vector<stream::ObjectPart> objects{};
   std::vector<stream::ClassWindow> windows{};  // one a message of class tiles
-  std::vector<int> message_types{};            // 10 + storage for tiles, else the type
+  std::size_t class_tiles_spoken_of = 0;
+  std::vector<int> message_types{};  // 10 + storage for tiles, else the type
 };
 
 class FakePlatform {
@@ -137,6 +138,7 @@ class FakePlatform {
     open_.message_types.push_back(10 + static_cast<int>(tiles.geometry.storage));
     if (tiles.window) {
       open_.windows.push_back(*tiles.window);
+      open_.class_tiles_spoken_of += std::size_t{tiles.end_tile} - tiles.first_tile;
     }
     stream::References& references = tiles.window ? *class_references_ : *references_;
     for (stream::TileRecord record; records.next(record);) {

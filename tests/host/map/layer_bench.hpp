@@ -33,12 +33,13 @@ inline tests::ReferenceBlock town(std::uint64_t seed, std::int32_t reach_cm = 9'
 
 // A window and a layer, frame by frame.
 struct LayerBench {
-  std::unique_ptr<perception::WindowFusion> window = std::make_unique<perception::WindowFusion>();
+  std::unique_ptr<perception::WindowFusion> window;
   std::unique_ptr<Layer> layer = std::make_unique<Layer>();
   pose::MapTransform transform{
       .origin = 0, .local_frame = {3'000, -2'000, 600'000'000}, .sigma = kSigma};
 
-  explicit LayerBench(const WrittenBlock& map) {
+  explicit LayerBench(const WrittenBlock& map, window::Extent extent = {})
+      : window(std::make_unique<perception::WindowFusion>(perception::Rules{.extent = extent})) {
     transform.origin = map.block().origin();
     window->follow({});
   }

@@ -82,6 +82,36 @@ TEST(Layer, ATileThatEntersIsAnythingAtOnceAndDrawnInItsTurn) {
   }
 }
 
+// In a window of 9 by 6 tiles, each tile inside has the mask of a window of 32 by 32, and no other
+// has one, wherever the car has been.
+TEST(Layer, InARectangleOnlyTilesInsideAreDrawn) {
+  const WrittenBlock map(town(11));
+  LayerBench bench(map, {.columns = 9, .rows = 6});
+  LayerBench whole(map);
+  for (const auto& [x_m, y_m] : {std::pair{0, 0}, {10, 0}, {4, -7}, {-30, 5}, {0, 0}}) {
+    bench.go_to(x_m, y_m);
+    whole.go_to(x_m, y_m);
+    bench.frame(map);
+    bench.settle(map);
+    whole.settle(map);
+    EXPECT_EQ(bench.layer->report().tiles_drawn, 54U);
+    const window::Area area = bench.window->view().area();
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+      const window::TileNumber tile = area.tile_at(slot);
+      if (!area.contains(tile)) {
+        ASSERT_TRUE(bench.is_anything(slot)) << slot;
+      } else {
+        ASSERT_EQ(bench.window->view().tile(slot).ruled_out,
+                  whole.window->view().tile(slot).ruled_out);
+      }
+    }
+  }
+  bench.transform.local_frame = {2'000'000, 0, 0};
+  bench.settle(map);
+  EXPECT_EQ(bench.layer->report().cause, Cause::kOutside);
+  EXPECT_EQ(bench.layer->report().tiles_outside, 54U);
+}
+
 TEST(Layer, EachCauseIsMetCountedAndLeavesNothingRuledOut) {
   const WrittenBlock map(town(8));
   LayerBench bench(map);

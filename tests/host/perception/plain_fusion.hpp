@@ -48,16 +48,18 @@ class PlainFusion {
   // Whether ground is opened only from below, and how far away a tall hit is at most then, in cells
   // along either axis. What is taken gives way to low beams alone then if sensors look over things.
   explicit PlainFusion(bool is_opened_from_below = false, std::int32_t tall_within = 3,
-                       bool looks_over_things = true, const Looks& looks = {})
+                       bool looks_over_things = true, const Looks& looks = {},
+                       window::Extent extent = {})
       : is_from_below_(is_opened_from_below),
         tall_within_(tall_within),
         looks_over_things_(looks_over_things),
-        looks_(looks) {}
+        looks_(looks),
+        extent_(extent) {}
 
   using Tiles = std::map<std::pair<std::int32_t, std::int32_t>, PlainTile>;  // by b, a
 
   void follow(Cell vehicle) {
-    area_ = is_placed_ ? area_.following(vehicle) : window::Area::around(vehicle);
+    area_ = is_placed_ ? area_.following(vehicle) : window::Area::around(vehicle, extent_);
     is_placed_ = true;
     std::erase_if(tiles_, [this](const auto& tile) {
       return !area_.contains(window::TileNumber{tile.first.second, tile.first.first});
@@ -323,6 +325,7 @@ class PlainFusion {
   std::int32_t tall_within_;
   bool looks_over_things_;
   Looks looks_;
+  window::Extent extent_;
   window::Area area_;
   bool is_placed_ = false;
   Tiles tiles_;

@@ -67,25 +67,27 @@ TEST_P(Cores, JoinTheEvidenceThatOneJoins) {
   tests::Random random(42);
   const auto by_one = std::make_unique<placing::FrameEvidence>();
   const auto shared = std::make_unique<placing::FrameEvidence>();
-  for (int frame = 0; frame < tests::effort(4, 1); ++frame) {
+  for (int frame = 0; frame < tests::effort(4, 2); ++frame) {
     const Cell vehicle{random.between(-9'999, 9'999), random.between(-9'999, 9'999)};
-    const window::Area area = window::Area::around(vehicle);
+    const window::Extent extent = frame % 2 == 0 ? window::Extent{} : window::Extent{14, 5};
+    const window::Area area = window::Area::around(vehicle, extent);
     for (int time = 0; time < 2; ++time) {  // the second finds evidence of the first
       const PartOfFrame part(vehicle, frame, random);
       by_one->add(part.slices(), area);
       shared->add(part.slices(), area, crew_);
     }
-    int tall = 0;
+    std::size_t tall = 0;
     for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
       ASSERT_EQ(shared->is_touched(slot), by_one->is_touched(slot)) << slot;
       ASSERT_EQ(shared->has_hit(slot), by_one->has_hit(slot)) << slot;
       ASSERT_TRUE(shared->tile(slot) == by_one->tile(slot)) << slot;
       if (by_one->is_touched(slot)) {
         ASSERT_TRUE(shared->tall(slot) == by_one->tall(slot)) << slot;
-        tall += window::is_empty(by_one->tall(slot)) ? 0 : 1;
+        tall += window::is_empty(by_one->tall(slot)) ? 0U : 1U;
+        ASSERT_TRUE(area.contains(area.tile_at(slot)));
       }
     }
-    EXPECT_GT(tall, 100);
+    EXPECT_GT(tall, extent.tile_count() / 10);
     by_one->clear();
     shared->clear();
   }

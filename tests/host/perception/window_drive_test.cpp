@@ -40,10 +40,11 @@ struct DrivenFrame {
   std::uint64_t stamp_us = 0;
 };
 
+constexpr std::int32_t kReach = 30;
+
 // What a vehicle sees within three metres: three slices a frame, each from a cell further on.
 // Frames come every 40 ms, once nothing is placed, and once there is a gap.
-std::vector<DrivenFrame> drive(Cell start, int frames) {
-  constexpr std::int32_t kReach = 30;
+std::vector<DrivenFrame> drive(Cell start, int frames, std::int32_t reach = kReach) {
   tests::Random random(77);
   const Street street{start};
   std::vector<DrivenFrame> drive;
@@ -60,8 +61,8 @@ std::vector<DrivenFrame> drive(Cell start, int frames) {
     for (std::int32_t i = 0; i < 3 && number != 9; ++i) {
       frame.slices.push_back({.slice = {}, .vehicle = {frame.vehicle.x + i, frame.vehicle.y}});
     }
-    for (std::int32_t i = 0; i < 4 * kReach * kReach && !frame.slices.empty(); ++i) {
-      const Cell at{i % (2 * kReach) - kReach, i / (2 * kReach) - kReach};
+    for (std::int32_t i = 0; i < 4 * reach * reach && !frame.slices.empty(); ++i) {
+      const Cell at{i % (2 * reach) - reach, i / (2 * reach) - reach};
       const Cell cell{frame.vehicle.x + at.x, frame.vehicle.y + at.y};
       PlacedSlice& seen_by = frame.slices[random.below(3)];
       const Cell in_grid{geometry::kOriginCell + cell.x - seen_by.vehicle.x,
@@ -87,7 +88,8 @@ class DriveIn : public testing::TestWithParam<int> {};
 
 // The drive is in cells, so larger cells are a larger world, in which the rules look as far in
 // metres.
-void expect_what_plain_loops_make(int within, std::uint16_t cell_mm, const tests::Looks& looks) {
+void expect_what_plain_loops_make(int within, std::uint16_t cell_mm, const tests::Looks& looks,
+                                  window::Extent extent = {}, std::int32_t reach = kReach) {
   const bool is_opened_from_below = within != 0;
   const bool looks_over_things = within >= 0;
   const int tall_within = is_opened_from_below ? std::abs(within) : kTallWithin;
@@ -95,13 +97,14 @@ void expect_what_plain_loops_make(int within, std::uint16_t cell_mm, const tests
       std::make_unique<WindowFusion>(Rules{.is_opened_from_below = is_opened_from_below,
                                            .looks_over_things = looks_over_things,
                                            .tall_within = tall_within,
-                                           .around = around_with(cell_mm)},
+                                           .around = around_with(cell_mm),
+                                           .extent = extent},
                                      false, cell_mm);
-  tests::PlainFusion plain(is_opened_from_below, tall_within, looks_over_things, looks);
+  tests::PlainFusion plain(is_opened_from_below, tall_within, looks_over_things, looks, extent);
   KeptVersions versions;
   int moving = 0;
   int standing = 0;
-  for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14))) {
+  for (const DrivenFrame& frame : drive(kStart, tests::effort(48, 14), reach)) {
     fusion->follow(at_cell(frame.vehicle, cell_mm).pose);
     plain.follow(frame.vehicle);
     for (const auto& [slice, vehicle] : frame.slices) {
@@ -146,6 +149,13 @@ TEST(DriveInLargerCells, AWindowIsWhatPlainLoopsMakeOfIt) {
   expect_what_plain_loops_make(2, 200, {.beside = 1, .gaps = 1, .open = 2});
   expect_what_plain_loops_make(4, 200, {.beside = 1, .gaps = 1, .open = 2});
   expect_what_plain_loops_make(0, 500, {.beside = 1, .gaps = 1, .open = 1});
+}
+
+// The car sees farther than to the sides of these windows.
+TEST(DriveInRectangles, AWindowIsWhatPlainLoopsMakeOfIt) {
+  constexpr tests::Looks kLooks{.beside = 1, .gaps = 2, .open = 3};
+  expect_what_plain_loops_make(0, 100, kLooks, {.columns = 4, .rows = 5}, 70);
+  expect_what_plain_loops_make(3, 100, kLooks, {.columns = 7, .rows = 4}, 70);
 }
 
 TEST(WindowFusion, NoOrderOfSlicesShows) {

@@ -21,10 +21,13 @@ constexpr std::uint32_t kFrames = 10;
 constexpr std::size_t kContent = protection::kProtectionBytes;
 constexpr std::uint32_t kRun = 7;
 constexpr std::uint32_t kNextRun = 8;
+constexpr std::uint32_t kRunOfRectangle = 9;
+
+const FakeClassWorld kRectangle{.seed = 3, .extent = {.columns = 12, .rows = 7}};
 
 const FakeClassWorld& world_of(std::uint32_t run) {
-  static const std::map<std::uint32_t, FakeClassWorld> worlds{{kRun, {.seed = 1}},
-                                                              {kNextRun, {.seed = 2}}};
+  static const std::map<std::uint32_t, FakeClassWorld> worlds{
+      {kRun, {.seed = 1}}, {kNextRun, {.seed = 2}}, {kRunOfRectangle, kRectangle}};
   return worlds.at(run);
 }
 
@@ -54,20 +57,25 @@ std::size_t wrong_tiles(const GridFrame& frame) {
   const std::uint32_t number = frame.header.frame_number;
   const auto corner = FakeClassWorld::corner_in(number);
   std::size_t wrong = 0;
-  for (const FakeClassWorld::Place& place : FakeClassWorld::window_in(number)) {
+  for (const FakeClassWorld::Place& place : world.window_in(number)) {
     const auto cells = world.at(place.a, place.b, number);
     const auto x = static_cast<std::size_t>(place.a - corner.first) * 32;
     const auto y = static_cast<std::size_t>(place.b - corner.second) * 32;
     const bool is_valid = classes.valid_tiles.test(place.slot);
     bool is_right = classes.known_tiles.test(place.slot) == (is_valid && cells.has_value());
     if (is_right && classes.known_tiles.test(place.slot)) {
-      is_right = classes.age_frames.at(place.slot) == FakeClassWorld::age_of(place.slot, number);
+      is_right = classes.age_frames.at(place.slot) == FakeClassWorld::age_of(place.number, number);
     }
     const auto expected = is_valid && cells ? *cells : FakeClassWorld::Cells{};
     for (std::size_t row = 0; row < 32 && is_right; ++row) {
       is_right = std::memcmp(&classes.cells[(y + row) * 1024 + x], &expected[32 * row], 32) == 0;
     }
     wrong += is_right ? 0U : 1U;
+  }
+  for (std::size_t i = 0; i < classes.cells.size(); ++i) {
+    const bool is_inside =
+        i % 1024 / 32 < world.extent.columns && i / 1024 / 32 < world.extent.rows;
+    wrong += !is_inside && classes.cells[i] != 0 ? 1U : 0U;
   }
   return wrong;
 }
@@ -126,6 +134,24 @@ TEST(ClassAssembly, FramesHaveBothGrids) {
   EXPECT_EQ(outcome.valid_tiles, kFrames * geometry::kTileCount);
   EXPECT_EQ(outcome.counts.messages, sample().size());
   EXPECT_EQ(outcome.counts.tiles, kFrames * FakeClassTarget::kKnownIndexTiles);
+}
+
+// A window of 12 by 7 tiles, which moves over multiples of both.
+TEST(ClassAssembly, AWindowMayBeARectangle) {
+  const Messages all = run(kRunOfRectangle);
+  const Outcome outcome = assemble(all);
+  EXPECT_EQ(outcome.whole, kFrames);
+  EXPECT_EQ(outcome.damaged, 0U);
+  EXPECT_EQ(outcome.counts.messages, all.size());
+  for (std::size_t lost = 0; lost < 5; ++lost) {
+    Messages some;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i % 5 != lost) {
+        some.push_back(all[i]);
+      }
+    }
+    EXPECT_LT(assemble(some).whole, kFrames);
+  }
 }
 
 TEST(ClassAssembly, AFrameMayHaveClassesAlone) {

@@ -20,15 +20,17 @@ std::optional<FakeClassWorld::Cells> FakeClassWorld::at(std::int32_t a, std::int
   return cells;
 }
 
-std::vector<FakeClassWorld::Place> FakeClassWorld::window_in(std::uint32_t frame) {
+std::vector<FakeClassWorld::Place> FakeClassWorld::window_in(std::uint32_t frame) const {
   const auto [corner_a, corner_b] = corner_in(frame);
-  const auto remainder = [](std::int32_t n) {
-    return static_cast<std::size_t>((n % 32 + 32) % 32);
+  const auto remainder = [](std::int32_t n, std::int32_t by) {
+    return static_cast<std::size_t>((n % by + by) % by);
   };
+  const auto [columns, rows] = extent;
   std::vector<Place> places;
-  for (std::int32_t b = corner_b; b < corner_b + 32; ++b) {
-    for (std::int32_t a = corner_a; a < corner_a + 32; ++a) {
-      places.push_back({a, b, remainder(b) * 32 + remainder(a)});
+  for (std::int32_t b = corner_b; b < corner_b + rows; ++b) {
+    for (std::int32_t a = corner_a; a < corner_a + columns; ++a) {
+      places.push_back({a, b, remainder(b, 32) * 32 + remainder(a, 32),
+                        remainder(b, rows) * columns + remainder(a, columns)});
     }
   }
   return places;
@@ -38,7 +40,7 @@ std::map<std::size_t, FakeClassWorld::Cells> FakeClassWorld::tiles_in(std::uint3
   std::map<std::size_t, Cells> tiles;
   for (const Place& place : window_in(frame)) {
     if (const auto cells = at(place.a, place.b, frame)) {
-      tiles[place.slot] = *cells;
+      tiles[place.number] = *cells;
     }
   }
   return tiles;
@@ -153,24 +155,24 @@ void FakeClassTarget::send_indexes() {
 void FakeClassTarget::send_classes() {
   const auto tiles = world_.tiles_in(frame_);
   sent_ = static_cast<std::uint32_t>(tiles.size());
-  writer_.begin_classes(header_, window_);
+  writer_.begin_classes(header_, window_, geometry::kCellMm, world_.extent);
   for (const auto& tile : tiles) {
-    const std::size_t slot = tile.first;
+    const std::size_t number = tile.first;
     const FakeClassWorld::Cells& cells = tile.second;
     std::array<std::byte, tile_coding::kTileBytes> payload{};
     const auto encoded =
-        encoder_->encode(cells, frame_, references_->usable(slot, frame_), payload);
+        encoder_->encode(cells, frame_, references_->usable(number, frame_), payload);
     if (stream::stands_by_itself(encoded.encoding)) {
-      references_->keep(slot, cells, frame_, encoded.bytes);
+      references_->keep(number, cells, frame_, encoded.bytes);
     } else {
-      references_->note_changes(slot, encoded.bytes);
+      references_->note_changes(number, encoded.bytes);
     }
-    append_or_send(slot, [&] {
-      return writer_.append(slot, encoded.encoding, FakeClassWorld::age_of(slot, frame_),
+    append_or_send(number, [&] {
+      return writer_.append(number, encoded.encoding, FakeClassWorld::age_of(number, frame_),
                             std::span(payload).first(encoded.bytes));
     });
   }
-  send(writer_.finish(geometry::kTileCount, header_.sequence));
+  send(writer_.finish(world_.extent.tile_count(), header_.sequence));
 }
 
 void FakeClassTarget::send_class_end() {

@@ -29,6 +29,7 @@ struct FakeClassWorld {
   using Cells = std::array<std::byte, tile_coding::kTileBytes>;
 
   std::uint64_t seed = 1;
+  window::Extent extent{};
 
   // What is in tile (a, b) of the world in a frame. Two of three tiles are unknown; in the others
   // most cells stay from frame to frame.
@@ -40,14 +41,15 @@ struct FakeClassWorld {
     return {-34 + moved / 2, 3 - moved / 3};
   }
 
-  // A place in the world and its number in messages.
+  // A place in the world, its slot in memory and its number in messages.
   struct Place {
     std::int32_t a;
     std::int32_t b;
     std::size_t slot;
+    std::size_t number;
   };
   // All of the window, row by row from its corner.
-  [[nodiscard]] static std::vector<Place> window_in(std::uint32_t frame);
+  [[nodiscard]] std::vector<Place> window_in(std::uint32_t frame) const;
 
   static std::byte class_byte(tests::Random& random) {
     return static_cast<std::byte>(8 + random.below(64));
@@ -59,8 +61,8 @@ struct FakeClassWorld {
   [[nodiscard]] std::uint32_t name_of(std::uint32_t frame) const;
 
   // How old the decisions of a tile are.
-  [[nodiscard]] static std::uint8_t age_of(std::size_t slot, std::uint32_t frame) {
-    return static_cast<std::uint8_t>((slot + frame) % 8);
+  [[nodiscard]] static std::uint8_t age_of(std::size_t number, std::uint32_t frame) {
+    return static_cast<std::uint8_t>((number + frame) % 8);
   }
 };
 

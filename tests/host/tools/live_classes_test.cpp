@@ -44,16 +44,17 @@ std::size_t shown_tiles(const LiveClasses& live) {
 
 // Of a world that is `frame` frames old: tiles that are shown, and are not what was there when they
 // are said to have come.
-std::size_t wrong_tiles(const LiveClasses& live, std::uint32_t frame) {
+std::size_t wrong_tiles(const LiveClasses& live, std::uint32_t frame,
+                        const FakeClassWorld& world = kWorld) {
   std::size_t wrong = 0;
-  for (const FakeClassWorld::Place& place : FakeClassWorld::window_in(frame)) {
+  for (const FakeClassWorld::Place& place : world.window_in(frame)) {
     const auto age = live.age_of(place.slot);
-    const auto cells = age ? kWorld.at(place.a, place.b, frame - *age) : std::nullopt;
+    const auto cells = age ? world.at(place.a, place.b, frame - *age) : std::nullopt;
     const auto expected = cells.value_or(FakeClassWorld::Cells{});
     bool is_right =
         std::memcmp(live.tile(place.slot).data(), expected.data(), expected.size()) == 0;
     if (cells) {
-      const std::uint8_t decided = FakeClassWorld::age_of(place.slot, frame - *age);
+      const std::uint8_t decided = FakeClassWorld::age_of(place.number, frame - *age);
       is_right = is_right && live.decided_ago(place.slot) == decided + *age;
     }
     wrong += is_right ? 0U : 1U;
@@ -181,6 +182,25 @@ TEST(LiveClasses, NothingThatIsShownIsWrong) {
       for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
         EXPECT_LE(receiver.live().age_of(slot).value_or(0), frame - last_cause);
       }
+    }
+  }
+}
+
+// Tiles outside a window of 12 by 7 tiles are not shown, also those that have just left it.
+TEST(LiveClasses, AWindowMayBeARectangle) {
+  const FakeClassWorld world{.seed = 5, .extent = {.columns = 12, .rows = 7}};
+  FakeClassTarget target(world, kRun);
+  Receiver receiver;
+  for (std::uint32_t frame = 0; frame < 12; ++frame) {
+    const bool is_lossy = frame % 3 == 1;
+    receiver.take(is_lossy ? without_a_part(target.next()) : target.next());
+    EXPECT_EQ(wrong_tiles(receiver.live(), frame, world), 0U) << frame;
+    EXPECT_EQ(receiver.live().extent(), world.extent);
+    EXPECT_TRUE(!is_lossy || receiver.live().stale_tiles() > 0) << frame;
+    EXPECT_LE(shown_tiles(receiver.live()), 12U * 7U);
+    if (frame == 0) {
+      EXPECT_EQ(receiver.live().stale_tiles(), 0U);
+      EXPECT_EQ(shown_tiles(receiver.live()), 12U * 7U);
     }
   }
 }

@@ -240,6 +240,12 @@ TEST(RunTable, SaysTheGridIfItIsNotTheUsualOne) {
                        "behind, 8 m left, 8 m right\n"))
       << ahead;
   EXPECT_TRUE(contains(ahead, "class window          1024 x 1024 cells of 50 cm\n")) << ahead;
+  GridFrame frame;
+  frame.classes.emplace().extent = {.columns = 12, .rows = 20};
+  RunStatistics statistics;
+  statistics.add(frame);
+  EXPECT_TRUE(
+      contains(statistics.table(false), "class window          384 x 640 cells of 10 cm\n"));
   const std::string usual = table_of({}, 100);
   EXPECT_FALSE(contains(usual, "\ngrid ") || contains(usual, "class window")) << usual;
 }

@@ -101,5 +101,65 @@ TEST(Area, MovesAlongTheAxisOnWhichTheVehicleIsTooFar) {
   EXPECT_EQ(area.following({330, 0}).corner(), (TileNumber{-6, -16}));
 }
 
+constexpr Extent kRectangles[] = {{4, 4}, {5, 32}, {12, 7}, {32, 11}, {32, 32}};
+
+// docs/spec.md 3.9: (b mod r) c + (a mod c).
+TEST(Area, ARectangleHasItsTilesAtTheirNumbers) {
+  for (const Extent extent : kRectangles) {
+    for (const TileNumber corner : {TileNumber{0, 0}, TileNumber{-1, -32}, TileNumber{-671'089, 5},
+                                    TileNumber{17, 671'057}}) {
+      const Area area(corner, extent);
+      const auto remainder = [](std::int32_t n, std::int32_t by) { return (n % by + by) % by; };
+      std::set<std::size_t> slots;
+      std::size_t next = 0;
+      area.for_each_tile([&](std::size_t number, TileNumber tile) {
+        ASSERT_EQ(number, next++);
+        ASSERT_GE(tile.a, corner.a);
+        ASSERT_LT(tile.a, corner.a + extent.columns);
+        ASSERT_GE(tile.b, corner.b);
+        ASSERT_LT(tile.b, corner.b + extent.rows);
+        ASSERT_EQ(number, static_cast<std::size_t>(remainder(tile.b, extent.rows) * extent.columns +
+                                                   remainder(tile.a, extent.columns)));
+        ASSERT_TRUE(area.contains(tile));
+        slots.insert(slot_of(tile));
+      });
+      EXPECT_EQ(next, std::size_t{extent.columns} * extent.rows);
+      EXPECT_EQ(slots.size(), next);
+      std::size_t inside = 0;
+      for (std::size_t slot = 0; slot < kSlotCount; ++slot) {
+        inside += area.contains(area.tile_at(slot)) ? 1U : 0U;
+      }
+      EXPECT_EQ(inside, next);
+    }
+  }
+}
+
+// Of a side of n tiles, (n - 2) / 2 remain on each side of the car, and none moves before the car
+// has gone half a tile.
+TEST(Area, ARectangleKeepsTheVehicleNearItsMiddle) {
+  tests::Random random(12);
+  for (const Extent extent : kRectangles) {
+    Cell vehicle{random.between(-9'999, 9'999), random.between(-9'999, 9'999)};
+    Area area = Area::around(vehicle, extent);
+    Cell moved_at = vehicle;
+    for (int step = 0; step < 5'000; ++step) {
+      vehicle.x += random.between(-20, 25);
+      vehicle.y += random.between(-25, 20);
+      const Area next = area.following(vehicle);
+      ASSERT_EQ(next.extent(), extent);
+      const std::int32_t left = 2 * (vehicle.x - next.corner().a * kTileSide);
+      const std::int32_t below = 2 * (vehicle.y - next.corner().b * kTileSide);
+      ASSERT_LE(std::abs(left - extent.columns * kTileSide), 2 * kTileSide);
+      ASSERT_LE(std::abs(below - extent.rows * kTileSide), 2 * kTileSide);
+      if (next.corner().a != area.corner().a) {
+        ASSERT_GE(std::abs(vehicle.x - moved_at.x), kTileSide / 2);
+        ASSERT_LE(std::abs(left - extent.columns * kTileSide), kTileSide);
+        moved_at.x = vehicle.x;
+      }
+      area = next;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace iog::window

@@ -35,8 +35,8 @@ constexpr std::array<Colour, stream::kClassCount> kClassColours{{
     {240, 230, 120},  // occupied, unclassified
 }};
 
-constexpr auto kSides = static_cast<int>(geometry::kCellsPerSide);
-constexpr int kShownSides = 1020;  // of all of the window
+constexpr auto kRow = static_cast<int>(geometry::kCellsPerSide);
+constexpr int kMostShown = 1020;   // cells of a side of all of the window
 constexpr int kSmallestThing = 3;  // pixels; a smaller one is not seen among free cells
 
 // What is painted over what.
@@ -68,15 +68,16 @@ class ClassPainter {
       : classes_(&classes),
         title_(title),
         cells_in_metre_(1000 / classes.cell_mm),
-        side_(scale.radius_m == 0 ? kShownSides
-                                  : std::min(kSides, 2 * scale.radius_m * cells_in_metre_)),
+        longest_(std::max(classes.extent.cells().width, classes.extent.cells().height)),
+        side_(scale.radius_m == 0 ? std::min(longest_, kMostShown)
+                                  : std::min(longest_, 2 * scale.radius_m * cells_in_metre_)),
         scale_(scale.pixels_of_cell(side_)),
         canvas_(side_ * scale_, side_ * scale_, kNothing) {
     if (has_car()) {
       x_ = first_around(car_x());
       y_ = first_around(car_y());
     } else {
-      x_ = (kSides - side_) / 2;
+      x_ = (longest_ - side_) / 2;
       y_ = x_;
     }
   }
@@ -106,7 +107,7 @@ class ClassPainter {
            classes_->window.corner_b * double{geometry::kTileSide};
   }
   [[nodiscard]] int first_around(double middle) const {
-    return std::clamp(static_cast<int>(middle) - side_ / 2, 0, kSides - side_);
+    return std::clamp(static_cast<int>(middle) - side_ / 2, 0, longest_ - side_);
   }
   [[nodiscard]] double column(double x) const { return (x - x_) * scale_; }
   [[nodiscard]] double row(double y) const { return canvas_.height() - (y - y_) * scale_; }
@@ -116,7 +117,7 @@ class ClassPainter {
     const int margin = (side - scale_) / 2;
     for (int up = 0; up < side_; ++up) {
       for (int right = 0; right < side_; ++right) {
-        const std::int8_t byte = classes_->cells[static_cast<std::size_t>(y_ + up) * kSides +
+        const std::int8_t byte = classes_->cells[static_cast<std::size_t>(y_ + up) * kRow +
                                                  static_cast<std::size_t>(x_ + right)];
         if (byte != 0 && coat_of(class_of(byte)) == coat) {
           canvas_.fill(right * scale_ - margin, (side_ - 1 - up) * scale_ - margin, side, side,
@@ -221,7 +222,8 @@ class ClassPainter {
   const ClassGrid* classes_;
   FrameTitle title_;
   int cells_in_metre_;
-  int side_;  // cells on a side of the picture
+  int longest_;  // side of the window, cells
+  int side_;     // cells on a side of the picture
   int scale_;
   int x_ = 0;  // the first of them
   int y_ = 0;

@@ -18,13 +18,17 @@ constexpr std::size_t kBytesPerClassCell = kClassFields.size();
 // infrastructure; occupied.
 constexpr std::array<std::int8_t, stream::kClassCount> kPercents{-1, 0, 10, 5, 90, 85, 80, 100, 70};
 
-Place place_of(const stream::ClassWindow& window, std::uint16_t cell_mm, std::uint64_t stamp_us) {
+Place place_of(const stream::ClassWindow& window, std::uint16_t cell_mm, window::Extent extent,
+               std::uint64_t stamp_us) {
+  const auto [columns, rows] = extent.cells();
   const double tile_m = geometry::kTileSide * cell_mm / 1000.0;
   return {.time_us = stamp_us,
           .frame_id = kLocalFrameId,
           .x_m = window.corner_a * tile_m,
           .y_m = window.corner_b * tile_m,
-          .grid = {.cell_mm = cell_mm}};
+          .grid = {.cell_mm = cell_mm,
+                   .columns = static_cast<std::uint16_t>(columns),
+                   .rows = static_cast<std::uint16_t>(rows)}};
 }
 
 std::byte age_of(const LiveClasses& classes, std::size_t slot) {
@@ -39,32 +43,44 @@ std::int8_t percent_of_class(std::int8_t class_byte) {
 }
 
 std::vector<std::byte> class_occupancy_grid(const ClassGrid& classes, std::uint64_t stamp_us) {
-  std::vector<std::byte> cells(classes.cells.size());
-  std::ranges::transform(classes.cells, cells.begin(), [](std::int8_t byte) {
-    return static_cast<std::byte>(percent_of_class(byte));
-  });
+  std::vector<std::byte> cells;
+  const auto [columns, rows] = classes.extent.cells();
+  for (std::int32_t y = 0; y < rows; ++y) {
+    for (std::int32_t x = 0; x < columns; ++x) {
+      cells.push_back(static_cast<std::byte>(percent_of_class(
+          classes.cells[static_cast<std::size_t>(y * geometry::kCellsPerSide + x)])));
+    }
+  }
   CdrWriter out;
-  put_occupancy_head(out, place_of(classes.window, classes.cell_mm, stamp_us));
+  put_occupancy_head(out, place_of(classes.window, classes.cell_mm, classes.extent, stamp_us));
   out.put(cells);
   return out.take();
 }
 
 std::vector<std::byte> foxglove_class_grid(const LiveClasses& classes, std::uint64_t stamp_us) {
   const stream::ClassWindow& window = classes.window().value();
-  std::vector<std::byte> cells(geometry::kCellCount * kBytesPerClassCell);
-  for (std::size_t slot = 0; slot < geometry::kTileCount; ++slot) {
-    const std::size_t tile = tile_in_window(window, slot);
+  const std::size_t columns = classes.extent().columns * geometry::kTileSide;
+  std::vector<std::byte> cells(classes.extent().tile_count() * geometry::kTileCells *
+                               kBytesPerClassCell);
+  const auto put = [&](std::size_t /*number*/, window::TileNumber tile) {
+    const std::size_t slot = window::slot_of(tile);
+    const std::size_t in_window = tile_in_window(window, slot);
     const std::byte age = age_of(classes, slot);
     for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
       const auto byte = static_cast<std::byte>(classes.tile(slot)[i]);
-      const std::size_t cell = cell_of_tile(tile, i) * kBytesPerClassCell;
+      const std::size_t place = cell_of_tile(in_window, i);
+      const std::size_t cell =
+          (place / geometry::kCellsPerSide * columns + place % geometry::kCellsPerSide) *
+          kBytesPerClassCell;
       cells[cell] = std::byte{stream::class_of(byte)};
       cells[cell + 1] = std::byte{stream::sureness_of(byte)};
       cells[cell + 2] = age;
     }
-  }
+  };
+  stream::area_of(window, classes.extent()).for_each_tile(put);
   CdrWriter out;
-  put_foxglove_head(out, place_of(window, classes.cell_mm(), stamp_us), kClassFields);
+  put_foxglove_head(out, place_of(window, classes.cell_mm(), classes.extent(), stamp_us),
+                    kClassFields);
   out.put(cells);
   return out.take();
 }

@@ -16,6 +16,8 @@ const MIN_SCALE = 0.3; // pixels a cell
 const MAX_SCALE = 40;
 const START_HEIGHT = 620; // cells
 const USUAL_SHAPE = { cell_m: 0.1, columns: SIDE, rows: SIDE, origin: [SIDE / 2, SIDE / 2] };
+const shapeOfWindow = ({ cell_m, columns, rows }) =>
+  ({ cell_m, columns, rows, origin: [columns / 2, rows / 2] });
 
 const coloursOfMarks = () =>
   Array.from({ length: 8 * CLASS_COUNT }, (_, byte) => css(colourOfClass(byte)));
@@ -57,9 +59,9 @@ export class GridCanvas {
 
   // The shape of the grid that is shown, from the stream. In a grid of indexes, `origin` is the
   // cell whose lowest corner is the vehicle's position. The window of classes is placed by its own
-  // corner.
+  // corner, and the vehicle is near its middle.
   get shape() {
-    return this.showsClasses ? { ...USUAL_SHAPE, cell_m: this.grid.classes.cell_m }
+    return this.showsClasses ? shapeOfWindow(this.grid.classes)
                              : this.grid.frame?.status.frame?.grid ?? USUAL_SHAPE;
   }
 
@@ -145,9 +147,10 @@ export class GridCanvas {
   }
 
   middleOfWindow() {
-    const { corner_a: a, corner_b: b } = this.grid.classes ?? { corner_a: 0, corner_b: 0 };
-    const metres = (corner) => (corner + TILES_PER_SIDE / 2) * TILE_SIDE * this.cellM;
-    return { x: metres(a), y: metres(b), heading: 0 };
+    const { corner_a: a = 0, corner_b: b = 0 } = this.grid.classes ?? {};
+    const { columns, rows } = this.shape;
+    const metres = (corner, cells) => (corner * TILE_SIDE + cells / 2) * this.cellM;
+    return { x: metres(a, columns), y: metres(b, rows), heading: 0 };
   }
 
   // How far the picture's x is turned in the view.
