@@ -46,7 +46,7 @@ enum class Group : std::uint8_t {
   // its datagrams, answers and subscriptions; messages copied to the subscriber, and messages for
   // which there was no room.
   kDiscovery,
-  // Only with signed commands (9): message counts by verdict, last authentic counters, and a
+  // Only with signed commands (9): messages per verdict, last authentic counters, and a
   // two-word MAC over these ten fields.
   kCommand,
   // Messages since start.
