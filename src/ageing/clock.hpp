@@ -3,7 +3,7 @@
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
 // timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest one,
-// the newest one is used instead, so time never goes back.
+// the newest one is used instead, so time never decreases.
 //
 // Each frame has a slot from 1 to 64. Slots are reused cyclically, so a stored slot number must be
 // discarded within 63 frames. Slot 0 represents no frame. If a group has slot 0, it was never aged

@@ -14,7 +14,8 @@ class Backlog {
  public:
   // The maximum time for which the ring may stay non-empty. The receive ring can buffer 100 ms of
   // the densest traffic for which it is designed, so the maximum must be shorter. The maximum
-  // equals two frame periods of four LUX, so that a single late frame causes no shedding.
+  // equals two frame periods of a car with four LUX, so a single late frame does not cause
+  // shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
   // The grace period for a frame whose deadline passed before the loop woke up. Most datagrams of
   // such a frame may have arrived while the machine was not running. The loop processes these

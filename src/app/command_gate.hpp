@@ -1,6 +1,6 @@
-// Checks the signatures of commands, that is, of poses and maps. If the car has a key, only
-// commands signed with this key pass the gate, and the gate removes their signatures. All other
-// datagrams pass unchanged.
+// Checks the signatures of commands (poses and maps). If the car has a key, only commands signed
+// with this key pass the gate, and the gate removes their signatures. All other datagrams pass
+// unchanged.
 //
 //     datagram -> [gate] authentic pose or chunk -> pipeline
 #pragma once

@@ -48,8 +48,7 @@ class Frame {
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Starts the measurement of the time without datagrams. Call this function before the first
-  // datagram.
+  // Starts timing the interval without datagrams. Call this function before the first datagram.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
   // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was dropped. The

@@ -124,8 +124,8 @@ class PerceptionEngine {
   // object tracking, there are no tracked objects.
   [[nodiscard]] const objects::Tracker& objects() const { return follower_.tracker(); }
   [[nodiscard]] const objects::FrameCounts& object_counts() const { return object_counts_; }
-  // Returns the frame's receptions, which are valid until the next finish(). Receptions are
-  // recorded only if the vehicle's classes depend on arrival times.
+  // Returns the log of the datagrams received in the frame. The log is valid until the next
+  // finish(). Datagrams are recorded only if the vehicle's classes depend on arrival times.
   [[nodiscard]] const ReceptionLog& receptions() const { return receptions_; }
   void start_next() { receptions_.clear(); }
 

@@ -268,7 +268,7 @@ class FramePipeline {
     });
   }
 
-  // Sends the objects and the frame's receptions.
+  // Sends the objects and the list of the datagrams received in the frame.
   void send_behind_classes(const stream::Header& header) {
     if (header.has_objects()) {
       perception_.list_objects(network_.objects());

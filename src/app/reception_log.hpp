@@ -43,14 +43,14 @@ class ReceptionLog {
   }
 
   // Call this function once per frame, before the log is read. A frame must be closed less than
-  // 2^32 us after each of its receptions.
+  // 2^32 us after the arrival of each of its datagrams.
   void close(std::uint64_t closed_us) {
     for (stream::Reception& each : std::span(list_).first(count_)) {
       each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;
     }
   }
 
-  // Returns the receptions in order of arrival.
+  // Returns the received datagrams in order of arrival.
   [[nodiscard]] std::span<const stream::Reception> all() const {
     return std::span(list_).first(count_);
   }

@@ -61,7 +61,7 @@ enum class Verdict : std::uint8_t {
   kAuthentic,
   kUnsigned,  // not a signed message: too short, too long, or wrong length fields
   kReplayed,  // its counter is not above the counter of the last authentic message
-  kForged,    // wrong MAC: another key, run or kind of message, or a changed message
+  kForged,    // wrong MAC: different key, run or kind of message, or a changed message
 };
 inline constexpr std::size_t kVerdictCount = 4;
 

@@ -20,8 +20,8 @@
 
 namespace iog::car_block {
 
-// The properties that are fixed when the firmware is compiled. If a car requires other properties,
-// it requires another image.
+// The properties that are fixed when the firmware is compiled. A car that requires different
+// properties requires a different image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;

@@ -139,9 +139,9 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Writes one byte with three flags, and then those limits that are set. The flags indicate that
-  // the layers share lines, that the sensor follows the ground, and that the sensor has limits for
-  // low beams and tall returns.
+  // Writes one byte with three flags, and then those limits that are set. The flags indicate
+  // whether the layers share lines, whether the sensor follows the ground, and whether the sensor
+  // has limits for low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;

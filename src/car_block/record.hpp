@@ -14,11 +14,11 @@ namespace iog::car_block {
 enum class Refusal : std::uint8_t {
   kNone,
   kNoRecord,      // wrong magic number
-  kWrongVersion,  // another version of the format
+  kWrongVersion,  // unsupported version of the format
   kWrongLength,   // longer than the space for the record
   kDamaged,       // wrong CRC, or a reserved byte that is not zero
   kNotACar,       // the bytes do not describe a car
-  kOtherGrid,     // the tables were made for another cell size or grid size
+  kOtherGrid,     // the tables were made for a different cell size or grid size
   kOtherGrids,    // the car needs grids that this firmware does not produce
   kLimit,         // a field exceeds its limit
 };

@@ -84,8 +84,9 @@ struct Crossed {
   Decided* decided;
 };
 
-// Fuses and classifies two or four groups at once. Instructions of one group fill the time in which
-// another group waits for results. Returns `freed` of group i in byte i, and `seen` in byte 4 + i.
+// Fuses and classifies two or four groups at once. While one group waits for results, the processor
+// executes instructions of a different group. Returns `freed` of group i in byte i, and `seen` in
+// byte 4 + i.
 template <std::size_t kGroups>
 [[nodiscard]] std::uint64_t cross_free(const Crossed& groups);
 extern template std::uint64_t cross_free<2>(const Crossed& groups);

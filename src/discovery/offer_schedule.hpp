@@ -21,7 +21,8 @@ inline constexpr std::uint32_t kOfferTtlS = 3;
 // The times passed to an OfferSchedule must not decrease.
 class OfferSchedule {
  public:
-  // `noise` is a random value for the initial delay. It must differ between targets.
+  // `noise` is a random value that determines the initial delay. This value must differ between
+  // targets.
   constexpr explicit OfferSchedule(std::uint32_t noise) : noise_(noise) {}
 
   // Returns true in the initial wait phase. In this phase, the server sends neither offers nor

@@ -60,7 +60,7 @@ struct Outgoing {
 
 class Server {
  public:
-  // `noise` is a random value of this run for the initial delay.
+  // `noise` is a random value that differs in each run and determines the initial delay.
   Server(const net::Config& config, const Service& service, std::uint32_t noise)
       : config_(config), service_(service), schedule_(noise) {}
 

@@ -1,5 +1,5 @@
 // Ages eight cells and fuses a frame's evidence into them. `evidence/cell.hpp` specifies the result
-// for each cell. CMake selects one of two implementations for eight cells, fusion.cpp or
+// for each cell. CMake selects one of two implementations of these functions: fusion.cpp or
 // fusion_neon.cpp.
 #pragma once
 

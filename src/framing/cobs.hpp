@@ -4,7 +4,7 @@
 // A framed message is a sequence of blocks. A block consists of a code byte c from 1 to 255,
 // followed by c - 1 bytes that are not 0. Normally, a block represents its c - 1 bytes followed by
 // a 0. If c is 255, or if the block is the last one of the message, the block represents only its c
-// - 1 bytes. A byte with the value 0 ends the message.
+// - 1 bytes. A zero byte ends the message.
 //
 // Zero bytes occur only at the end of messages, so a receiver that loses synchronisation
 // resynchronises at the next 0. An empty message is encoded as the code byte 1. A receiver ignores

@@ -27,8 +27,8 @@ namespace iog::grid {
 // compete with the grid.
 inline constexpr std::size_t kCacheLineBytes = 32;
 
-// The part of a line in which beams of one height are within a height band. The limits of the part
-// are fractions of the line's length.
+// The part of a line on which beams with the same end height are within a height band. The limits
+// of the part are fractions of the line's length.
 class BandLimits {
  public:
   // If a point is at least this far beyond the part, its beam frees the whole part, because the

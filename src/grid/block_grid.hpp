@@ -1,4 +1,4 @@
-// The grid of a frame, stored in blocks of 4 by 4 cells. Each block has sixteen bytes.
+// The grid of a frame, stored in blocks of 4 by 4 cells. Each block takes up sixteen bytes.
 //
 // On average, a line crosses four cells of a block, and a single saturating subtraction carves all
 // of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, a cache

@@ -127,8 +127,8 @@ class FreeSteps {
 class LowSteps : public FreeSteps {};
 
 // The pending beams of a line. `free` contains the amount by which the beams lower the line's
-// cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which any beam is
-// low. A beam adds at most one entry to each of these members.
+// cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which at least one
+// beam is low. A beam adds at most one entry to each of these members.
 struct LineSteps {
   // The amount by which a low beam lowers cells in `low`. Cells saturate, so several overlapping
   // low beams have the same effect as one low beam.

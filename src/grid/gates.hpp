@@ -77,8 +77,8 @@ class BandGate {
   // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
   // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // If the distance of a hit is at least far_mm(), its beam frees the free parts of all layers
-  // whose rank is at least TurnLayers::near_rank.
+  // If a hit is at least far_mm() away, its beam frees the whole part() of each layer whose rank is
+  // at least TurnLayers::near_rank.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
   // `part()` returns the part of the line that the layer can free. `end()` returns the end of this
   // part if the part is not empty.

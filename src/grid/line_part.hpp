@@ -30,7 +30,7 @@ class Between {
   }
 
   // Returns the number of cell borders between the start of the line and this boundary. A cell lies
-  // before the boundary if the line crosses fewer borders to reach it.
+  // before the boundary if the line crosses fewer borders than this number to reach the cell.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {

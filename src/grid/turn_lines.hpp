@@ -57,8 +57,8 @@ class TurnLines {
  public:
   explicit TurnLines(const vehicle::Vehicle& vehicle);
 
-  // Returns the horizontal ranges that end on the car itself, computed on first use. The sensor
-  // must belong to the vehicle, and its layers must share lines.
+  // Returns the horizontal ranges at which a point on the line is on the car itself. The ranges are
+  // computed on first use. The sensor must belong to the vehicle, and its layers must share lines.
   [[nodiscard]] const vehicle::Ranges& on_car(const vehicle::Sensor& sensor,
                                               std::uint32_t azimuth_step) {
     const std::uint32_t place = first_[number_of(sensor)] + azimuth_step;

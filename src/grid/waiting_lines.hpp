@@ -146,8 +146,8 @@ class WaitingLines {
   static constexpr std::uint32_t kPlaces = 512;
   // The points of a slot fill an odd number of cache lines, so that slots do not compete for the
   // same cache sets. The 2 in the condition below accounts for the beams beyond the band, of which
-  // at most `enough_beams` are carved. Together, these beams change a line by less than two other
-  // beams could.
+  // at most `enough_beams` are carved. The combined effect of these beams on a line is less than
+  // the greatest effect of two beams.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

@@ -1,5 +1,5 @@
-// The ground around the sensors of a vehicle that follow the ground. The ground is constant while
-// the packets of a frame are processed, and it is updated between two frames.
+// The ground around each of a vehicle's ground-following sensors. The ground is constant while the
+// packets of a frame are processed, and it is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
 // ticks swept since the last update add up to at least one complete scan. The time of the update
@@ -166,8 +166,8 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each sensor that follows the ground. Each of these sensors has an index, called
-// its place. The object must be static because it takes up 630 KB.
+// The ground around each ground-following sensor. Each of these sensors has an index, called its
+// place. The object must be static because it takes up 630 KB.
 class Grounds {
  public:
   // The vehicle must outlive this object.
@@ -202,8 +202,8 @@ class Grounds {
   }
 
  private:
-  // If a sensor is silent for kForgottenUs, the car may have moved to another place. The time is
-  // counted in frame periods.
+  // If a sensor is silent for kForgottenUs, the car may have moved to a different place. The time
+  // is counted in frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

@@ -1,9 +1,9 @@
 // Checks that constant memory has not changed. The check reads the memory cyclically in small
 // slices, and compares the CRC-32 of every region once per round.
 //
-// A slice has 1,408 bytes, which is one block of checksum/crc32.hpp. Slices are spread evenly over
-// a round. The load therefore depends on the number of bytes, but not on the loop period. If the
-// loop is late, each call catches up by a limited number of slices.
+// A slice is 1,408 bytes long, which is one block of checksum/crc32.hpp. Slices are spread evenly
+// over a round. The load therefore depends on the number of bytes, but not on the loop period. If
+// the loop is late, each call catches up by a limited number of slices.
 #pragma once
 
 #include <cstddef>

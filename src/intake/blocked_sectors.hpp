@@ -22,9 +22,8 @@
 //
 // Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
 // range, such as a level 2D scanner. Only beams that have an echo are judged. An open sector
-// becomes blocked after 32 scans in which less than one sixteenth of these echoes count as returns.
-// An open sector is unblocked after two scans in which at least one sixteenth of these echoes count
-// as returns.
+// becomes blocked after 32 scans in which fewer than 1/16 of the echoes count as returns. An open
+// sector is unblocked after two scans in which at least 1/16 of the echoes count as returns.
 //
 // Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
 // them as dirt or rain. Only whole turns and scans are judged, as sums over their packets, so the

@@ -2,11 +2,12 @@
 // again with new timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
-// and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. The
-// probability that two packets agree in all of at least 64 ranges is therefore at most 10^-24. With
-// 16 rows, a hash may cover as few as 32 ranges, so the probability is 10^-12. All other units
-// either have a resolution of 5 mm or better, or are noisier than the Ouster. With these units, two
-// ranges agree in at most 27 of 100 cases, so the probability that 32 ranges agree is 10^-18.
+// and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. If
+// a hash covers at least 64 ranges, the probability that two packets agree in all of them is
+// therefore at most 10^-24. With 16 rows, a hash may cover as few as 32 ranges, so the probability
+// is 10^-12. All other units either have a resolution of 5 mm or better, or are noisier than the
+// Ouster. With these units, two ranges agree in at most 27 of 100 cases, so the probability that 32
+// ranges agree is 10^-18.
 #pragma once
 
 #include <array>

@@ -89,8 +89,8 @@ class ScanTracker {
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
-  // Returns true if the packet begins the next scan too soon after the last scan. If timestamps
-  // stop or go back, always returns false.
+  // Returns true if the packet begins the next scan too soon after the last scan. Returns false if
+  // the timestamp of the packet is not later than that of the last scan.
   [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;

@@ -1,4 +1,4 @@
-// Defines the types of reports about sensors and their packets. The values are used on the wire
+// Defines the types used to report on sensors and their packets. The values are used on the wire
 // (docs/spec.md).
 #pragma once
 
@@ -17,7 +17,7 @@ enum class PacketDrop : std::uint8_t {
   kDuplicate,   // the same packet has already been fused
   kLate,        // the frame of its scan has been closed
   kOverBudget,  // more points than the car file allows in one scan
-  kOtherUnit,   // from another unit of the same make, or from one of two identical units
+  kOtherUnit,   // from a different unit of the same make, or from one of two identical units
   kNotTaken,    // shed after waiting too long because the target is too slow
   kFrozen,      // has a new timestamp but repeats the ranges of an earlier packet
   kTooSoon,     // its scan begins too soon after the last scan for any unit

@@ -9,10 +9,10 @@
 // frames, and a frame may be shorter than a turn. For such a unit, it is therefore enough to sweep
 // half of the azimuths in one frame. The sector then counts as watched for 200 ms.
 //
-// Radars and ultrasonic sensors watch no sector because they do not report every object.
+// Radars and ultrasonic sensors do not watch any sector because they do not report every object.
 //
-// If a scan has no returns, the sensor watches no sector. A sensor does not watch a sector in which
-// it is blocked (blocked_sectors.hpp).
+// A sensor does not watch any sector if its scan has no returns. A sensor does not watch a sector
+// in which it is blocked (blocked_sectors.hpp).
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ inline poly8x8_t load_next_eight(const std::byte*& from) {
   return eight;
 }
 
-// T has 32 bytes and is aligned to 32 bytes.
+// T is 32 bytes long and is aligned to 32 bytes.
 template <typename T>
 inline poly8x16x2_t load_next_pair(const T*& from) {
   static_assert(sizeof(T) == sizeof(poly8x16x2_t) && alignof(T) == sizeof(T));

@@ -68,7 +68,7 @@ class ContinentalArs548 {
 
   // Checks the whole list, including every detection, and keeps a view of the datagram. The view is
   // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
-  // `kWrongType` means that the radar sent another type of message, such as an object list or a
+  // `kWrongType` means that the radar sent a different type of message, such as an object list or a
   // status message. `kWrongPoint` means that the list has more than 800 detections, or that a valid
   // detection has an impossible position.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);

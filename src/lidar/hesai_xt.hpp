@@ -48,7 +48,7 @@ consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
 }
 inline constexpr HesaiUnit kXt16Unit = make_hesai_xt({.lasers = 16, .laser_ns = 3'024});
 inline constexpr HesaiUnit kXt32Unit = make_hesai_xt({.lasers = 32, .laser_ns = 1'512});
-// Lasers k and k + 16 fire together. The mode with three returns per beam is not supported.
+// Lasers k and k + 16 fire together. Triple return mode is not supported.
 inline constexpr HesaiUnit kXt32mUnit = make_hesai_xt(
     {.blocks = 6, .lasers = 32, .lasers_at_once = 2, .laser_ns = 2'888, .distance_unit_mm = 5});
 

@@ -46,8 +46,8 @@ class MavlinkUltrasonic {
 
   // Returns kOk, kWrongLength, kWrongType or kWrongAngle. `kWrongLength` means that the length
   // differs from the length in the header or exceeds the message's maximum length. `kWrongType`
-  // means that the message is not MAVLink 2, is signed or has other flags, has another message
-  // number, has a wrong checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
+  // means that the message is not MAVLink 2, is signed or has unsupported flags, has the wrong
+  // message number or checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
   // according to the message, the sensor does not point to a side of its carrier.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 

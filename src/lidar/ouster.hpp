@@ -8,8 +8,8 @@
 // columns per turn, because packets do not contain these values.
 //
 // There are W columns in a turn. Column i is measured when the head has turned clockwise by i / W
-// of a turn from the direction opposite to x. The head is 16 mm wide. The decoder assumes that
-// beams start at the centre of the head. This assumption moves a point by less than 1 mm.
+// of a turn, starting from -x. The head is 16 mm wide. The decoder assumes that beams start at the
+// centre of the head. This assumption moves a point by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -165,10 +165,10 @@ class OusterDecoder : public OusterPacket {
   // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
   // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
   // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
-  // packet has another type, or that the times between columns do not match the unit's mode.
+  // packet has the wrong type, or that the times between columns do not match the unit's mode.
   // `kWrongAngle` means that a column number is too high or does not match the encoder value, or
   // that the columns are not consecutive. `kWrongPoint` means that no column was measured.
-  // `kOtherUnit` means that the pixels have the format of another profile.
+  // `kOtherUnit` means that the pixels have the format of a different profile.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(kProfile, datagram, unit);
   }

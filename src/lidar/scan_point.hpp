@@ -30,7 +30,7 @@ enum class DecodeStatus : std::uint8_t {
   kWrongType,    // wrong magic number, data type, block flag or product for this format
   kWrongAngle,   // a tick count, a sector or an azimuth that is invalid for this sensor
   kWrongPoint,   // a point with an invalid layer or echo, or outside its own sector
-  kOtherUnit,    // the same layout, but from another unit of the same manufacturer
+  kOtherUnit,    // the same layout, but from a different unit of the same manufacturer
 };
 inline constexpr std::size_t kDecodeStatusCount = 6;
 

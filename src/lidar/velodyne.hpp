@@ -1,6 +1,6 @@
 // Decodes the data packets of Velodyne lidars. All Velodyne units share one decoder.
 //
-// A datagram has 1206 bytes and is little-endian. The datagram contains 12 blocks, followed by the
+// A datagram is 1206 bytes long and little-endian. The datagram contains 12 blocks, followed by the
 // time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
 // 32 ranges. Units differ in the lasers of a block, in the firing time of each laser and in the
 // unit of range. VelodyneUnit describes these differences, and the compiler generates a decoder
@@ -28,7 +28,7 @@ struct VelodyneUnit {
   // The number of blocks that share one azimuth if each beam has one return. The number is 2 or 4
   // if a block is too short for the ranges of all lasers.
   std::uint8_t banks = 1;
-  std::uint8_t product = 0;      // byte 1205; if there are two banks, this byte has another meaning
+  std::uint8_t product = 0;      // byte 1205; has a different meaning if there are two banks
   std::uint8_t old_product = 0;  // value of the same byte in old firmware
   std::uint8_t range_unit_mm = 0;
   bool has_two_returns = true;  // if the unit is configured for it

@@ -1,5 +1,5 @@
 // Identifies the unit that sends Velodyne packets. Packets do not always identify their unit. If
-// packets of one unit are decoded as packets of another unit, the points look plausible but are
+// packets of one unit are decoded as packets of a different unit, the points look plausible but are
 // wrong.
 //
 // Byte 1205 identifies most units. However, an HDL-64E does not send this byte, and both an HDL-32E

@@ -13,7 +13,7 @@ namespace iog::lidar {
 
 struct VelodyneLook {
   std::uint8_t banks = 1;     // number of blocks that share an azimuth if each beam has one return
-  std::uint8_t mode = 0;      // with two banks, this byte and the next byte have other meanings
+  std::uint8_t mode = 0;      // with two banks, this byte and the next byte mean something else
   std::uint8_t product = 0;   // identifies the unit
   bool is_dual = false;       // each beam has two returns
   std::uint32_t time_us = 0;  // time since the full hour

@@ -2,8 +2,7 @@
 // chapter 9). Four blocks with the same azimuth contain a firing of all 128 lasers. Each block is a
 // bank of 32 lasers with its own flag. The banks fire one after another. Within a bank, eight
 // lasers fire at a time, to the left or right of the block's azimuth. The unit of range is 4 mm.
-// The mode with two returns per beam is not supported, because no recording of this mode is
-// available.
+// Dual return mode is not supported, because no recording of this mode is available.
 #pragma once
 
 #include <array>

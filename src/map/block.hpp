@@ -32,8 +32,8 @@ enum class Refusal : std::uint8_t {
   kNone,             // the whole block is valid
   kTooShort,         // shorter than a header
   kTooLong,          // longer than kMaxBlockBytes
-  kNotABlock,        // another magic number
-  kWrongVersion,     // another version
+  kNotABlock,        // wrong magic number
+  kWrongVersion,     // unsupported version
   kWrongLength,      // the stated length differs from the actual one
   kDamaged,          // wrong CRC
   kNotZero,          // a field that must be zero is not

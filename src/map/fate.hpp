@@ -12,10 +12,10 @@ enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored
   kInUse,         // belongs to the block in use
-  kOtherBlock,    // another block is being delivered
+  kOtherBlock,    // a different block is being delivered
   kStranger,      // it does not come from the configured sender
   kTooShort,      // shorter than a message without bytes of a block
-  kNotOurs,       // another SOME/IP service, event or message type
+  kNotOurs,       // wrong SOME/IP service, event or message type
   kWrongVersion,  // of the interface or of the content
   kDamaged,       // wrong CRC, data id, or length covered by the CRC
   kWrongLength,   // the content, or the block bytes in it, do not have the stated length

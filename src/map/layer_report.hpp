@@ -15,7 +15,7 @@ enum class Cause : std::uint8_t {
   kNone,
   kNoMap,         // no block
   kNoTransform,   // the newest pose has no transform from the local frame to a map
-  kOtherOrigin,   // the transform refers to a map with another origin
+  kOtherOrigin,   // the transform refers to a map with a different origin
   kImprecise,     // the standard deviation of the transform is above kMaxSigmaMm
   kBlurred,       // the radius of the blur exceeds kHalo
   kNoPlace,       // the window has no position, so it is unknown

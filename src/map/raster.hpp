@@ -22,7 +22,7 @@ struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The range of rows and columns that are within a distance from the tile.
+// The range of rows and columns within a given distance of the tile.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive

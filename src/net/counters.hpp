@@ -19,13 +19,13 @@ enum class Drop : std::uint8_t {
   kShort,            // shorter than an Ethernet header
   kNotForUsMac,      // destination is neither our Ethernet address nor broadcast nor our group
   kVlanTagged,       // 802.1Q or 802.1ad tag; the sensor network is untagged
-  kNotIpv4OrArp,     // another EtherType, or a length as in 802.3
+  kNotIpv4OrArp,     // unsupported EtherType, or a length as in 802.3
   kBadIpHeader,      // version, header length or total length inconsistent with the frame
   kBadIpChecksum,    // wrong header checksum
   kFragment,         // unusable fragment, counted in detail by FragmentCounters, or not UDP
   kNotForUsIp,       // destination is neither our address nor a broadcast or group that we receive
   kBadSource,        // source cannot be another host: 0/8, 127/8, 224/3, broadcast, our address
-  kNotUdpOrIcmp,     // another IP protocol
+  kNotUdpOrIcmp,     // unsupported IP protocol
   kBadUdpLength,     // UDP length below the header length or beyond the end of the datagram
   kBadUdpChecksum,   // UDP checksum present but wrong
   kBadIcmp,          // ICMP message too short, or its checksum is wrong

@@ -39,8 +39,8 @@ class PeerResolver {
 
   // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
   // unsolicited ARP packet. An address of a different station is therefore accepted only if the
-  // known station has not answered for one interval. Until then, the known station is in doubt,
-  // just as after a call to hear().
+  // known station has not answered for one interval. Until then, the known station is treated as
+  // unconfirmed, as it is after a call to hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of
@@ -50,7 +50,7 @@ class PeerResolver {
   void hear(const MacAddress& mac);
 
   // If an ARP request is due now, returns its destination and counts it as sent. If the known
-  // station is in doubt, the request is sent directly to it (RFC 1122, section 2.3.2.1, "Unicast
+  // station is unconfirmed, the request is sent directly to it (RFC 1122, section 2.3.2.1, "Unicast
   // Poll"). The request is a broadcast in three cases: no station is known, the address is due for
   // a refresh, or the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);

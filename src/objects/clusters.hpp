@@ -3,8 +3,8 @@
 //
 // Two hits are near each other if, on both axes, their distance is at most the gap of either hit.
 // The gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are
-// ignored. Cells are represented as the bits of a plane as large as the window. A cluster grows by
-// the set bits around each of its cells, and each bit is found only once.
+// ignored. Cells are stored as bits in a plane that covers the window. A cluster grows by the set
+// bits around each of its cells, and each bit is found only once.
 #pragma once
 
 #include <array>

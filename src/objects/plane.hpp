@@ -144,8 +144,8 @@ struct Box {
   }
 };
 
-// An axis-aligned rectangle. Tests combine four signs into one branch because four separate
-// branches would be hard to predict.
+// An axis-aligned rectangle. The conditions combine four sign checks into one branch because four
+// separate branches would be hard to predict.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};
   Point high{INT32_MIN, INT32_MIN};

@@ -35,7 +35,7 @@ inline constexpr std::int32_t kWanderAcross = 700;
 // velocity changes in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
-inline constexpr std::int32_t kSmallMm = 1200;     // a walker is at most this large
+inline constexpr std::int32_t kSmallMm = 1200;     // a pedestrian is at most this large
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
@@ -102,8 +102,8 @@ inline constexpr std::int32_t kCutMm = 100;
 inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
-// In each update, the box follows a measured edge by 1/16 of the difference between them. The box
-// follows any other edge by 1/2 of the difference outwards and by 1/32 inwards.
+// In each update, a measured edge of the box moves towards its new position by 1/16 of the
+// difference. Any other edge moves by 1/2 of the difference outwards or by 1/32 of it inwards.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
@@ -129,7 +129,7 @@ inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
 inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // if both are moving and neither is a
-                                                         // walker
+                                                         // pedestrian
 inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
@@ -184,7 +184,7 @@ inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
 inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
 // A streak is a line of hits where a beam grazes the ground. A streak has fewer than kStreakHits
-// hits, is longer than a walker and is narrower than kStreakMm.
+// hits, is longer than a pedestrian and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
 // A shorter row of a few cells is also a streak.
@@ -195,7 +195,7 @@ inline constexpr std::int32_t kShortestRowMm = 500;
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
 inline constexpr std::int32_t kStreakSpeed = 15'000;  // streaks never seem to move faster
-inline constexpr std::int32_t kGroupSpeed = 1500;     // walkers side by side are slower than this,
+inline constexpr std::int32_t kGroupSpeed = 1500;     // pedestrian groups are slower than this,
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;

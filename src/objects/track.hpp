@@ -80,33 +80,33 @@ class Track {
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
   // Returns the standard deviation of the speed, computed from both axes, in mm/s.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
-  // Returns true if the track is slow and larger than a walker, and most of its hits are standing.
-  // These hits may belong to an object that is parked next to the track.
+  // Returns true if the track is slow and larger than a pedestrian, and most of its hits are
+  // standing hits. These hits may belong to an object that is parked next to the track.
   [[nodiscard]] bool is_mostly_standing() const;
   // Returns true if the track has a heading and the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
   // Returns true if the track has the size of a car and a high confidence, and if recent frames
   // support its motion. Standing hits in the box of such a track belong to the car. A slow car
-  // covers each place for so long that the grid classifies the place as standing. Walkers beside a
-  // parked car may form a track of the same size, but the places that they leave are classified as
-  // standing.
+  // covers each place for so long that the grid classifies the place as standing. Pedestrians
+  // beside a parked car may form a track of the same size, but the cells that the pedestrians leave
+  // are classified as standing.
   [[nodiscard]] bool is_sure_car() const;
   // Updates is_receding from the track's velocity and its position relative to the car.
   void look_from(Point car);
-  // Returns true if the track is receding and is larger than a walker. The rear of such an object
-  // has covered its places for a long time, so hits on it may be standing hits.
+  // Returns true if the track is receding and is larger than a pedestrian. The rear of such an
+  // object has covered its places for a long time, so hits on it may be standing hits.
   [[nodiscard]] bool may_have_a_standing_face() const;
   // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();
   // Returns true if beams keep passing the places that the track has left. If so, standing hits may
   // belong to the track.
   [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
-  // Returns true if the track has the size and speed of a walker.
+  // Returns true if the track has the size and speed of a pedestrian.
   [[nodiscard]] bool is_small() const;
   // Returns true if the track is a streak, that is, a line of hits where a beam grazes the ground.
   // A real object of the same length has more hits or is wider. Moving tracks are not treated as
-  // streaks because they may lose hits. Groups of walkers are not treated as streaks because they
-  // have gaps.
+  // streaks because they may lose hits. Groups of pedestrians are not treated as streaks because
+  // they have gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;

@@ -10,10 +10,10 @@
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
 // the 3 by 3 cells around it is standing. A hit is *new* if its cell was open and freed, and if it
-// is not beside a standing object. A hit beside a standing object has not moved. Any other hit has
-// moved in two cases: its cell was dense, or its cell was open and the 7 by 7 cells around it have
-// enough new hits. If the ground in the cell was found open three times, two new hits are enough.
-// Otherwise, seven new hits are needed.
+// is not beside a standing object. A hit beside a standing object does not count as moving. Any
+// other hit counts as moving in two cases: its cell was dense, or its cell was open and the 7 by 7
+// cells around the hit contain enough new hits. If the ground in the cell was found open three
+// times, two new hits are enough. Otherwise, seven new hits are needed.
 #pragma once
 
 #include <array>

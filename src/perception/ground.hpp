@@ -2,11 +2,11 @@
 //
 // The update clears the memory of the 3 by 3 cells around each standing cell. Any other cell
 // becomes dense if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are
-// free space. The free space is computed from the freed cells in two steps. First, gaps of up to
-// four cells between beams are closed (dilation by 5 by 5, then erosion by 5 by 5). Then occupied
-// cells are removed. If a cell is open again in a later period of 480 ms, its tick count increases
-// by one, up to 3. Cells outside the window are never free space, even though the dilation extends
-// beyond the window.
+// free space. The free space is computed from the freed cells in two steps. First, a 5 by 5
+// dilation followed by a 5 by 5 erosion closes gaps of up to four cells between beams. Then
+// occupied cells are removed. If a cell is open again in a later period of 480 ms, its tick count
+// increases by one, up to 3. Cells outside the window are never free space, even though the
+// dilation extends beyond the window.
 #pragma once
 
 #include <array>

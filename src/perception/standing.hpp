@@ -43,9 +43,9 @@ struct StandingCounts {
 //
 // If the poses are wrong from the start, few cells become standing, and beams cross a much larger
 // fraction of these cells. The minimum number of cells is therefore lower until the poses first
-// show the car moving. Until then, more than an eighth of the cells must be crossed in many
-// successive frames. The excess over an eighth is accumulated, and decays over about a hundred
-// frames.
+// show the car moving. Until then, the poses are also contradicted if more than an eighth of these
+// cells are crossed in many successive frames. The excess over an eighth is accumulated, and decays
+// over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {

@@ -19,8 +19,8 @@ namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
 // at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
-// evidence therefore has no effect. Groups are refreshed so often that old evidence is recorded as
-// such before the clock reuses its slot.
+// evidence therefore has no effect. Groups are refreshed often enough that old evidence is recorded
+// as too old before the clock reuses its slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a plane that belong to a group's cells.
@@ -96,8 +96,8 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // Returns true if needs_no_taken() is true for all of two or four consecutive groups, and the
-  // groups have the same past.
+  // Returns true if needs_no_taken() is true for each of kGroups consecutive groups, and all of
+  // these groups were last aged in the same frame and last had evidence in the same frame.
   template <std::size_t kGroups>
   [[nodiscard]] bool may_be_joint(const window::Tile& tile, std::size_t group) const {
     const auto are_equal = [](Joint<kGroups> bytes) { return std::rotr(bytes, 8) == bytes; };
@@ -106,8 +106,8 @@ class TileUpdate {
            are_equal(joint<kGroups>(tile.evidence_at, group)) && assignment_ == nullptr;
   }
 
-  // Has the same effect as the function above, for consecutive groups at once. may_be_joint() must
-  // be true. `indexes` are the indexes of the first group.
+  // Same as the function above, but processes kGroups consecutive groups at once. may_be_joint()
+  // must be true. `indexes` are the indexes of the first group.
   template <std::size_t kGroups>
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     cross_joint<kGroups>(tile, group, indexes);

@@ -6,8 +6,8 @@
 //     cells (perception/opening.hpp), evidence without effect is removed.
 //   Step 2: Groups with evidence are aged, fused and classified.
 //   Step 3: A tile is refreshed if its slot plus the frame number is a multiple of 8. The other
-//     groups of the tile are then aged and classified without evidence. Frames are counted from
-//     the time at which the window has a position.
+//     groups of the tile are then aged and classified without evidence. Only frames in which the
+//     window has a position are counted.
 //   Step 4: Tracking relabels moving cells (perception/moving_names.hpp).
 //   Step 5: If a slice was registered, the frame counts as fused. The ground of a tile is updated
 //     if its slot plus the number of fused frames, including this frame, is even.

@@ -22,9 +22,9 @@ inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
 // Calls visit(first, low, high, evidence) for each block that may be near known cells. `first` is
-// the image of the centre of the block's first cell in the grid. `low` and `high` bound the images
-// of all cells in the block. `evidence` points to the evidence of the first cell. Returns false if
-// no block was visited.
+// the point in the grid to which the centre of the block's first cell maps. `low` and `high` bound
+// the images of all cells in the block. `evidence` points to the evidence of the first cell.
+// Returns false if no block was visited.
 //
 // The evidence of a band is prefetched first. Otherwise, its cache lines would be loaded one by one
 // between the lookups.

@@ -69,8 +69,8 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
 }
 
 // Merges the free space of the slice grid into the evidence of a tile (placing/slice_byte.hpp).
-// `first` is the image of the centre of the tile's first cell in the grid. The images of the other
-// cells are computed from `steps`. Returns false if all cells near the tile are unknown.
+// `first` is the point in the grid to which the centre of the tile's first cell maps. The images of
+// the other cells are computed from `steps`. Returns false if all cells near the tile are unknown.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -13,7 +13,7 @@ enum class Fate : std::uint8_t {
   kUnconfirmed,   // it waits for confirmation, because its run has not been accepted yet
   kStranger,      // it does not come from the configured sender
   kTooShort,      // shorter than a message
-  kNotOurs,       // another SOME/IP service, event or message type
+  kNotOurs,       // wrong SOME/IP service, event or message type
   kWrongVersion,  // of the interface or of the content
   kDamaged,       // wrong CRC, data id, or length covered by the CRC
   kWrongLength,   // the content does not have its stated length
@@ -24,7 +24,7 @@ enum class Fate : std::uint8_t {
   kTooOld,        // it was older than kMaxAgeUs when it was sent
   kNotNewer,      // not newer than the newest message of its run
   kFlood,         // less than kMinSpacingUs newer than the newest message of its run
-  kPastRun,       // its run has been replaced by another run
+  kPastRun,       // its run has been replaced by a newer run
 };
 inline constexpr std::size_t kFateCount = 16;
 

@@ -9,8 +9,9 @@
 //
 // A forged message must not disable the pose input permanently. Therefore, if the run or the time
 // of a message does not continue the current sequence, the message is accepted only after
-// kConfirmations consecutive messages of this kind. If the message goes back in time or belongs to
-// an earlier run, the current sequence must also have had no message for kLostUs.
+// kConfirmations consecutive messages of this kind. If the message is not newer than the newest
+// message or belongs to an earlier run, the current sequence must also have been silent for
+// kLostUs.
 #pragma once
 
 #include <array>

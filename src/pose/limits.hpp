@@ -34,7 +34,7 @@ inline constexpr std::uint64_t kMinSpacingUs = 8'000;
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
-// If messages come from another run or another clock, this run or clock is accepted after
+// If messages come from a different run or clock, this run or clock is accepted after
 // kConfirmations consecutive messages.
 inline constexpr std::size_t kConfirmations = 3;
 

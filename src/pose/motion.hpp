@@ -20,10 +20,10 @@ struct Motion {
 // rad/s and 100 ms, the chord is too long by one part in ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
-// Interpolates linearly between two poses at elapsed_us of span_us. The heading turns in the
-// shorter direction. If both directions are equally long, the heading turns clockwise. Requires 0
-// <= elapsed_us <= span_us, 0 < span_us <= 10^6 and |x|, |y| <= 10^9 mm. Coordinates are rounded to
-// the nearest integer, and ties are rounded up.
+// Interpolates linearly between two poses that are span_us apart. Returns the pose at elapsed_us
+// after `from`. The heading turns in the shorter direction. If both directions are equally long,
+// the heading turns clockwise. Requires 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6 and |x|,
+// |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, and ties are rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 

@@ -1,5 +1,5 @@
 // The SOME/IP header of an event notification (AUTOSAR PRS_SOMEIPProtocol, section "Header"). The
-// header has 16 bytes in big-endian order.
+// header is 16 bytes long and big-endian.
 //
 //    0  u16 service id, u16 event id (highest bit set)     together the message id
 //    4  u32 length: bytes after this field, including 8 of this header
@@ -35,8 +35,8 @@ enum class SomeIpStatus : std::uint8_t {
   kOk,
   kTooShort,      // shorter than a header or than its length field
   kTooLong,       // longer than its length field; we send one message per datagram
-  kNotOurs,       // another protocol version, service or event
-  kWrongVersion,  // another interface version; see interface_version_of()
+  kNotOurs,       // wrong protocol version, service or event
+  kWrongVersion,  // wrong interface version; see interface_version_of()
   kWrongType,     // not a notification, or its return code is an error
 };
 

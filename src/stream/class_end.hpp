@@ -60,8 +60,8 @@ struct ClassEnd {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_class_end(const ClassEnd& end, std::span<std::byte> buffer);
 
-// Returns kOk, kTooShort, or kInconsistent if the records are shorter than expected. Skips fields
-// that a later version may append.
+// Returns kOk, kTooShort or kInconsistent. `kInconsistent` means that the records are shorter than
+// expected. Skips fields that a later version may append.
 [[nodiscard]] ReadStatus read_class_end(std::span<const std::byte> body, ClassEnd& end);
 
 }  // namespace iog::stream

@@ -51,7 +51,7 @@ struct Header {
   std::uint8_t complete_sensors = 0;  // bit i is set if sensor i has delivered its whole scan
   std::uint8_t partial_sensors = 0;   // bit i is set if sensor i has delivered a part of its scan
   std::uint32_t points_used = 0;      // scan points of this frame whose outcome is kUsed
-  std::uint32_t points_other = 0;     // scan points of this frame with another outcome
+  std::uint32_t points_other = 0;     // scan points of this frame with any other outcome
   std::uint32_t packets_fused = 0;    // packets fused in this frame
   std::uint32_t packets_dropped = 0;  // datagrams dropped for any cause since start
   std::uint32_t run_number = 0;       // identifies the target's run; different after each start

@@ -24,8 +24,8 @@ inline constexpr std::uint32_t kMaxReferenceAge = 7;  // in frames
 
 class References {
  public:
-  // Stores a tile that was sent as a self-contained tile. `payload_bytes` is the length of the
-  // tile's payload.
+  // Stores a tile that was sent in self-contained form. `payload_bytes` is the length of the tile's
+  // payload.
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 

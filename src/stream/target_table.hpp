@@ -46,8 +46,8 @@ enum class Group : std::uint8_t {
   // its datagrams, answers and subscriptions; messages copied to the subscriber, and messages for
   // which there was no room.
   kDiscovery,
-  // Only with signed commands (9): messages by verdict, last authentic counters, and two words that
-  // sign these ten counters.
+  // Only with signed commands (9): messages per verdict, last authentic counters, and a
+  // two-word MAC over these ten fields.
   kCommand,
   // Messages since start.
   kPoseFate,

@@ -146,15 +146,15 @@ struct Classification {
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// The height of a return. If a return at this height is not an obstacle, `otherwise` is the outcome
-// of the point. `is_whole` is true if the beam is at obstacle height from its start to the return.
+// The height of a return. If a return at this height is not an obstacle, the point's outcome is
+// `otherwise`. `is_whole` is true if the beam is at obstacle height from its start to the return.
 struct Height {
   bool is_obstacle = true;
   Fate otherwise = Fate::kUsed;
   bool is_whole = false;
 };
 
-// Classifies a point. `on_car` contains the ranges at which the point's beam is on the car.
+// Classifies a point. `on_car` contains the ranges at which the point would be on the car.
 // `along_mm` is the point's horizontal range, Layer::along_line_mm(). `kNoReturn` and `kTooNear`
 // depend on the measured range. All other outcomes depend on along_mm. `height_at(reach_mm)`
 // returns the Height at along_mm. If the point lies beyond L, height_at() returns the Height at L.

@@ -31,7 +31,7 @@ inline constexpr std::size_t kMaxSensors = 8;
 inline constexpr std::size_t kMaxLayers = 128;
 inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the ground
 
-inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies another
+inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies a value
 
 // The maximum number of cached lines of all level rotating sensors of a vehicle. Each azimuth step
 // has one line, which takes about 0.7 KB.

@@ -76,8 +76,8 @@ struct Tile {
   // Masses are stored row by row from the lowest y, like all arrays that are indexed by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // The class bytes are stored separately from the masses because only they are read to send the
-  // classes.
+  // The class bytes are stored separately from the masses because sending the classes reads only
+  // the class bytes.
   std::array<decision::Decided, kGroupsPerTile> decided{};
   // The classes that the map rules out, even for unknown cells. The value is 0 where the map has no
   // information.

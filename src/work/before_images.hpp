@@ -7,9 +7,9 @@
 // image belongs to the item, no data has been changed yet. Core 0 needs no image because its items
 // are never repeated.
 //
-// Core 0 reads a helper's image only after the helper has ended. The end of the helper acts as a
-// signal: if a later store of the helper is visible, so are its earlier stores. A compiler barrier
-// between the stores is therefore enough.
+// Core 0 reads a helper's image only after the helper has ended. If core 0 then sees one of the
+// helper's stores, it also sees all earlier stores of the helper. A compiler barrier between the
+// stores is therefore enough.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ class BeforeImages {
   }
 
   // If a core was lost while it ran this item, returns the image that this core saved. Returns null
-  // if the item had not changed any data. Core 0 calls of_lost() before it repeats an item.
+  // if the item did not change any data. Core 0 calls of_lost() before it repeats an item.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {
