@@ -22,6 +22,7 @@ PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
                   .time_us = cloud.time_us,
                   .sector_begin = static_cast<std::uint32_t>((turn - width / 2) % turn),
                   .sector_width = static_cast<std::uint32_t>(width),
+                  .turns = lidar::turns(sensor_->format),
                   .points = std::move(cloud.points)};
   if (cloud.has_times) {
     std::ranges::stable_sort(scan.points, {}, &WirePoint::after_us);

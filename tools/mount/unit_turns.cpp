@@ -40,7 +40,7 @@ UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor)
       mount_(car.sensors[sensor].mount),
       footprint_(car.description->footprint),
       placer_(car.sensors[sensor]),
-      cutter_(lidar::ticks_per_turn(sensor_->format)) {}
+      cutter_(sensor_->format) {}
 
 void UnitTurns::take(const CapturedDatagram& datagram) {
   if (datagram.destination.port != sensor_->udp_port) {

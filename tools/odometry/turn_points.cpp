@@ -30,7 +30,7 @@ TurnPoints::TurnPoints(const CatalogueEntry& car) : car_(&car) {
     throw UsageError(std::string(car.vehicle->name) +
                      " has no spinning lidar, and the motion is estimated from its turns");
   }
-  cutter_.emplace(lidar::ticks_per_turn(units_.front().sensor->format));
+  cutter_.emplace(units_.front().sensor->format);
 }
 
 std::optional<Turn> TurnPoints::take(const CapturedDatagram& datagram) {

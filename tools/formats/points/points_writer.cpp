@@ -7,6 +7,7 @@
 
 #include "lidar/points.hpp"
 #include "require/require.hpp"
+#include "tools/formats/points/turn_sectors.hpp"
 #include "wire/byte_writer.hpp"
 
 namespace iog::tools {
@@ -24,7 +25,7 @@ std::uint16_t offset_of(std::uint32_t after_us) {
 }  // namespace
 
 PointsDatagram datagram_of(const PointsScan& scan, std::size_t number, std::size_t datagrams,
-                           std::span<const WirePoint> points) {
+                           std::span<const WirePoint> points, std::optional<PointsSector> sector) {
   const auto [first, last] = std::ranges::minmax_element(points, {}, &WirePoint::after_us);
   const std::uint32_t first_us = points.empty() ? 0 : first->after_us;
   PointsDatagram datagram{.last_us = scan.time_us + (points.empty() ? 0 : last->after_us)};
@@ -32,14 +33,15 @@ PointsDatagram datagram_of(const PointsScan& scan, std::size_t number, std::size
   wire::ByteWriter out(datagram.bytes);
   out.u32_le(PointsPacket::kMagic);
   out.u8(PointsPacket::kVersion);
-  out.u8(PointsPacket::kIsShare | (scan.are_places ? PointsPacket::kArePlaces : 0));
+  out.u8(static_cast<std::uint8_t>((sector ? 0 : PointsPacket::kIsShare) |
+                                   (scan.are_places ? PointsPacket::kArePlaces : 0)));
   out.u16_le(static_cast<std::uint16_t>(points.size()));
   out.u32_le(scan.number);
   out.u16_le(static_cast<std::uint16_t>(number));
   out.u16_le(static_cast<std::uint16_t>(datagrams));
   out.u64_le(scan.time_us + first_us);
-  out.u32_le(scan.sector_begin);
-  out.u32_le(scan.sector_width);
+  out.u32_le(sector ? sector->begin : scan.sector_begin);
+  out.u32_le(sector ? sector->width : scan.sector_width);
   for (const WirePoint& point : points) {
     out.u32_le(static_cast<std::uint32_t>(point.first));
     out.u32_le(static_cast<std::uint32_t>(point.second));
@@ -56,11 +58,14 @@ std::vector<PointsDatagram> datagrams_of(const PointsScan& scan) {
   const std::size_t most = PointsPacket::kMostPoints;
   const std::size_t count = std::max<std::size_t>((scan.points.size() + most - 1) / most, 1);
   require(count <= std::numeric_limits<std::uint16_t>::max());
+  const std::vector<PointsSector> sectors =
+      scan.turns ? sectors_of_turn(scan.points, most) : std::vector<PointsSector>();
   std::vector<PointsDatagram> datagrams;
   auto rest = std::span(scan.points);
   for (std::size_t number = 0; number < count; ++number) {
     const auto its = rest.first(std::min(most, rest.size()));
-    datagrams.push_back(datagram_of(scan, number, count, its));
+    datagrams.push_back(datagram_of(
+        scan, number, count, its, sectors.empty() ? std::nullopt : std::optional(sectors[number])));
     rest = rest.subspan(its.size());
   }
   return datagrams;

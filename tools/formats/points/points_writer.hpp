@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,20 @@ struct WirePoint {
   std::uint8_t flags = 0;      // lidar::PointsPacket's
 };
 
+// What was scanned, with or without returns, in 3,200ths of a degree: counter-clockwise from its
+// beginning.
+struct PointsSector {
+  std::uint32_t begin = 0;
+  std::uint32_t width = 0;
+};
+
 struct PointsScan {
   std::uint32_t number = 0;
   std::uint64_t time_us = 0;
   bool are_places = false;
-  std::uint32_t sector_begin = 0;  // what it looked at, in 3,200ths of a degree
+  std::uint32_t sector_begin = 0;
   std::uint32_t sector_width = 0;
+  bool turns = false;  // the points are in the order in which a unit turned
   std::vector<WirePoint> points{};
 };
 
@@ -31,11 +40,14 @@ struct PointsDatagram {
   std::vector<std::byte> bytes{};
 };
 
-// One of them: with these points of the scan, at most as many as it may have.
+// One of them: with these points of the scan, at most as many as it may have. Without a sector of
+// its own, it has its share of the scan's.
 [[nodiscard]] PointsDatagram datagram_of(const PointsScan& scan, std::size_t number,
-                                         std::size_t datagrams, std::span<const WirePoint> points);
+                                         std::size_t datagrams, std::span<const WirePoint> points,
+                                         std::optional<PointsSector> sector = std::nullopt);
 
-// All points in their order; each datagram has its share of the sector. One if there is no point.
+// All points in their order. One datagram if there is no point. Datagrams of a turn have sectors of
+// their own (turn_sectors.hpp).
 [[nodiscard]] std::vector<PointsDatagram> datagrams_of(const PointsScan& scan);
 
 // The direction of a place in metres, and its range in millimetres, each rounded to the nearest.

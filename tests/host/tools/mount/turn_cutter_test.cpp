@@ -55,5 +55,27 @@ TEST(TurnCutter, HalfATurnIsNone) {
   EXPECT_FALSE(cutter.is_nearly_whole());
 }
 
+// Datagram `number` of `datagrams` has its share of a scan's sector, counter-clockwise.
+TEST(TurnCutter, AScanOfPointsIsATurnWhicheverWayItGoes) {
+  constexpr std::uint32_t kDatagrams = 8;
+  constexpr std::uint32_t kShare = kTurn / kDatagrams;
+  for (const bool goes_left : {true, false}) {
+    TurnCutter cutter(kTurn, true);
+    int ends = 0;
+    for (std::uint32_t i = 0; i < 10 * kDatagrams; ++i) {
+      const std::uint32_t number = goes_left ? i % kDatagrams : kDatagrams - 1 - i % kDatagrams;
+      const auto scan = 65'530 + i / kDatagrams;
+      ends +=
+          cutter.ends_before({.scan_number = scan,
+                              .sector = {.first_ticks = static_cast<std::uint16_t>(number * kShare),
+                                         .width_ticks = kShare}})
+              ? 1
+              : 0;
+    }
+    EXPECT_EQ(ends, 9);
+    EXPECT_TRUE(cutter.is_nearly_whole());
+  }
+}
+
 }  // namespace
 }  // namespace iog::tools
