@@ -74,7 +74,7 @@ def goal_table(goals: list[Goal]) -> str:
 
 
 def counts(claims: list[Claim]) -> str:
-    """Of the 54 claims, 26 are "equal", 12 "better", ..."""
+    """Of the 54 claims, 26 are marked "equal", 12 "better", ..."""
     each = [f'{sum(claim.verdict is verdict for claim in claims)} "{verdict.value}"' for verdict in Verdict]
-    first = each[0].replace(" ", " is " if each[0].startswith("1 ") else " are ", 1)
+    first = each[0].replace(" ", " is marked " if each[0].startswith("1 ") else " are marked ", 1)
     return f"Of the {len(claims)} claims, {', '.join([first, *each[1:-1]])} and {each[-1]}."
