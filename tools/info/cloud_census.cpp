@@ -173,17 +173,25 @@ std::string layers_of(const std::vector<double>& rings, double low_deg, double h
   return text.str();
 }
 
-// Lines of [[sensors]] and, in front of them, of the car.
+// Lines of the car and, below them, of [[sensors]], to be pasted as they are.
 std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, double low_deg,
                      double high_deg) {
   const bool is_turning = !topic.is_scan && field_of_view_deg(topic.azimuths) > kWholeTurnDeg;
+  std::string of_car;
+  if (!is_turning && topic.period_us() > 0) {
+    of_car += "    frame_period_us = " +
+              std::to_string(std::llround(topic.period_us() * 1.5 / 1000) * 1000) +
+              "  # 1.5 times the time from scan to scan\n";
+  }
+  if (topic.is_scan) {
+    of_car +=
+        "    z_min_m = 0.05  # obstacles and the scanner are between these heights\n"
+        "    z_max_m = 0.60\n";
+  }
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  if (!is_turning && topic.period_us() > 0) {
-    text << "    frame_period_us = " << std::llround(topic.period_us() * 1.5 / 1000) * 1000
-         << "  # of the car: 1.5 times the time from scan to scan\n";
-  }
-  text << "    type = \"" << (is_turning ? "points_turning" : "points") << "\"\n";
+  text << (of_car.empty() ? of_car : "    # of the car, above its [[sensors]]:\n" + of_car);
+  text << "    [[sensors]]\n    type = \"" << (is_turning ? "points_turning" : "points") << "\"\n";
   text << layers_of(rings, low_deg, high_deg);
   if (!is_turning) {
     text << "    scan_width_ticks = " << scan_width_ticks(topic) << '\n';
