@@ -109,9 +109,9 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
     add(pose_of_odometry(message), message.where, log);
   });
   if (log.poses.empty()) {
-    log.remarks = ros::for_each_message(path, {kTransforms}, topic, [&](const auto& message) {
-      add_transforms(message, its, log);
-    });
+    log.remarks = ros::for_each_message(
+        path, {kOdometry, kTransforms}, topic,
+        [&](const auto& message) { add_transforms(message, its, log); });
   }
   if (log.poses.empty()) {
     throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +

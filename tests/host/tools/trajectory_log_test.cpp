@@ -195,7 +195,11 @@ TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {
   const std::string path = bag(kOdometry, {odometry(10)}, {"/gps", "/odom"});
   expect_error(path, "/gps and /odom have poses: choose one by");
   EXPECT_EQ(read_pose_log(path + ":/odom").poses.size(), 1U);
-  expect_error(path + ":/imu", "no nav_msgs/Odometry");
+  expect_error(path + ":/imu", "on /imu; its topics of these types are /gps, /odom");
+  EXPECT_EQ(
+      read_pose_log(bag(kTransforms, {transforms("odom")}, {"/tf", "/map"}) + ":/tf").poses.size(),
+      1U);
+  expect_error(bag(kTransforms, {transforms("odom")}, {"/tf"}) + ":/odom", "are /tf");
 }
 
 TEST_F(Trajectories, TheFirstBytesShowTheFormat) {

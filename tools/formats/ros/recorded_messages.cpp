@@ -33,9 +33,22 @@ class Messages {
            const std::function<void(const RecordedMessage&)>& take)
       : types_(types), topic_(topic), take_(&take) {}
 
-  [[nodiscard]] bool wants(const BagTopic& topic) const {
-    return std::ranges::find(types_, topic.type) != types_.end() &&
-           (topic_.empty() || topic.name == topic_);
+  [[nodiscard]] bool wants(const BagTopic& topic) {
+    if (std::ranges::find(types_, topic.type) == types_.end()) {
+      return false;
+    }
+    const bool is_meant = topic_.empty() || topic.name == topic_;
+    if (!is_meant) {
+      others_.add(topic.name);
+    }
+    return is_meant;
+  }
+
+  // Of the topics that have such messages if the one that is meant has none.
+  [[nodiscard]] std::string words_of_others() const {
+    return numbers_.empty() && !others_.is_empty()
+               ? "its topics of these types are " + others_.words()
+               : "";
   }
 
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
@@ -75,6 +88,7 @@ class Messages {
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
   std::map<std::string, std::string> types_of_;   // topics
+  FewNames others_;
   std::vector<std::byte> unpacked_;
 };
 
@@ -170,6 +184,9 @@ std::vector<std::string> for_each_message(const std::string& path,
     } else {
       throw UsageError(name + ": neither MCAP nor a bag of SQLite");
     }
+  }
+  if (std::string words = messages.words_of_others(); !words.empty()) {
+    remarks.push_back(std::move(words));
   }
   return remarks;
 }
