@@ -55,6 +55,8 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
+  const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
+  sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(
