@@ -1,6 +1,7 @@
 #include "tools/clouds/points_sender.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lidar/points.hpp"
@@ -37,6 +38,13 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
                      std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +
                      std::string(config_->name) + " is " +
                      std::to_string(sensor_->max_points_per_scan));
+  }
+  if (lidar::turns(sensor_->format) && cloud.view_deg < kWholeTurnDeg) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + " spans " +
+                     std::to_string(std::lround(cloud.view_deg)) + " degrees, and " +
+                     std::string(config_->name) +
+                     " is of type points_turning: for less than a turn give type = \"points\" and "
+                     "the scan_width_ticks of `iog info`");
   }
   demand_metres(
       static_cast<std::size_t>(std::ranges::count_if(

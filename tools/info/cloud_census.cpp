@@ -23,7 +23,6 @@ namespace {
 constexpr std::uint64_t kLookedInto = 10;  // messages of a topic; of the others the head is read
 constexpr double kPartsPerDegree = lidar::PointsPacket::kPartsPerTurn / 360.0;
 constexpr double kTicksPerDegree = 32;  // of scan_width_ticks
-constexpr double kWholeTurnDeg = 350;
 constexpr std::size_t kMostRings = 128;
 
 struct LaserAngles {
