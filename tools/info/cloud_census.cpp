@@ -13,6 +13,7 @@
 #include "lidar/points.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
+#include "tools/info/static_frames.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
@@ -202,7 +203,7 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   return text.str();
 }
 
-std::string words_of(const std::string& name, const CloudTopic& topic) {
+std::string words_of(const std::string& name, const CloudTopic& topic, const StaticFrames& frames) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
   text << row("clouds on", printable(name))
@@ -232,16 +233,23 @@ std::string words_of(const std::string& name, const CloudTopic& topic) {
     text << row("elevations", view.str());
   }
   return text.str() + "  for a car file (docs/first_ros_bag.md):\n" +
-         draft_of(topic, rings, low_deg, high_deg);
+         draft_of(topic, rings, low_deg, high_deg) + frames.mount_of(topic.frame);
 }
 
-using CloudTopics = std::map<std::string, CloudTopic>;
+struct Census {
+  std::map<std::string, CloudTopic> topics{};
+  StaticFrames frames{};
+};
 
 // Returns why reading ended, or nothing at the end of the recording.
-std::string add_messages(const std::string& path, CloudTopics& topics) {
+std::string add_messages(const std::string& path, Census& census) {
   try {
-    static_cast<void>(for_each_cloud_message(path, "", [&](const ros::RecordedMessage& message) {
-      topics[std::string(message.topic)].add(message);
+    static_cast<void>(for_each_cloud_or_transform(path, [&](const ros::RecordedMessage& message) {
+      if (message.topic.ends_with("/tf_static")) {
+        census.frames.add(message);
+      } else if (is_cloud_type(message.type)) {
+        census.topics[std::string(message.topic)].add(message);
+      }
     }));
   } catch (const UsageError& error) {
     return row("clouds", "not read on: " + std::string(error.what()));
@@ -252,10 +260,10 @@ std::string add_messages(const std::string& path, CloudTopics& topics) {
 }  // namespace
 
 std::string describe_clouds(const std::string& path) {
-  CloudTopics topics;
-  std::string text = add_messages(path, topics);
-  for (const auto& [name, topic] : topics) {
-    text += topic.most_points > 0 ? words_of(name, topic) : "";
+  Census census;
+  std::string text = add_messages(path, census);
+  for (const auto& [name, topic] : census.topics) {
+    text += topic.most_points > 0 ? words_of(name, topic, census.frames) : "";
   }
   return text;
 }

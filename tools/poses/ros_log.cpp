@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 using ros::CdrReader;
 
-constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
-constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
+constexpr std::array<std::string_view, 2> kTypes{"nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"};
+constexpr auto kOdometry = std::span(kTypes).first<1>();
 
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
@@ -69,14 +70,6 @@ LoggedPose pose_of_odometry(const ros::RecordedMessage& message) {
   pose.sigma_m = sigma_of(covariance[0]);
   pose.sigma_heading_rad = sigma_of(covariance[35]);
   return pose;
-}
-
-// What the frames of a vehicle's robot begin with: "robot1/" for robot1/base_link.
-std::optional<std::string> robot_of(const std::string& frame) {
-  const std::size_t begin = frame.rfind('/') + 1;  // 0 without one
-  const std::string_view name = std::string_view(frame).substr(begin);
-  return name == kVehicleFrame || name == kFootprint ? std::optional(frame.substr(0, begin))
-                                                     : std::nullopt;
 }
 
 struct Transforms {
@@ -134,10 +127,17 @@ void Transforms::add(const ros::RecordedMessage& message, PoseLog& log) {
 
 }  // namespace
 
+std::optional<std::string> robot_of(const std::string& frame) {
+  const std::size_t begin = frame.rfind('/') + 1;  // 0 without one
+  const std::string_view name = std::string_view(frame).substr(begin);
+  return name == kVehicleFrame || name == kFootprint ? std::optional(frame.substr(0, begin))
+                                                     : std::nullopt;
+}
+
 PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
-  log.remarks = ros::for_each_message(path, {kOdometry}, topic, [&](const auto& message) {
+  log.remarks = ros::for_each_message(path, kOdometry, topic, [&](const auto& message) {
     its = its.empty() ? std::string(message.topic) : its;
     if (message.topic != its) {
       throw UsageError(path + ": " + printable(its) + " and " +
@@ -148,7 +148,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   });
   if (log.poses.empty()) {
     Transforms transforms;
-    log.remarks = ros::for_each_message(path, {kOdometry, kTransforms}, topic,
+    log.remarks = ros::for_each_message(path, kTypes, topic,
                                         [&](const auto& message) { transforms.add(message, log); });
     if (log.poses.empty() || !transforms.is_one) {
       throw UsageError(path + ": it has no nav_msgs/Odometry, and " + transforms.words() +

@@ -29,7 +29,7 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
 // begins as.
 class Messages {
  public:
-  Messages(std::initializer_list<std::string_view> types, std::string_view topic,
+  Messages(std::span<const std::string_view> types, std::string_view topic,
            const std::function<void(const RecordedMessage&)>& take)
       : types_(types), topic_(topic), take_(&take) {}
 
@@ -83,7 +83,7 @@ class Messages {
     throw UsageError(where + ": what zstd has compressed is damaged, or larger than 256 MiB");
   }
 
-  std::initializer_list<std::string_view> types_;
+  std::span<const std::string_view> types_;
   std::string_view topic_;
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
@@ -159,7 +159,7 @@ const PlainFile& plain_file(const std::string& name) {
 void forget_unpacked() { last_read() = {}; }
 
 std::vector<std::string> for_each_message(const std::string& path,
-                                          std::initializer_list<std::string_view> types,
+                                          std::span<const std::string_view> types,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take) {
   Messages messages(types, topic, take);

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +22,7 @@ struct RecordedMessage {
 // topics of these types are. UsageError if a file cannot be read or parts of it are damaged, or
 // such a message is encoded otherwise.
 std::vector<std::string> for_each_message(const std::string& path,
-                                          std::initializer_list<std::string_view> types,
+                                          std::span<const std::string_view> types,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take);
 
