@@ -63,6 +63,14 @@ def odometry(time_ns: int, x_m: float, y_m: float, heading: float, speed: float)
     return "nav_msgs/msg/Odometry", out.message()
 
 
+def transforms(*edges: tuple[str, str, tuple]) -> tuple[str, bytes]:
+    """Parent, child, and the child's x, y, z and quaternion in it."""
+    out = Cdr().put("I", len(edges))
+    for parent, child, place in edges:
+        out.header(START_NS, parent).text(child).put("d", *place)
+    return "tf2_msgs/msg/TFMessage", out.message()
+
+
 def varint(value: int) -> bytes:
     return bytes([value]) if value < 128 else bytes([value & 127 | 128]) + varint(value >> 7)
 

@@ -20,11 +20,15 @@ struct SeenCloud {
   bool has_times = false;          // of its points
   double time_span = 0;            // of its points, in their own unit
   bool has_unknown_times = false;  // its points' times are left out: their unit is not known
+  double view_deg = 360;           // of a scan's beams
   bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
   std::vector<WirePoint> points{};
   std::uint64_t not_finite = 0;  // left out: a coordinate is no number
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
 };
+
+// A unit that sees more than this turns, but for a gap.
+inline constexpr double kWholeTurnDeg = 350;
 
 // Unit of the points' times. A cloud shows it if its points are 5 to 500 ms apart in that unit, and
 // it has at least 100 points, or the field's type agrees (seconds in floats, nanoseconds in

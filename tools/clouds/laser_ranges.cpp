@@ -66,6 +66,9 @@ SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
   });
   demand_metres(static_cast<std::size_t>(far), count, what);
   SeenCloud cloud{.time_us = scan.stamp_us};
+  if (count > 1) {
+    cloud.view_deg = std::abs(scan.step_rad) * static_cast<double>(count) * 180 / std::numbers::pi;
+  }
   cloud.has_times = scan.apart_s > 0 && scan.apart_s * static_cast<double>(count) <= 1;
   cloud.has_wrong_times = scan.apart_s != 0 && count > 0 && !cloud.has_times;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,6 +1,7 @@
 #include "tools/clouds/points_sender.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lidar/points.hpp"
@@ -39,6 +40,13 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
                      std::string(config_->name) + " is " +
                      std::to_string(sensor_->max_points_per_scan));
   }
+  if (lidar::turns(sensor_->format) && cloud.view_deg < kWholeTurnDeg) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + " spans " +
+                     std::to_string(std::lround(cloud.view_deg)) + " degrees, and " +
+                     std::string(config_->name) +
+                     " is of type points_turning: for less than a turn give type = \"points\" and "
+                     "the scan_width_ticks of `iog info`");
+  }
   demand_metres(
       static_cast<std::size_t>(std::ranges::count_if(
           cloud.points, [](std::int32_t mm) { return mm > kFarthestMm; }, &WirePoint::third)),
@@ -56,6 +64,8 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
+  const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
+  sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(

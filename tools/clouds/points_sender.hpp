@@ -21,6 +21,7 @@ struct SentClouds {
   std::uint64_t beyond_width = 0;   // of the scan, as the car's file has it: sent, and not watched
   std::uint64_t without_stamp = 0;  // clouds: it is 0
   std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
+  std::uint64_t without_times = 0;  // clouds of a spinning unit: their points have none
   std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
 };
 

@@ -1,9 +1,10 @@
 #include "tools/clouds/ros_clouds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <initializer_list>
+#include <span>
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
@@ -19,14 +20,16 @@ namespace {
 
 using ros::CdrReader;
 
-const std::initializer_list<std::string_view> kCloudTypes{"sensor_msgs/msg/PointCloud2",
-                                                          "sensor_msgs/msg/LaserScan",
-                                                          "foxglove.PointCloud",
-                                                          "foxglove.LaserScan",
-                                                          "foxglove_msgs/msg/PointCloud",
-                                                          "foxglove_msgs/msg/LaserScan",
-                                                          "livox_ros_driver2/msg/CustomMsg",
-                                                          "livox_ros_driver/msg/CustomMsg"};
+constexpr std::array<std::string_view, 9> kTypes{"tf2_msgs/msg/TFMessage",
+                                                 "sensor_msgs/msg/PointCloud2",
+                                                 "sensor_msgs/msg/LaserScan",
+                                                 "foxglove.PointCloud",
+                                                 "foxglove.LaserScan",
+                                                 "foxglove_msgs/msg/PointCloud",
+                                                 "foxglove_msgs/msg/LaserScan",
+                                                 "livox_ros_driver2/msg/CustomMsg",
+                                                 "livox_ros_driver/msg/CustomMsg"};
+constexpr auto kCloudTypes = std::span(kTypes).subspan<1>();
 
 // sensor_msgs/PointField.
 CloudField field_in(CdrReader& in, const std::string& what) {
@@ -136,10 +139,9 @@ bool is_cloud_type(std::string_view type) {
   return std::ranges::find(kCloudTypes, type) != kCloudTypes.end();
 }
 
-std::vector<std::string> for_each_cloud_message(
-    const std::string& path, const std::string& topic,
-    const std::function<void(const ros::RecordedMessage&)>& take) {
-  return ros::for_each_message(path, kCloudTypes, topic, take);
+std::vector<std::string> for_each_cloud_or_transform(
+    const std::string& path, const std::function<void(const ros::RecordedMessage&)>& take) {
+  return ros::for_each_message(path, kTypes, "", take);
 }
 
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
@@ -157,7 +159,7 @@ std::vector<std::string> for_each_cloud(const std::string& path, const std::stri
     ++number;
     take(cloud_of_message(message, unit));
   };
-  std::vector<std::string> remarks = for_each_cloud_message(path, topic, take_message);
+  std::vector<std::string> remarks = ros::for_each_message(path, kCloudTypes, topic, take_message);
   if (number == 0) {
     throw UsageError(
         path + ": it has no clouds and no scans of sensor_msgs, foxglove or livox_ros_driver" +

@@ -57,8 +57,11 @@ void estimate(const OdometryOptions& options) {
     file.write(csv_of(turns));
     file.finish();
   }
-  if (std::ranges::none_of(turns.begin() + 1, turns.end(), &TurnPose::is_sure)) {
-    throw CheckFailed(options.drive.name() + ": no turn determines the motion");
+  const auto motions = std::ssize(turns) - 1;
+  const auto sure = std::ranges::count(turns.begin() + 1, turns.end(), true, &TurnPose::is_sure);
+  if (2 * sure < motions) {
+    throw CheckFailed(options.drive.name() + ": only " + std::to_string(sure) + " of " +
+                      std::to_string(motions) + " turns determine the motion");
   }
   if (!options.drive.poses.empty()) {
     compare(options, car, turns);

@@ -121,6 +121,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          words);
   remark(sent.without_stamp, "clouds have no stamp (0): frames and poses cannot be matched", words);
   remark(sent.same_stamps, "clouds have the same stamp as the one before", words);
+  remark(sent.without_times,
+         "clouds have points without times (field t, time or timestamp): while the car moves, a "
+         "spinning unit's points are misplaced",
+         words);
   remark(sent.wrong_times,
          "scans were sent without beams' times: time_increment is below 0, no number or too long",
          words);

@@ -13,6 +13,7 @@
 #include "lidar/points.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
+#include "tools/info/static_frames.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
@@ -23,7 +24,6 @@ namespace {
 constexpr std::uint64_t kLookedInto = 10;  // messages of a topic; of the others the head is read
 constexpr double kPartsPerDegree = lidar::PointsPacket::kPartsPerTurn / 360.0;
 constexpr double kTicksPerDegree = 32;  // of scan_width_ticks
-constexpr double kWholeTurnDeg = 350;
 constexpr std::size_t kMostRings = 128;
 
 struct LaserAngles {
@@ -173,17 +173,25 @@ std::string layers_of(const std::vector<double>& rings, double low_deg, double h
   return text.str();
 }
 
-// Lines of [[sensors]] and, in front of them, of the car.
+// Lines of the car and, below them, of [[sensors]], to be pasted as they are.
 std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, double low_deg,
                      double high_deg) {
   const bool is_turning = !topic.is_scan && field_of_view_deg(topic.azimuths) > kWholeTurnDeg;
+  std::string of_car;
+  if (!is_turning && topic.period_us() > 0) {
+    of_car += "    frame_period_us = " +
+              std::to_string(std::llround(topic.period_us() * 1.5 / 1000) * 1000) +
+              "  # 1.5 times the time from scan to scan\n";
+  }
+  if (topic.is_scan) {
+    of_car +=
+        "    z_min_m = 0.05  # obstacles and the scanner are between these heights\n"
+        "    z_max_m = 0.60\n";
+  }
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  if (!is_turning && topic.period_us() > 0) {
-    text << "    frame_period_us = " << std::llround(topic.period_us() * 1.5 / 1000) * 1000
-         << "  # of the car: 1.5 times the time from scan to scan\n";
-  }
-  text << "    type = \"" << (is_turning ? "points_turning" : "points") << "\"\n";
+  text << (of_car.empty() ? of_car : "    # of the car, above its [[sensors]]:\n" + of_car);
+  text << "    [[sensors]]\n    type = \"" << (is_turning ? "points_turning" : "points") << "\"\n";
   text << layers_of(rings, low_deg, high_deg);
   if (!is_turning) {
     text << "    scan_width_ticks = " << scan_width_ticks(topic) << '\n';
@@ -195,7 +203,7 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   return text.str();
 }
 
-std::string words_of(const std::string& name, const CloudTopic& topic) {
+std::string words_of(const std::string& name, const CloudTopic& topic, const StaticFrames& frames) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
   text << row("clouds on", printable(name))
@@ -225,16 +233,23 @@ std::string words_of(const std::string& name, const CloudTopic& topic) {
     text << row("elevations", view.str());
   }
   return text.str() + "  for a car file (docs/first_ros_bag.md):\n" +
-         draft_of(topic, rings, low_deg, high_deg);
+         draft_of(topic, rings, low_deg, high_deg) + frames.mount_of(topic.frame);
 }
 
-using CloudTopics = std::map<std::string, CloudTopic>;
+struct Census {
+  std::map<std::string, CloudTopic> topics{};
+  StaticFrames frames{};
+};
 
 // Returns why reading ended, or nothing at the end of the recording.
-std::string add_messages(const std::string& path, CloudTopics& topics) {
+std::string add_messages(const std::string& path, Census& census) {
   try {
-    static_cast<void>(for_each_cloud_message(path, "", [&](const ros::RecordedMessage& message) {
-      topics[std::string(message.topic)].add(message);
+    static_cast<void>(for_each_cloud_or_transform(path, [&](const ros::RecordedMessage& message) {
+      if (message.topic.ends_with("/tf_static")) {
+        census.frames.add(message);
+      } else if (is_cloud_type(message.type)) {
+        census.topics[std::string(message.topic)].add(message);
+      }
     }));
   } catch (const UsageError& error) {
     return row("clouds", "not read on: " + std::string(error.what()));
@@ -245,10 +260,10 @@ std::string add_messages(const std::string& path, CloudTopics& topics) {
 }  // namespace
 
 std::string describe_clouds(const std::string& path) {
-  CloudTopics topics;
-  std::string text = add_messages(path, topics);
-  for (const auto& [name, topic] : topics) {
-    text += topic.most_points > 0 ? words_of(name, topic) : "";
+  Census census;
+  std::string text = add_messages(path, census);
+  for (const auto& [name, topic] : census.topics) {
+    text += topic.most_points > 0 ? words_of(name, topic, census.frames) : "";
   }
   return text;
 }

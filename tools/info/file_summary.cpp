@@ -32,6 +32,8 @@ constexpr std::size_t kMaxStreams = 8;
 struct TopicCensus {
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;
+  std::uint64_t first_ns = UINT64_MAX;
+  std::uint64_t last_ns = 0;
 };
 
 std::string count_row(const std::string& name, std::uint64_t count, const std::string& what) {
@@ -48,8 +50,8 @@ std::string rate_of(std::uint64_t messages, double duration_s) {
   return text.str();
 }
 
-std::string topics_of(const mcap::Reader& file, const std::map<std::uint16_t, TopicCensus>& census,
-                      double duration_s) {
+std::string topics_of(const mcap::Reader& file,
+                      const std::map<std::uint16_t, TopicCensus>& census) {
   std::ostringstream text;
   for (const auto& [id, channel] : file.channels()) {
     const auto schema = file.schemas().find(channel.schema_id);
@@ -57,7 +59,8 @@ std::string topics_of(const mcap::Reader& file, const std::map<std::uint16_t, To
     const TopicCensus topic = found != census.end() ? found->second : TopicCensus{};
     text << "  " << std::left << std::setw(20) << printable(channel.topic) << ' ' << topic.messages
          << " messages, " << topic.bytes << " bytes";
-    text << rate_of(topic.messages, duration_s) << ", "
+    const auto duration_ns = static_cast<double>(topic.last_ns - topic.first_ns);
+    text << rate_of(topic.messages, duration_ns / 1e9) << ", "
          << (schema != file.schemas().end() ? printable(schema->second.name) : "no schema") << ", "
          << printable(channel.message_encoding) << '\n';
   }
@@ -75,6 +78,8 @@ struct McapCensus {
     TopicCensus& topic = topics[message.channel_id];
     ++topic.messages;
     topic.bytes += message.data.size();
+    topic.first_ns = std::min(topic.first_ns, message.log_ns);
+    topic.last_ns = std::max(topic.last_ns, message.log_ns);
     first_ns = std::min(first_ns, message.log_ns);
     last_ns = std::max(last_ns, message.log_ns);
     if (const auto datagram =
@@ -108,9 +113,11 @@ std::string stream_of(const mcap::Reader& file, const McapCensus& census) {
 // How the file ends, and what of it is damaged.
 std::string condition_of(const mcap::Reader& file) {
   const mcap::ReadCounts& counts = file.counts();
-  std::string text = row(
-      "condition", file.is_finished() ? "whole, with an index" : "breaks off: no index at its end");
-  if (file.is_finished() && counts.chunk_index_entries != counts.chunks) {
+  const bool has_index = counts.chunk_index_entries > 0;
+  std::string text = row("condition", !file.is_finished() ? "breaks off: no index at its end"
+                                      : has_index         ? "whole, with an index"
+                                                          : "whole, without an index");
+  if (file.is_finished() && has_index && counts.chunk_index_entries != counts.chunks) {
     text += row("index", std::to_string(counts.chunk_index_entries) + " chunks of " +
                              std::to_string(counts.chunks));
   }
@@ -217,8 +224,7 @@ std::string summary_of_mcap(const std::string& path) {
          row("written by", printable(file.library())) + row("profile", printable(file.profile())) +
          row("chunks", std::to_string(file.counts().chunks) + ", compression " + compression) +
          condition_of(file) + row("topics", std::to_string(file.channels().size())) +
-         topics_of(file, census->topics, static_cast<double>(duration_us) / 1e6) + clouds +
-         stream_of(file, *census);
+         topics_of(file, census->topics) + clouds + stream_of(file, *census);
 }
 
 // Its files one by one.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 using ros::CdrReader;
 
-constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
-constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
+constexpr std::array<std::string_view, 2> kTypes{"nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"};
+constexpr auto kOdometry = std::span(kTypes).first<1>();
 
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
@@ -71,7 +72,23 @@ LoggedPose pose_of_odometry(const ros::RecordedMessage& message) {
   return pose;
 }
 
-void add_transforms(const ros::RecordedMessage& message, std::string& parent, PoseLog& log) {
+struct Transforms {
+  std::string robot{};  // whose poses are in the log: that without a name, or the first
+  std::string parent{};
+  bool is_one = true;
+  FewNames vehicles{};
+  FewNames others{};  // child frames
+
+  void add(const ros::RecordedMessage& message, PoseLog& log);
+  // Why there are no poses.
+  [[nodiscard]] std::string words() const {
+    return is_one ? "no /tf of " + std::string(kVehicleFrame) + " or " + std::string(kFootprint) +
+                        (others.is_empty() ? "" : ", only of " + others.words())
+                  : "in /tf several vehicles, " + vehicles.words();
+  }
+};
+
+void Transforms::add(const ros::RecordedMessage& message, PoseLog& log) {
   CdrReader in(message.data, message.where);
   for (std::uint32_t left = in.u32(); left > 0; --left) {
     LoggedPose pose{.time_us = in.stamp_us()};
@@ -79,10 +96,24 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
     const std::string to = in.text();
     read_place(in, pose);
     in.must_be_whole();
-    if ((to != kVehicleFrame || from == kFootprint) && to != kFootprint) {
+    const std::optional<std::string> its = robot_of(to);
+    if (!its) {
+      others.add(to);
+    }
+    if (!its || robot_of(from)) {
       continue;
     }
-    parent = log.poses.empty() ? from : parent;
+    vehicles.add(to);
+    if (log.poses.empty() || (its->empty() && !robot.empty())) {
+      log.poses.clear();
+      robot = *its;
+      parent = from;
+      is_one = true;
+    }
+    if (*its != robot) {
+      is_one = robot.empty();
+      continue;
+    }
     if (from != parent) {
       throw UsageError(std::string(message.where)
                            .append(": the vehicle is in ")
@@ -90,16 +121,23 @@ void add_transforms(const ros::RecordedMessage& message, std::string& parent, Po
                            .append(" and in ")
                            .append(printable(from)));
     }
-    add(pose, message.where, log);
+    tools::add(pose, message.where, log);
   }
 }
 
 }  // namespace
 
+std::optional<std::string> robot_of(const std::string& frame) {
+  const std::size_t begin = frame.rfind('/') + 1;  // 0 without one
+  const std::string_view name = std::string_view(frame).substr(begin);
+  return name == kVehicleFrame || name == kFootprint ? std::optional(frame.substr(0, begin))
+                                                     : std::nullopt;
+}
+
 PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
-  log.remarks = ros::for_each_message(path, {kOdometry}, topic, [&](const auto& message) {
+  log.remarks = ros::for_each_message(path, kOdometry, topic, [&](const auto& message) {
     its = its.empty() ? std::string(message.topic) : its;
     if (message.topic != its) {
       throw UsageError(path + ": " + printable(its) + " and " +
@@ -109,15 +147,14 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
     add(pose_of_odometry(message), message.where, log);
   });
   if (log.poses.empty()) {
-    log.remarks = ros::for_each_message(path, {kTransforms}, topic, [&](const auto& message) {
-      add_transforms(message, its, log);
-    });
-  }
-  if (log.poses.empty()) {
-    throw UsageError(path + ": it has no nav_msgs/Odometry, and no /tf of " +
-                     std::string(kVehicleFrame) + " or " + std::string(kFootprint) +
-                     (topic.empty() ? "" : ", on " + topic) +
-                     (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
+    Transforms transforms;
+    log.remarks = ros::for_each_message(path, kTypes, topic,
+                                        [&](const auto& message) { transforms.add(message, log); });
+    if (log.poses.empty() || !transforms.is_one) {
+      throw UsageError(path + ": it has no nav_msgs/Odometry, and " + transforms.words() +
+                       (topic.empty() ? "" : ", on " + topic) +
+                       (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
+    }
   }
   ros::forget_unpacked();
   for (std::size_t i = 0; i < log.poses.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "tools/program/printable.hpp"
 
+#include <utility>
+
 namespace iog::tools {
 
 std::string printable(std::string text) {
@@ -16,6 +18,22 @@ std::string printable(std::string text) {
   }
   if (text.size() > kMostBytes) {
     text.replace(kMostBytes, std::string::npos, "...");
+  }
+  return text;
+}
+
+void FewNames::add(std::string name) {
+  if (names_.size() <= kMost) {
+    names_.insert(printable(std::move(name)));
+  }
+}
+
+std::string FewNames::words() const {
+  std::string text;
+  std::size_t left = kMost;
+  for (const std::string& name : names_) {
+    text += (text.empty() ? "" : ", ") + (left == 0 ? "..." : name);
+    left -= left == 0 ? 0 : 1;
   }
   return text;
 }

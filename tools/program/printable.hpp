@@ -1,6 +1,8 @@
 // Text of a file or a network on its way to a terminal.
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <string>
 
 namespace iog::tools {
@@ -8,5 +10,17 @@ namespace iog::tools {
 // With "?" in place of everything that could command a terminal; letters of UTF-8 stay. Of a long
 // text the first 500 bytes.
 [[nodiscard]] std::string printable(std::string text);
+
+// Six of a file's names, as one text: "/a, /b, ...".
+class FewNames {
+ public:
+  void add(std::string name);
+  [[nodiscard]] bool is_empty() const { return names_.empty(); }
+  [[nodiscard]] std::string words() const;
+
+ private:
+  static constexpr std::size_t kMost = 6;
+  std::set<std::string> names_{};  // one more than that at most
+};
 
 }  // namespace iog::tools

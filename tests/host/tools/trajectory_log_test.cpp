@@ -187,15 +187,35 @@ TEST_F(Trajectories, OfTransformsAreThoseOfTheCar) {
       read_pose_log(bag(kTransforms, {transforms("odom", "base_footprint")}));
   EXPECT_EQ(of_footprint.poses.size(), 1U);
   expect_pose(of_footprint);
+  const Message below = transforms("base_link", "base_footprint");
+  EXPECT_EQ(read_pose_log(bag(kTransforms, {transforms("odom"), below})).poses.size(), 1U);
   expect_error(bag(kTransforms, {transforms("odom"), transforms("map")}),
                "the vehicle is in odom and in map");
+}
+
+// As robots with a namespace name their frames.
+TEST_F(Trajectories, OfTransformsMayHaveANamespace) {
+  const Message one = transforms("odom", "one/base_link");
+  const PoseLog log = read_pose_log(bag(kTransforms, {one}));
+  EXPECT_EQ(log.poses.size(), 1U);
+  expect_pose(log);
+  const Message two = transforms("odom", "two/base_footprint");
+  expect_error(bag(kTransforms, {one, two}),
+               "in /tf several vehicles, one/base_link, two/base_footprint");
+  EXPECT_EQ(read_pose_log(bag(kTransforms, {one, transforms("odom"), two})).poses.size(), 1U);
+  expect_error(bag(kTransforms, {transforms("odom", "base")}),
+               "no /tf of base_link or base_footprint, only of base, odom");
 }
 
 TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {
   const std::string path = bag(kOdometry, {odometry(10)}, {"/gps", "/odom"});
   expect_error(path, "/gps and /odom have poses: choose one by");
   EXPECT_EQ(read_pose_log(path + ":/odom").poses.size(), 1U);
-  expect_error(path + ":/imu", "no nav_msgs/Odometry");
+  expect_error(path + ":/imu", "on /imu; its topics of these types are /gps, /odom");
+  EXPECT_EQ(
+      read_pose_log(bag(kTransforms, {transforms("odom")}, {"/tf", "/map"}) + ":/tf").poses.size(),
+      1U);
+  expect_error(bag(kTransforms, {transforms("odom")}, {"/tf"}) + ":/odom", "are /tf");
 }
 
 TEST_F(Trajectories, TheFirstBytesShowTheFormat) {

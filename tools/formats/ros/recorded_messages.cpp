@@ -29,13 +29,26 @@ bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
 // begins as.
 class Messages {
  public:
-  Messages(std::initializer_list<std::string_view> types, std::string_view topic,
+  Messages(std::span<const std::string_view> types, std::string_view topic,
            const std::function<void(const RecordedMessage&)>& take)
       : types_(types), topic_(topic), take_(&take) {}
 
-  [[nodiscard]] bool wants(const BagTopic& topic) const {
-    return std::ranges::find(types_, topic.type) != types_.end() &&
-           (topic_.empty() || topic.name == topic_);
+  [[nodiscard]] bool wants(const BagTopic& topic) {
+    if (std::ranges::find(types_, topic.type) == types_.end()) {
+      return false;
+    }
+    const bool is_meant = topic_.empty() || topic.name == topic_;
+    if (!is_meant) {
+      others_.add(topic.name);
+    }
+    return is_meant;
+  }
+
+  // Of the topics that have such messages if the one that is meant has none.
+  [[nodiscard]] std::string words_of_others() const {
+    return numbers_.empty() && !others_.is_empty()
+               ? "its topics of these types are " + others_.words()
+               : "";
   }
 
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
@@ -70,11 +83,12 @@ class Messages {
     throw UsageError(where + ": what zstd has compressed is damaged, or larger than 256 MiB");
   }
 
-  std::initializer_list<std::string_view> types_;
+  std::span<const std::string_view> types_;
   std::string_view topic_;
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
   std::map<std::string, std::string> types_of_;   // topics
+  FewNames others_;
   std::vector<std::byte> unpacked_;
 };
 
@@ -145,7 +159,7 @@ const PlainFile& plain_file(const std::string& name) {
 void forget_unpacked() { last_read() = {}; }
 
 std::vector<std::string> for_each_message(const std::string& path,
-                                          std::initializer_list<std::string_view> types,
+                                          std::span<const std::string_view> types,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take) {
   Messages messages(types, topic, take);
@@ -170,6 +184,9 @@ std::vector<std::string> for_each_message(const std::string& path,
     } else {
       throw UsageError(name + ": neither MCAP nor a bag of SQLite");
     }
+  }
+  if (std::string words = messages.words_of_others(); !words.empty()) {
+    remarks.push_back(std::move(words));
   }
   return remarks;
 }

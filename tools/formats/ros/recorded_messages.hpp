@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,10 +18,11 @@ struct RecordedMessage {
 };
 
 // Calls take(message) with each message of one of these types, in the order of the file; of a
-// topic, if one is given. Returns remarks: what is not there. UsageError if a file cannot be read
-// or parts of it are damaged, or such a message is encoded otherwise.
+// topic, if one is given. Returns remarks: what is not there, and if that topic is not, which
+// topics of these types are. UsageError if a file cannot be read or parts of it are damaged, or
+// such a message is encoded otherwise.
 std::vector<std::string> for_each_message(const std::string& path,
-                                          std::initializer_list<std::string_view> types,
+                                          std::span<const std::string_view> types,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take);
 

@@ -1,6 +1,7 @@
 #include "tools/formats/ros/recorded_packets.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::string_view kVelodyne = "velodyne_msgs/msg/VelodyneScan";
 constexpr std::string_view kNebula = "nebula_msgs/msg/NebulaPackets";
-constexpr std::string_view kPandar = "pandar_msgs/msg/PandarScan";
+constexpr std::array kTypes{kVelodyne, kNebula, std::string_view("pandar_msgs/msg/PandarScan")};
 
 // uint8[1206] of a Velodyne, uint8[] of Nebula, uint8[1500] of a Pandar with the size behind it.
 std::span<const std::byte> payload_in(CdrReader& in, std::string_view type) {
@@ -50,8 +51,7 @@ std::vector<std::string> for_each_packet(
       has_packet = true;
     }
   };
-  std::vector<std::string> remarks =
-      for_each_message(path, {kVelodyne, kNebula, kPandar}, topic, take_message);
+  std::vector<std::string> remarks = for_each_message(path, kTypes, topic, take_message);
   if (!has_packet) {
     throw UsageError(path + ": it has no packets of velodyne_msgs, nebula_msgs or pandar_msgs" +
                      (topic.empty() ? "" : " on " + std::string(topic)) +

@@ -88,9 +88,9 @@ class PointsOfBag : public ::testing::Test {
     });
     return all;
   }
-  std::string told() {
+  std::string told(const std::string& topic = {}) {
     try {
-      static_cast<void>(sent());
+      static_cast<void>(sent(topic));
     } catch (const UsageError& error) {
       const std::string words = error.what();
       return words.starts_with(path_) ? words.substr(path_.size()) : words;
@@ -135,6 +135,19 @@ TEST_F(PointsOfBag, ATopicIsChosenIfSeveralHaveScans) {
   EXPECT_EQ(told(), ": /front and /rear have clouds: choose one by --topic");
   sender_ = PointsSender(find_vehicle("robot_2d"), 0);
   EXPECT_EQ(sent("/rear").size(), kScans * 13U);
+}
+
+TEST_F(PointsOfBag, ATopicThatIsNotThereIsToldWithThoseThatAre) {
+  bag_.times_ns.resize(1);
+  bag_.topics = {"/a", "/b"};
+  const std::string words =
+      ": it has no clouds and no scans of sensor_msgs, foxglove or livox_ros_driver on /scam; its "
+      "topics of these types are /a, /b";
+  EXPECT_EQ(told("/scam"), words);
+  for (const char* const topic : {"/c", "/d", "/e", "/f", "/g", "/h"}) {
+    bag_.topics.emplace_back(topic);
+  }
+  EXPECT_EQ(told("/scam"), words + ", /c, /d, /e, /f, ...");
 }
 
 TEST_F(PointsOfBag, TimesThatGoBackAreTold) {
