@@ -1,5 +1,7 @@
 """Scans of any lidar as the datagrams that a target takes them in (docs/spec.md, 1.2.6)."""
 import dataclasses
+import itertools
+import math
 import struct
 
 import numpy
@@ -90,6 +92,43 @@ def after_us_of(times: numpy.ndarray, unit_us: float) -> tuple[float, numpy.ndar
     return times.min() * unit_us, _nearest((times - times.min()) * unit_us)
 
 
+def _wrapped(parts: int) -> int:
+    """The shorter way, more than -1/2 and at most 1/2 of a turn."""
+    return parts % TURN - TURN if parts % TURN > TURN // 2 else parts % TURN
+
+
+def _mean(azimuth: list[int]) -> int | None:
+    """None if they lie all around."""
+    unit = math.tau / TURN
+    x, y = (sum(turned(each * unit) for each in azimuth) for turned in (math.cos, math.sin))
+    mean = math.atan2(y, x) / unit
+    return int(math.copysign(math.floor(abs(mean) + 0.5), mean)) if math.hypot(x, y) >= 0.5 * len(azimuth) else None
+
+
+def sectors_of_turn(azimuths: list[int]) -> list[tuple[int, int]]:
+    """Where the sector of each datagram begins, and its width, for points in the order in which a unit turned. Empty if
+    they are in another order. The rule is that of tools/formats/points/turn_sectors.hpp."""
+    parts = [azimuths[i:i + MOST_POINTS] for i in range(0, len(azimuths), MOST_POINTS)]
+    means = [_mean(part) for part in parts]
+    if not means or None in means:
+        return []
+    steps = [_wrapped(b - a) for a, b in zip(means, means[1:])]
+    means = list(itertools.accumulate(steps, initial=means[0]))
+    if not TURN // 64 < abs(means[-1] - means[0]) < TURN // 4 * 5 or (
+            max(steps) > TURN // 64 and min(steps) < -(TURN // 64)):
+        return []
+    borders = [means[0] - (means[1] - means[0] >> 1), *(a + b >> 1 for a, b in zip(means, means[1:])),
+               means[-1] + (means[-1] - means[-2] >> 1)]
+    missing, sign = max(TURN - abs(borders[-1] - borders[0]), 0), -1 if borders[-1] < borders[0] else 1
+    borders[0] -= sign * (missing >> 1)
+    borders[-1] += sign * (missing - (missing >> 1))
+    ends = [[*borders[i:i + 2], *(mean + _wrapped(each - mean) for each in part)]
+            for i, (mean, part) in enumerate(zip(means, parts))]
+    if any(max(its) - min(its) > TURN // 2 for its in ends):
+        return []
+    return [(min(its) % TURN, max(its) - min(its)) for its in ends]
+
+
 def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bool = False) -> list[bytes]:
     """In the order of the points' times or, of what turns and has none, of their azimuths."""
     points = numpy.zeros(len(scan.azimuth), POINT)
@@ -100,12 +139,14 @@ def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bo
         order = numpy.argsort(points["azimuth"] if scan.after_us is None else after_us, kind="stable")
         points, after_us = points[order], after_us[order]
     width = round(field_of_view_deg * 3200)
+    sectors = sectors_of_turn(points["azimuth"].tolist()) if turns else []
     count = max(-(-len(points) // MOST_POINTS), 1)
     made = []
     for i in range(count):
         its = slice(i * MOST_POINTS, (i + 1) * MOST_POINTS)
         first_us = int(after_us[its].min(initial=2**62)) if len(points) else 0
         points["after"][its] = numpy.minimum((after_us[its] - first_us) // 10, 0xFFFF)
-        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 2, len(points[its]), number, i, count,
-                                scan.time_us + first_us, (TURN - width // 2) % TURN, width) + points[its].tobytes())
+        sector = sectors[i] if sectors else ((TURN - width // 2) % TURN, width)
+        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 0 if sectors else 2, len(points[its]), number, i, count,
+                                scan.time_us + first_us, *sector) + points[its].tobytes())
     return made

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <optional>
 
@@ -10,90 +11,91 @@
 namespace iog::tools {
 namespace {
 
-constexpr double kTurn = lidar::PointsPacket::kPartsPerTurn;
+constexpr std::int64_t kTurn = lidar::PointsPacket::kPartsPerTurn;
 
-// The shorter way, -1/2 to 1/2 of a turn.
-double wrapped(double parts) { return std::remainder(parts, kTurn); }
+// The shorter way, more than -1/2 and at most 1/2 of a turn.
+std::int64_t wrapped(std::int64_t parts) {
+  const std::int64_t in_turn = (parts % kTurn + kTurn) % kTurn;
+  return in_turn > kTurn / 2 ? in_turn - kTurn : in_turn;
+}
 
 // Empty if the points lie all around.
-std::optional<double> mean_azimuth(std::span<const WirePoint> points) {
+std::optional<std::int64_t> mean_azimuth(std::span<const WirePoint> points) {
   constexpr double kLeast = 0.5;
+  constexpr double kRadians = 2 * std::numbers::pi / static_cast<double>(kTurn);
   double x = 0;
   double y = 0;
   for (const WirePoint& point : points) {
-    const double angle = point.first * (2 * std::numbers::pi / kTurn);
+    const double angle = point.first * kRadians;
     x += std::cos(angle);
     y += std::sin(angle);
   }
   if (std::hypot(x, y) < kLeast * static_cast<double>(points.size())) {
     return std::nullopt;
   }
-  return std::atan2(y, x) * (kTurn / (2 * std::numbers::pi));
+  return std::llround(std::atan2(y, x) / kRadians);
 }
 
-// The mean azimuths of the datagrams, without jumps at a whole turn. Empty if they go to and fro,
-// or around more than once.
-std::vector<double> mean_azimuths(std::span<const WirePoint> points, std::size_t most) {
-  constexpr double kBack = kTurn / 64;
-  std::vector<double> means;
+// The mean azimuths of the datagrams, without jumps at a whole turn. Empty if they stand still, go
+// to and fro, or go around more than once.
+std::vector<std::int64_t> mean_azimuths(std::span<const WirePoint> points, std::size_t most) {
+  constexpr std::int64_t kBack = kTurn / 64;
+  std::vector<std::int64_t> means;
   bool goes_left = false;
   bool goes_right = false;
   for (std::size_t first = 0; first < points.size(); first += most) {
-    const std::optional<double> mean =
+    const std::optional<std::int64_t> mean =
         mean_azimuth(points.subspan(first, std::min(most, points.size() - first)));
     if (!mean) {
       return {};
     }
-    const double step = means.empty() ? 0 : wrapped(*mean - means.back());
+    const std::int64_t step = means.empty() ? 0 : wrapped(*mean - means.back());
     goes_left = goes_left || step > kBack;
     goes_right = goes_right || step < -kBack;
     means.push_back(means.empty() ? *mean : means.back() + step);
   }
-  const bool is_a_turn = !(goes_left && goes_right) && !means.empty() &&
-                         std::abs(means.back() - means.front()) < kTurn / 4 * 5;
-  return is_a_turn ? means : std::vector<double>();
+  const std::int64_t turned = means.empty() ? 0 : std::abs(means.back() - means.front());
+  const bool is_a_turn = !(goes_left && goes_right) && turned > kBack && turned < kTurn / 4 * 5;
+  return is_a_turn ? means : std::vector<std::int64_t>();
 }
 
 // One more than there are datagrams.
-std::vector<double> borders_of(const std::vector<double>& means) {
-  std::vector<double> borders{means.front() - (means[1] - means.front()) / 2};
+std::vector<std::int64_t> borders_of(const std::vector<std::int64_t>& means) {
+  std::vector<std::int64_t> borders{means.front() - ((means[1] - means.front()) >> 1)};
   for (std::size_t i = 1; i < means.size(); ++i) {
-    borders.push_back((means[i - 1] + means[i]) / 2);
+    borders.push_back((means[i - 1] + means[i]) >> 1);
   }
-  borders.push_back(means.back() + (means.back() - means[means.size() - 2]) / 2);
-  const double turned = borders.back() - borders.front();
-  const double missing = (kTurn - std::abs(turned)) / 2;
-  if (missing > 0 && missing <= kTurn / 8) {
-    borders.front() -= std::copysign(missing, turned);
-    borders.back() += std::copysign(missing, turned);
-  }
+  borders.push_back(means.back() + ((means.back() - means[means.size() - 2]) >> 1));
+  const std::int64_t turned = borders.back() - borders.front();
+  const std::int64_t missing = std::max<std::int64_t>(kTurn - std::abs(turned), 0);
+  const std::int64_t sign = turned < 0 ? -1 : 1;
+  borders.front() -= sign * (missing >> 1);
+  borders.back() += sign * (missing - (missing >> 1));
   return borders;
 }
 
 }  // namespace
 
 std::vector<PointsSector> sectors_of_turn(std::span<const WirePoint> points, std::size_t most) {
-  const std::vector<double> means = mean_azimuths(points, most);
-  if (means.size() < 2) {
+  const std::vector<std::int64_t> means = mean_azimuths(points, most);
+  if (means.empty()) {
     return {};
   }
-  const std::vector<double> borders = borders_of(means);
+  const std::vector<std::int64_t> borders = borders_of(means);
   std::vector<PointsSector> sectors;
   for (std::size_t i = 0; i < means.size(); ++i) {
     auto [low, high] = std::minmax({borders[i], borders[i + 1]});
     const std::size_t first = i * most;
     for (const WirePoint& point : points.subspan(first, std::min(most, points.size() - first))) {
-      const double at = means[i] + wrapped(point.first - means[i]);
+      const std::int64_t at = means[i] + wrapped(point.first - means[i]);
       low = std::min(low, at);
       high = std::max(high, at);
     }
     if (high - low > kTurn / 2) {
       return {};
     }
-    const double begin = std::floor(low);
-    const double in_turn = begin - kTurn * std::floor(begin / kTurn);
-    sectors.push_back({.begin = static_cast<std::uint32_t>(in_turn),
-                       .width = static_cast<std::uint32_t>(std::ceil(high) - begin)});
+    sectors.push_back({.begin = static_cast<std::uint32_t>((low % kTurn + kTurn) % kTurn),
+                       .width = static_cast<std::uint32_t>(high - low)});
   }
   return sectors;
 }
