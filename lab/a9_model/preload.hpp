@@ -22,8 +22,8 @@ std::uint32_t preloaded_address(std::uint32_t word, std::uint32_t at, ReadRegist
       case 1:
         return amount == 0 ? 0 : index >> amount;
       case 2:
-        return static_cast<std::uint32_t>(static_cast<std::int32_t>(index) >>
-                                          (amount == 0 ? 31 : amount));
+        return static_cast<std::uint32_t>(std::int64_t{static_cast<std::int32_t>(index)} >>
+                                          (amount == 0 ? 32 : amount));
       default:
         return index >> amount | index << (-amount & 31);  // RRX is not used for addresses
     }

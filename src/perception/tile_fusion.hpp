@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "evidence/fusion.hpp"
 #include "lanes/bring.hpp"
@@ -145,7 +146,8 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
     return has_hit && eight_at(indexes, group).has_positive();
   };
   // Crosses consecutive groups from the list's entry i on, if they may be crossed at once.
-  const auto cross = [&]<std::size_t kGroups>(std::size_t i) {
+  const auto cross = [&](auto at_once, std::size_t i) {
+    constexpr std::size_t kGroups = at_once();
     const std::size_t group = groups[i];
     if (group % kGroups != 0 || groups[i + kGroups - 1] != group + kGroups - 1 ||
         i + kGroups > groups.count() || !update.template may_be_joint<kGroups>(tile, group)) {
@@ -165,12 +167,12 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   for (std::size_t i = 0; i < groups.count();) {
     const std::size_t group = groups[i];
     prefetch(tile, groups[i + kGroupsAhead]);
-    if (cross.template operator()<4>(i)) {
+    if (cross(std::integral_constant<std::size_t, 4>(), i)) {
       prefetch(tile, groups[i + 4]);
       i += 4;
       continue;
     }
-    if (cross.template operator()<2>(i)) {
+    if (cross(std::integral_constant<std::size_t, 2>(), i)) {
       i += 2;
       continue;
     }
