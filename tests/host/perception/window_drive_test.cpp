@@ -133,7 +133,8 @@ void expect_what_plain_loops_make(int within, std::uint16_t cell_mm, const tests
     ASSERT_EQ(known, 0U);
   }
   EXPECT_GT(moving, tests::effort(100, 10));
-  EXPECT_GT(versions.stayed(), 0);
+  // In a short drive, beams reach each tile of a small window in each frame.
+  EXPECT_GT(versions.stayed(), extent == window::Extent{} ? 0 : tests::effort(1, 0) - 1);
   EXPECT_GT(standing, tests::effort(100, 0) - 1);
 }
 
