@@ -29,7 +29,7 @@ class Claims(unittest.TestCase):
     def test_all_verdicts_are_counted(self):
         claims = [Claim("t", "w", "1", "1", Verdict.EQUALS),
                   Claim("t", "w", "1", "2", Verdict.BEATS, "why")]
-        self.assertEqual(counts(claims), 'Of the 2 claims, 1 is "equal", 1 "better", 0 "short of it" and 0 "departs".')
+        self.assertEqual(counts(claims), 'Of the 2 claims, 1 is marked "equal", 1 "better", 0 "short of it" and 0 "departs".')
 
 
 class Tables(unittest.TestCase):
