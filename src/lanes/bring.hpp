@@ -21,9 +21,9 @@ inline void bring(std::span<const std::byte> bytes) {
   }
 }
 
-// Asks for the cache line at a distance from an address, without waiting for it (PLD). The line may
-// lie outside of the object, and outside of memory.
-inline void preload(const void* address, std::size_t bytes_ahead) {
+// Requests the cache line that lies `bytes_ahead` beyond an address (PLD), without waiting for the
+// line. It may lie outside the object.
+inline void preload(const void* address, std::size_t bytes_ahead = 0) {
   __builtin_prefetch(static_cast<const std::byte*>(address) + bytes_ahead);
 }
 

@@ -101,10 +101,10 @@ class GroupList {
 
 // Prefetches the cache lines of a group that will be needed soon.
 inline void prefetch(const window::Tile& tile, std::size_t group) {
-  __builtin_prefetch(&tile.free[group]);
+  lanes::preload(&tile.free[group]);
   if (!tile.is_free_alone[group]) {
-    __builtin_prefetch(&tile.taken[group].occupied);
-    __builtin_prefetch(&tile.taken[group].standing);
+    lanes::preload(&tile.taken[group].occupied);
+    lanes::preload(&tile.taken[group].standing);
   }
 }
 
