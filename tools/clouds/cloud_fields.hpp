@@ -27,7 +27,7 @@ struct SeenCloud {
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
 };
 
-// A unit that sees more than this turns, but for a gap.
+// A unit with a wider view spins, even with a small gap in it.
 inline constexpr double kWholeTurnDeg = 350;
 
 // Unit of the points' times. A cloud shows it if its points are 5 to 500 ms apart in that unit, and

@@ -17,7 +17,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::size_t kMostFrames = 1000;
-constexpr int kMostSteps = 32;  // from a sensor to its vehicle; frames may be in a circle
+constexpr int kMostSteps = 32;  // from a sensor to its vehicle; frames may form a loop
 
 // Of a quaternion x, y, z, w.
 Rigid rigid_of(const std::array<double, 7>& place) {

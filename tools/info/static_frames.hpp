@@ -1,4 +1,4 @@
-// Where a sensor's frame is in its vehicle, by the static transforms of a recording (/tf_static).
+// Locates a sensor's frame in its vehicle by the static transforms of a recording (/tf_static).
 #pragma once
 
 #include <map>
@@ -14,8 +14,9 @@ class StaticFrames {
   // A tf2_msgs/TFMessage. UsageError if it is cut off.
   void add(const ros::RecordedMessage& message);
 
-  // The line of a car file for a sensor in this frame; empty if its way to base_link is not known.
-  // It goes on to base_footprint, which is on the ground (REP 120), if that is above it.
+  // The `mount` line of a car file for a sensor in this frame. Empty if no transforms lead from the
+  // frame to base_link. If they lead on to base_footprint, which is on the ground (REP 120), the
+  // mount is in base_footprint.
   [[nodiscard]] std::string mount_of(const std::string& frame) const;
 
  private:

@@ -90,8 +90,8 @@ using Quaternion = std::array<double, 4>;
 // Whether its z is more than 45 degrees from up.
 [[nodiscard]] bool is_tilted(const Quaternion& turn);
 
-// What stands before base_link or base_footprint in a frame's name, "robot1/" in robot1/base_link;
-// nothing if it is no vehicle's.
+// The namespace of a vehicle's frame: "robot1/" of robot1/base_link or robot1/base_footprint.
+// Nothing if the frame has another name.
 [[nodiscard]] std::optional<std::string> robot_of(const std::string& frame);
 
 // The sound UBX message at the beginning of the bytes; empty if there is none.

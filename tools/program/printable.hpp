@@ -11,7 +11,7 @@ namespace iog::tools {
 // text the first 500 bytes.
 [[nodiscard]] std::string printable(std::string text);
 
-// Six of a file's names, as one text: "/a, /b, ...".
+// Lists names of a file in one text, six at most: "/a, /b, ...".
 class FewNames {
  public:
   void add(std::string name);
