@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(EitherWay, TurnSectors, ::testing::Bool());
 
 TEST(TurnSectorsOf, PointsInAnotherOrderAreNone) {
   std::vector<WirePoint> points = turn(0, true, all_around);
-  std::ranges::rotate(points, points.begin() + 900);
+  std::rotate(points.begin(), points.begin() + 900, points.end());
   EXPECT_FALSE(sectors_of_turn(points, kMost).empty());
   std::ranges::stable_sort(points, {}, [](const WirePoint& point) { return point.first % 7; });
   EXPECT_TRUE(sectors_of_turn(points, kMost).empty());
