@@ -33,7 +33,7 @@ class Frame:
 
 
 FRAMES = (
-    Frame("ring road, four LUX", f"frame_cost scene=ring_road sensors={a9_runs.ALL_SENSORS}",
+    Frame("ring road, four LUX units", f"frame_cost scene=ring_road sensors={a9_runs.ALL_SENSORS}",
           "capture scene=ring_road", "frame_cost-reference_car",
           lambda place, capture: a9_runs.frame_cost(place, "scene=ring_road", capture, "raw", a9_runs.ALL_SENSORS)),
     Frame("city with classes", "perception_cost drive=city", "capture drive=city", "perception_cost",
@@ -103,5 +103,6 @@ def sentence() -> str:
     if not rows:
         return ""
     words = {frame.run: frame.words for frame in FRAMES}
-    changes = [f"{words[run]} {change(run, int(value)):+.1%}" for run, _, value in rows]
-    return f"Instruction counts have changed since then (at {rows[0][1]}): {'; '.join(changes)}."
+    changes = [f"{change(run, int(value)):+.1%} ({words[run]})" for run, _, value in rows]
+    listed = " and ".join(filter(None, [", ".join(changes[:-1]), changes[-1]]))
+    return f"At {rows[0][1]}, instruction counts differ from those on the pages by {listed}."
