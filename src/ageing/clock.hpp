@@ -6,8 +6,8 @@
 // the newest one is used instead, so time never decreases.
 //
 // Each frame has a slot from 1 to 64. Slots are reused cyclically, so a stored slot number must be
-// discarded within 63 frames. Slot 0 represents no frame. If a group has slot 0, it was never aged
-// or never had evidence.
+// discarded within 63 frames. Slot 0 represents no frame. A group with slot 0 has never been aged
+// or has never had evidence.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The network sink for frames with classes. Between the tiles and the end message of a frame, the
-// sink sends the tiles of the classes, the end message of the classes, and the objects.
+// The network sink for frames with classes. Between a frame's tiles and its end message, the sink
+// sends the class tiles, the class end message and the objects.
 #pragma once
 
 #include <cstddef>

@@ -38,7 +38,7 @@ struct FrameTimes {
 // `send_message()` returns false if the message cannot be sent. `ticks()` and ticks_hz() form a
 // stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the frame's
 // first message. `run_number()` is the same as in hal::RunNumber. `cores()` returns the number of
-// working cores. `share(items, work, beside)` runs all items, in the same way as work::Team.
+// working cores. `share(items, work, beside)` runs all items, just as work::Team does.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {

@@ -5,8 +5,9 @@
 // are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
 // ignorance W is 32767 - F - P.
 //
-// A cell is valid if F, O, M, K and the persistence are 0 ... 32767 and W >= 0. Factors and
-// evidence are 0 ... 32767, and o or f is 0. Under these conditions, the following bounds hold:
+// A cell is valid if F, O, M, K and the persistence are in the range 0 ... 32767 and W >= 0.
+// Factors and evidence are in the range 0 ... 32767, and at least one of o and f is 0. Under these
+// conditions, the following bounds hold:
 //
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
@@ -114,8 +115,8 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// Specialises a cell so that persistent cells become static (Kurdej 2015, equations 5.7 and 5.8).
-// Only occupied sets are specialised. The mass that {M} loses is added to ignorance.
+// Specialises a cell: a persistent cell becomes static (Kurdej 2015, equations 5.7 and 5.8). Only
+// occupied sets are specialised. The mass that {M} loses is added to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
   const std::int32_t settled = product(cell.occupied, part);

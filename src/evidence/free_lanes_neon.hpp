@@ -31,8 +31,8 @@ inline int16x8_t factors_of(const Fading& fading) {
   return factors;
 }
 
-// The product of a mass and kWhole is exactly -mass. If the factor is not kWhole, the product is
-// not negative.
+// kWhole represents -1, so the product of a mass and kWhole is exactly -mass. The product with any
+// other factor is not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
   return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));

@@ -94,8 +94,9 @@ class BeamCarver {
 //    steps     +14       -7 at b         -7 at d
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
-// distance (j + 1) Delta or less. `through` is the number of borders that the line crosses up to a
-// distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point at (k
+// distance (j + 1) Delta or less. `through` is the number of borders that the line crosses within a
+// given distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point
+// at (k
 // - 2) Delta. In this example, the point is in cell b.
 //
 // This function is inline because a function call would cost as much as adding a zone.

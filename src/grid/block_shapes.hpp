@@ -99,9 +99,10 @@ struct BlockMasks {
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// This table is indexed by 16 v plus four bits. `v` is the row in which the line enters the column
-// of blocks from the left. Each bit represents one column of cells, with the first column in the
-// highest bit. A bit is set if the line crosses a border of v in the bit's column.
+// The index into this table is `16 * v + mask`. `v` is the row in which the line enters the column
+// of blocks from the left. Each of the four bits of `mask` represents one column of cells, with the
+// first column in the highest bit. A bit is set if the line crosses a row border within the bit's
+// column.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
 // Indexed by Orientation::number().

@@ -5,8 +5,8 @@
 // negative index to a cell. Saturating additions of negative indexes commute (docs/model.md section
 // 3). Adding x and then y, with each sum clamped at -127, has the same result as adding x + y and
 // clamping once. The sum of the beams can therefore be carved in one pass. The example shows two
-// beams of a LUX. The point of the nearer beam is at `a`, and the point of the farther beam is at
-// `b`:
+// beams of a LUX. The nearer beam ends at `a`, and the farther beam ends at `b`. Each number is the
+// amount by which the indexes of the cells are lowered:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+

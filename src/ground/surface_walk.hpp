@@ -56,9 +56,9 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // The ground of each bin. Until the walk reaches a bin, its entry contains the surface of the
-  // last turn. `find_starts()` converts the ground to heights at the start of each bin and at the
-  // end of the last bin.
+  // The ground of each bin. Until the walk reaches a bin, its entry holds the surface from the
+  // previous turn. `find_starts()` converts the ground to heights at the start of each bin and at
+  // the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
   // The current state of each sector's walk. The state consists of the height, the slope in mm per
   // bin, and the bin. The bin is -1 before the first ground.

@@ -1,7 +1,8 @@
 // Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
 // are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
-// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore judged only
-// by those beams for which a return is expected. There are ground, sky, level and open sectors.
+// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore evaluated
+// using only those beams for which a return is expected. There are ground, sky, level and open
+// sectors.
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
 // plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
@@ -21,13 +22,13 @@
 // without any return, all sectors of the unit are reported as blocked.
 //
 // Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-// range, such as a level 2D scanner. Only beams that have an echo are judged. An open sector
+// range, such as a level 2D scanner. Only beams that have an echo are evaluated. An open sector
 // becomes blocked after 32 scans in which fewer than 1/16 of the echoes count as returns. An open
 // sector is unblocked after two scans in which at least 1/16 of the echoes count as returns.
 //
 // Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
-// them as dirt or rain. Only whole turns and scans are judged, as sums over their packets, so the
-// order of packets does not matter.
+// them as dirt or rain. Only whole turns and scans are evaluated, as sums over their packets, so
+// the order of packets does not matter.
 #pragma once
 
 #include <array>
@@ -97,8 +98,8 @@ class BlockedSectors {
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
   // Returns the azimuths of a packet at which a missing return is no evidence of free space. At
-  // such an azimuth, either the sector was blocked in earlier frames, or less than one sixteenth of
-  // the judged beams in the packet have a return. The result also includes the azimuth parts
+  // such an azimuth, either the sector was blocked in earlier frames, or fewer than one sixteenth
+  // of the evaluated beams in the packet have a return. The result also includes the azimuth parts
   // adjacent to these azimuths.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 

@@ -1,5 +1,5 @@
-// Detects stuck sensors. A stuck sensor no longer measures. A stuck sensor sends earlier ranges
-// again with new timestamps and sequence numbers.
+// Detects stuck sensors. A stuck sensor no longer measures, but repeats earlier ranges with new
+// timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. If
@@ -74,8 +74,8 @@ class RangeMemory {
   std::uint32_t number_ = kMaxPackets;  // number of the latest packet; at the start, 0 is too old
 };
 
-// Determines whether a sensor still measures. The order of the packets of a frame matters only if
-// two packets have equal ranges. In this case, the later packet is reported as frozen.
+// Determines whether a sensor is still measuring. The order of the packets of a frame matters only
+// if two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
   // Sets the number of previous packets to search for a repetition. It must be below

@@ -5,10 +5,10 @@
 // file. The order of the packets does not matter.
 //
 // A LUX numbers its scans, and a frame contains at most one scan of each LUX. A new number starts
-// the next scan. A packet is late if the frame with its scan has already been closed. The scan of a
-// spinning lidar has no beginning or end, and a frame may be shorter than a turn. The next turn
-// therefore begins when a packet sweeps only azimuths that the frame has already swept. If turns
-// are numbered, a packet of an older turn does not start a new frame.
+// the next scan. A packet is late if the frame that its scan belongs to has already been closed.
+// The scan of a spinning lidar has no beginning or end, and a frame may be shorter than a turn. The
+// next turn therefore begins when a packet sweeps only azimuths that the frame has already swept.
+// If turns are numbered, a packet of an older turn does not start a new frame.
 //
 // The frame ends when the next scan begins. Scans that begin too soon are dropped. Otherwise, a
 // unit whose timestamps imply impossibly fast scans would end frames at an unbounded rate.

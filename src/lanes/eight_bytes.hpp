@@ -13,7 +13,7 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes none() { return EightBytes(0); }
 
-  // Returns a word of eight equal bytes.
+  // Returns a word with the byte repeated eight times.
   [[nodiscard]] static constexpr EightBytes all(std::int8_t byte) {
     return EightBytes(static_cast<std::uint8_t>(byte) * std::uint64_t{0x0101010101010101U});
   }

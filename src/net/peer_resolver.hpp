@@ -38,8 +38,8 @@ class PeerResolver {
   }
 
   // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
-  // unsolicited ARP packet. An address of a different station is therefore accepted only if the
-  // known station has not answered for one interval. Until then, the known station is treated as
+  // unsolicited ARP packet. Another station's address is therefore accepted only if the known
+  // station has not answered for one interval. Until then, the known station is treated as
   // unconfirmed, as it is after a call to hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 

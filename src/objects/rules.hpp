@@ -54,7 +54,8 @@ inline constexpr std::int32_t kGateStandingMm = 250;
 inline constexpr std::int32_t kMostGateDeviationMm = 600;
 inline constexpr std::int32_t kMostGateDeviationSettledMm = 300;
 
-// A hit contradicts a track if its place was hit before the track could have reached it.
+// A hit contradicts a track if the same place was already hit before the track could have reached
+// it.
 inline constexpr std::uint32_t kContradictedFrom = 6;  // updates
 inline constexpr int kContradictingEpochs = 3;
 inline constexpr std::int32_t kStandingAgeMs = 800;
@@ -120,7 +121,8 @@ inline constexpr std::int32_t kTurnMovingDeviations = 3;
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
-// In each frame, the speed across the box is reduced by 1/8, because wheels do not slide sideways.
+// In each frame, the lateral speed of the box is reduced by 1/8, because wheels do not slide
+// sideways.
 inline constexpr std::int32_t kWheelsShare = 8;
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
@@ -174,8 +176,8 @@ inline constexpr std::int32_t kBadOverGood = 8;
 // because the car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// If the box of a track has had the size of a car for kSteadyFrom updates, the track needs only
-// kSteadyHits good places.
+// If a track's box has been car-sized for kSteadyFrom updates, the track needs only kSteadyHits
+// good places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;

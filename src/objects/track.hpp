@@ -61,8 +61,8 @@ class Track {
   // Turns the box without changing the velocity. The direction of the box is arbitrary until the
   // first turn.
   void turn(Direction along) { box_.along = along; }
-  // Replaces the sides, and sets the covariance of both axes to their mean. Call begin_heading()
-  // after the first turn.
+  // Replaces the sides, and replaces the covariances of the two axes with their mean. Call
+  // begin_heading() after the first turn.
   void begin_heading(const Sides& sides);
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -94,7 +94,8 @@ class Track {
   // Updates is_receding from the track's velocity and its position relative to the car.
   void look_from(Point car);
   // Returns true if the track is receding and is larger than a pedestrian. The rear of such an
-  // object has covered its places for a long time, so hits on it may be standing hits.
+  // object is in places that the object has already covered for a long time, so hits there may look
+  // stationary.
   [[nodiscard]] bool may_have_a_standing_face() const;
   // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();

@@ -87,9 +87,9 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Returns the cells of the given set in a row that a moving object may cover, including cells
-  // without a hit. All returned cells are at most kTailMm outside the object's box. See
-  // MovingBoxes::hold().
+  // Returns those of the given cells that a moving object may cover, including cells without a hit.
+  // The given cells are in one row. All returned cells are at most kTailMm outside the object's
+  // box. See MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }

@@ -19,8 +19,8 @@ namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
 // at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
-// evidence therefore has no effect. Groups are refreshed often enough that old evidence is recorded
-// as too old before the clock reuses its slot.
+// evidence therefore has no effect. Groups are refreshed often enough that evidence is recorded as
+// too old before the clock reuses the slot of its frame.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a plane that belong to a group's cells.
@@ -36,7 +36,7 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 template <std::size_t kGroups>
 using Joint = std::conditional_t<kGroups == 4, std::uint32_t, std::uint16_t>;
 
-// `bytes` has one byte per group of a tile. The first group is a multiple of kGroups.
+// `bytes` has one byte per group of a tile. The number of the first group is a multiple of kGroups.
 template <std::size_t kGroups, typename Bytes>
 [[nodiscard]] inline Joint<kGroups> joint(const Bytes& bytes, std::size_t group) {
   Joint<kGroups> word = 0;
@@ -119,7 +119,8 @@ class TileUpdate {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
 
-  // Same as refresh() for an old row of groups if may_be_joint() is true.
+  // Same as calling refresh() for each group of a row. All groups must be old, and may_be_joint()
+  // must be true.
   void refresh_row(window::Tile& tile, std::size_t group) const {
     static constexpr std::array<evidence::Indexes, window::kGroupsPerRow> kNone{};
     const std::uint8_t evidence_at = tile.evidence_at[group];

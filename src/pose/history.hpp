@@ -4,8 +4,8 @@
 // must arrive in the order of the source's clock. A message that is not newer than the newest
 // message so far is dropped. A sequence of poses ends with a break. A break is one of the
 // following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by
-// the sensors, or a growing delay. Data registered before a break no longer has a known position,
-// so the window becomes unknown.
+// the sensors, or a growing delay. After a break, the position of data registered earlier is no
+// longer known, so the window is reset to unknown.
 //
 // A forged message must not disable the pose input permanently. Therefore, if the run or the time
 // of a message does not continue the current sequence, the message is accepted only after

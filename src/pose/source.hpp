@@ -64,8 +64,8 @@ class Source {
   // See History. This function does not count causes.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call
-  // place() once per slice.
+  // Returns the pose of a slice. If the slice has no pose, increments the counter for the reason
+  // and returns the reason. Call place() once per slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
   // Returns the number of datagrams with each outcome since start-up.

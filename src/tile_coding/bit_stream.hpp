@@ -9,8 +9,8 @@
 
 namespace iog::tile_coding {
 
-// The buffer must be large enough for all written bits. The caller computes the required size in
-// advance.
+// The buffer must be large enough to hold all the bits written. The caller computes the required
+// size in advance.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)

@@ -8,7 +8,7 @@
 // increase in its direction.
 //
 // Position: A cell of a line is identified by the numbers of column borders (x) and row borders (y)
-// that the line has crossed before the cell. The sum of both numbers, `crossed`, increases along
+// that the line has crossed before the cell. The sum of the two numbers, `crossed`, increases along
 // the line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
 // cells, so `crossed` increases by two. All positions returned by these functions are cells that
 // the line actually enters.

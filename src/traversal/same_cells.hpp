@@ -33,8 +33,8 @@
 
 namespace iog::traversal {
 
-// Several steps of a rotation that together turn the value up or down. `angle` is the total angle
-// of the combined steps.
+// Several steps of a rotation, combined into one turn that moves the value up or down. `angle` is
+// the total angle of the combined steps.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
@@ -94,8 +94,8 @@ struct Turn {
 
 // Returns true if `a` and `b` cross the same cells up to and including their first `borders`
 // borders. A result of true is certain, but a result of false may be wrong. Both lines must start
-// at the same point. Line `a` must meet no corner after its start. If the lines start on a corner,
-// both must cross this corner first.
+// at the same point. Line `a` must not pass through a corner after its start. If the lines start on
+// a corner, both must cross this corner first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

@@ -1,6 +1,6 @@
-// Describes a vehicle on the target, using only integers. The PC computes this description from a
-// car file (tools/car). The target reads the description from the block in its image
-// (src/car_block).
+// The target's description of a vehicle, which contains only integers. The PC computes this
+// description from a car file (tools/car). The target reads the description from the block in its
+// image (src/car_block).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Stores the bit rows of a tile with a margin from its eight neighbours. Neighbourhood operations
-// process 32 cells at once. Each word represents a row.
+// Stores the rows of a tile as bits, with a margin from the tile's eight neighbours. Neighbourhood
+// operations process 32 cells at once. Each word represents a row.
 //
 // Bit 16 is cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
 // neighbours. There are eight additional rows below the tile and eight above it. An operation on
@@ -93,7 +93,7 @@ inline RowPair over_runs(RowPair one) {
 }
 
 // Combines each cell with all cells of the surrounding square, whose side length is 2 kRadius + 1.
-// `kRadius` is from 1 to 3. The outermost kRadius rows are set to zero.
+// `kRadius` must be 1, 2 or 3. The outermost kRadius rows are set to zero.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
   static_assert(kRadius >= 1 && kRadius <= 3);
@@ -128,8 +128,8 @@ inline Rows eroded(const Rows& in) {
   return over_squares<And, kRadius>(in);
 }
 
-// The following overloads take a radius from 1 to 3 as an argument because it depends on the size
-// of the cells.
+// The following overloads take a radius from 1 to 3 as an argument because the radius depends on
+// the cell size.
 inline Rows dilated(const Rows& in, int radius) {
   return radius == 1 ? dilated<1>(in) : radius == 2 ? dilated<2>(in) : dilated<3>(in);
 }
