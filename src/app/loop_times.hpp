@@ -26,7 +26,7 @@ namespace iog::app {
 
 class LoopTimes {
  public:
-  // The rows have the same order as Counts::kNames.
+  // The rows are in the same order as Counts::kNames.
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 

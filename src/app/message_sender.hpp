@@ -1,4 +1,4 @@
-// Numbers and protects a target's messages, and sends them to the network.
+// Numbers a target's messages, protects them and sends them to the network.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ class MessageSender {
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
   // Sends a complete message that has room for its protection fields. Returns false if the network
-  // did not accept the message. Lost messages also use up sequence numbers, so that the receiver
-  // notices the loss.
+  // did not accept the message. Lost messages also use up sequence numbers so that the receiver can
+  // detect the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;

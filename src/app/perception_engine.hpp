@@ -1,16 +1,16 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. The engine then fuses the packets that were
-// measured in the same slice of a few milliseconds, and adds them to the window with the pose of
-// the slice. The frame's own grid is assembled from the grids of its slices. This grid is
-// byte-for-byte identical to the grid that results from fusing the packets on arrival.
+// The engine buffers the packets until the frame ends. It then fuses the packets that were measured
+// in the same slice of a few milliseconds, and adds them to the window using the pose of the slice.
+// The frame's own grid is assembled from the grids of its slices. This grid is byte-for-byte
+// identical to the grid that results from fusing the packets on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
 // Packets without a pose are fused into the frame's grid, but are not added to the window. If the
-// sequence of poses breaks, the whole window becomes unknown. The engine counts these events.
+// sequence of poses breaks, the entire window becomes unknown. The engine counts both cases.
 #pragma once
 
 #include <cstddef>
@@ -58,13 +58,13 @@ class PerceptionEngine {
   // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call this function before the first datagram. The window's age is measured from now_us.
+  // Call this function before the first datagram. The window's age is measured from `now_us` on.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // Returns true if the datagram was a pose or a part of a map. The function also logs the
+  // Returns true if the datagram was a pose or a part of a map. The function also logs all
   // datagrams that the frame receives.
   [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
-  // Records that the last packet was shed because it had waited too long.
+  // Records that the latest packet was shed because it had waited too long.
   void note_left() { receptions_.note_left(); }
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
@@ -113,8 +113,8 @@ class PerceptionEngine {
   // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
   // the poses. A frame ends at the end of its last slice. A frame without packets ends at the time
   // of the newest pose. The value of stamp_us() increases from frame to frame, even if the clock of
-  // the poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
-  // window no longer has a known position.
+  // the poses restarts or is unknown. `is_forgotten()` returns true if the position of the window's
+  // earlier content is no longer known.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
@@ -145,7 +145,7 @@ class PerceptionEngine {
   }
 
  private:
-  // Fuses one slice after another. Each tile is read while it is still in the cache.
+  // Fuses the slices one after another. Each tile is read while it is still in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();

@@ -38,8 +38,8 @@
 
 namespace iog::app {
 
-// The encoding of the sent tiles. Tiles in their shortest encoding take a tenth of the bytes of raw
-// tiles, but more instructions.
+// The encoding of the sent tiles. In their shortest encoding, tiles take a tenth as many bytes as
+// raw tiles, but more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // Specifies how long the cells of an added tile stay unchanged.
@@ -91,7 +91,8 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Returns true if added tiles wait to be encoded together because several cores share the work.
+  // Returns true if the added tiles are waiting to be encoded together because several cores share
+  // the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
@@ -107,7 +108,7 @@ class TileSender {
     }
   }
 
-  // Ends the grid. After this call, every tile has been put into a message.
+  // Ends the grid. After this call, all tiles have been put into messages.
   Sent finish() {
     encode_rest();
     return finish_encoded();
@@ -259,7 +260,7 @@ class TileSender {
     encoded_ = waiting_count_;
   }
 
-  // This function is not inlined, because each message uses a kilobyte of the stack.
+  // This function is not inlined because each message takes up a kilobyte on the stack.
   [[gnu::noinline]] void send_waiting() {
     require(encoded_ == waiting_count_);
     for (std::size_t i = 0; i < waiting_count_; ++i) {

@@ -18,7 +18,8 @@ class ClassHash {
  public:
   explicit ClassHash(window::TileNumber corner = {});
 
-  // Adds a tile with a classified cell. `number` is its number in messages (window/area.hpp).
+  // Adds a tile with a classified cell. `number` is the tile's number in messages
+  // (window/area.hpp).
   void add(std::size_t number, tile_coding::TileCells cells);
   // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
   void add_remainder(std::size_t number, std::uint32_t remainder);

@@ -1,6 +1,6 @@
 // The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
-// covers, and the content of the known tiles in this range. If a covered tile has no content, the
-// tile is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
+// covers, and the content of the known tiles in this range. A tile in this range that has no
+// content is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// Returns the geometry of one quadtree level. The grid has the size of the firmware's grid memory.
+// Returns the geometry of one quadtree level. The grid is the size of the firmware's grid memory.
 // Level 0 contains the cells, and level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level,
                                                    const geometry::Grid& grid = {}) {
@@ -128,8 +128,8 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
 // Composes tile messages one at a time, with free space for the protection header at the start.
 class TilesWriter {
  public:
-  // Starts a grid and its first message at tile 0. `header` is the header of the frame. The type
-  // and sequence number of the frame header are ignored.
+  // Starts a grid and its first message at tile 0. `header` is the header of the frame, whose type
+  // and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered as in window/area.hpp.
   void begin_classes(const Header& header, const ClassWindow& window,
