@@ -82,9 +82,9 @@ class TileSender {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
   // Adds a tile of classes by its number in messages. The cells must not change until finish(). The
-  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the
-  // tile's classes were computed. `version` must not be 0, and must differ from the previous
-  // version if the cells have changed since the tile was last added.
+  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the tile's
+  // classes were computed. `version` must not be 0, and must differ from the previous version if
+  // the cells have changed since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},

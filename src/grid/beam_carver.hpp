@@ -83,9 +83,9 @@ class BeamCarver {
   bool keeps_heights_;
 };
 
-// A cell before the point (marked * below) gets the index of the 1D cell in which the line leaves
-// the grid cell. If 1D cell k-1 is nearer, the cell gets the index of 1D cell k-1. The example
-// shows a beam of a LUX:
+// Each grid cell before the point (marked * below) gets the index of the 1D cell that contains the
+// point where the line leaves the grid cell. If 1D cell k-1 is nearer to the sensor, the grid cell
+// gets the index of 1D cell k-1 instead. The example shows a beam of a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -96,8 +96,7 @@ class BeamCarver {
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
 // distance (j + 1) Delta or less. `through` is the number of borders that the line crosses within a
 // given distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point
-// at (k
-// - 2) Delta. In this example, the point is in cell b.
+// at (k - 2) Delta. In this example, the point is in cell b.
 //
 // This function is inline because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,

@@ -90,8 +90,8 @@ class alignas(kCacheLineBytes) KeptLine {
   [[nodiscard]] std::uint32_t number() const { return number_; }  // Layer::line
 
   // Returns the number of borders that the line crosses up to this distance. The distance should be
-  // at most Sensor::range. For greater distances, the result may be too small, but it is never
-  // before the line's end.
+  // at most Sensor::range. For greater distances, the result may be too small, but it never lies
+  // short of the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -225,8 +225,8 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Returns true if another azimuth may evict this azimuth. This is the case if this azimuth has
-  // not been used since another azimuth last requested the same slot.
+  // Returns true if another azimuth may evict this azimuth. This is the case if another azimuth has
+  // requested the same slot since this azimuth was last used.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
@@ -277,9 +277,9 @@ class KeptAzimuth {
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. In the
-// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots with
-// up to three sensors, and nearly all with four.
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With the
+// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots for up
+// to three sensors, and nearly all do for four sensors.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

@@ -95,7 +95,7 @@ class BlockPath {
             &codes_[1]};
   }
 
-  // Calls visit(tile) once or more for each tile that the line enters up to this position. The
+  // Calls visit(tile) at least once for each tile that the line enters up to this position. The
   // line's heights at the tile borders determine where the line enters another row of tiles. The
   // line enters another row at most once per column of tiles, because the slope is at most 1.
   template <typename Visit>

@@ -14,7 +14,7 @@
 //
 // Entry 7 is one column beyond entry 6, outside the block.
 //
-// In each column, the line crosses at most one border of v. Seven bits, called the block's *shape*,
+// In each column, the line crosses at most one row border. Seven bits, called the block's *shape*,
 // are therefore enough to determine the cells that the line crosses and the border through which it
 // leaves the block. Three bits contain the entry, and each of the other four bits represents one
 // column.
@@ -35,15 +35,15 @@ using BlockEntry = std::uint32_t;
   return u == 0 ? 0 : u + 3;
 }
 
-// A shape consists of the entry and four bits. Bit j is set if the line crosses a border of v in
-// the column that is j columns after the entry's column.
+// A shape consists of the entry and four bits. Bit j is set if the line crosses a row border in the
+// column that is j columns after the entry's column.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;
 }
 
 // The code of a block on a line is twice the block's shape, plus 1 if the line leaves the block
-// through a border of v. The bits of columns that the line does not enter in this block are 0. Two
+// through a row border. The bits of columns that the line does not enter in this block are 0. Two
 // lines therefore have the same code if and only if they cross the same cells of the block and
 // leave the block through the same border.
 using BlockCode = std::uint8_t;
@@ -56,7 +56,7 @@ struct BlockColumn {
 };
 
 // The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
-// Both u and v can run in the negative direction.
+// Each of u and v can run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -76,8 +76,8 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // Returns the position of a cell in its block, 4 y + x. The arguments are the cell's coordinates
-  // along each axis, in the line's direction.
+  // Returns the position of a cell in its block, which is `4 * y + x`. The arguments are the cell's
+  // coordinates on each axis, counted in the direction in which the line runs.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
     const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);

@@ -6,12 +6,12 @@
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
 // plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
-// turn in which less than one sixteenth of its ground beams have a return, if one of two conditions
-// holds: less than one sixteenth of all its beams have a return, or at least one quarter of its
-// ground beams previously had a return. The previous fraction is a running mean that is updated by
-// 1/32 per turn. A ground sector is unblocked after three turns in which one eighth of its ground
-// beams have a return. If less than one quarter of its ground beams previously had a return, one
-// eighth of all its beams is also enough.
+// turn in which fewer than one sixteenth of its ground beams have a return, if one of two
+// conditions holds: fewer than one sixteenth of all its beams have a return, or at least one
+// quarter of its ground beams previously had a return. The previous fraction is a running mean that
+// is updated by 1/32 per turn. A ground sector is unblocked after three turns in which one eighth
+// of its ground beams have a return. If fewer than one quarter of its ground beams previously had a
+// return, one eighth of all its beams is also enough.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
@@ -138,7 +138,7 @@ class BlockedSectors {
   std::array<std::uint8_t, kMaxSampled> sampled_{};
   std::uint8_t sampled_count_ = 0;
 
-  std::array<Sums, kSectors> sums_{};  // judged beams of the current turn
+  std::array<Sums, kSectors> sums_{};  // evaluated beams of the current turn
   std::array<Sums, kSectors> all_{};   // all beams of the current turn
   std::uint32_t turn_ticks_ = 0;       // ticks swept in this turn before the current frame
   std::uint32_t turn_returns_ = 0;

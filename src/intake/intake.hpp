@@ -40,8 +40,8 @@ class Intake {
     kNextFrame,  // close the frame, then call classify() again
   };
 
-  // `sensors` must outlive the intake. `replayer_ipv4` may send on behalf of any sensor.
-  // `replayer_ipv4` is 0 if there is no replayer.
+  // `sensors` must outlive the intake. The replayer at `replayer_ipv4` may send on behalf of any
+  // sensor. The address is 0 if there is no replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
   // Returns true if the datagram was sent to a sensor's port by a source that may send on behalf of

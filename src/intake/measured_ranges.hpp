@@ -33,7 +33,7 @@ class RangeDigest {
   RangeDigest() = default;
 
   // Returns the hash of a valid packet of this sensor. Returns kNone if the packet has fewer than
-  // 32 returns or, for a spinning unit, if less than half of the sampled points have a return.
+  // 32 returns or, for a spinning unit, if fewer than half of the sampled points have a return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
@@ -49,8 +49,8 @@ class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
 
-  // Sets the number of previous packets to search. It must be below kMaxPackets. Initially, it is
-  // 0.
+  // Sets the number of previous packets to search. The number must be below kMaxPackets. It is 0
+  // initially.
   void look_back(std::size_t packets) { packets_ = static_cast<std::uint32_t>(packets); }
 
   // Returns true if one of the previous packets had this hash. Returns false for kNone. The search
@@ -78,7 +78,7 @@ class RangeMemory {
 // if two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
-  // Sets the number of previous packets to search for a repetition. It must be below
+  // Sets the number of previous packets to search for a repetition. The number must be below
   // RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 

@@ -56,7 +56,8 @@ class WatchedSectors {
   // Returns the surroundings at the end of the frame whose packets `intake` has received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
-  // Returns the silent azimuths of a packet of this sensor. They depend on earlier frames.
+  // Returns the silent azimuths of a packet of this sensor. These azimuths depend on earlier
+  // frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
     return blocked_[sensor].silent_azimuths(packet);
   }

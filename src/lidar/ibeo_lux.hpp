@@ -40,8 +40,8 @@ class IbeoLux {
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
 
-  // Returns the number of points in one direction. The number of directions in a message depends on
-  // the unit.
+  // Returns the number of points per azimuth. The number of azimuths in a message depends on the
+  // unit.
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kElevationsDeg.size() * kMaxEchoes;
   }

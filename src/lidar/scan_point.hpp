@@ -54,8 +54,7 @@ struct Sweep {
   bool is_of_packet = false;  // the times refer to the packet, otherwise to the whole scan
 };
 
-// The contents of a packet's header. The header's contents are available before any point is
-// checked.
+// The contents of a packet's header, which are available before any point is checked.
 struct PacketInfo {
   std::uint64_t fingerprint = 0;  // two packets have the same value only if they are identical
   std::uint32_t scan_number = 0;  // scan counter of the sensor; 0 if the format has none

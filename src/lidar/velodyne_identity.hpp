@@ -66,8 +66,8 @@ class VelodyneIdentity {
  public:
   // Returns the formats that are consistent with this packet and the previous packets of the
   // sender. The set contains one format if the result is certain, and no format if the packet is
-  // not from a Velodyne. The function accepts any bytes. The function checks only flags, azimuths
-  // and time. The decoder detects other faults.
+  // not from a Velodyne. The function accepts any bytes and checks only flags, azimuths and time.
+  // The decoder detects other faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
   // Same as above, for a packet that its decoder has accepted.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);

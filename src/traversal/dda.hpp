@@ -10,9 +10,9 @@
 //
 // The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
 // r) + w_u - w_v. The line then rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v,
-// minus w_u if the line rises. So y is taken modulo w_u, and the line rises whenever y wraps. The
-// value y_c / w_u is the height of the line above the bottom of its row at the left side of column
-// c.
+// minus w_u if the line rises. In other words, y is taken modulo w_u, and the line rises whenever y
+// wraps around. The value y_c / w_u is the height of the line above the bottom of its row at the
+// left side of column c.
 //
 // The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of
 // 32-bit words in which a carry indicates a rise:

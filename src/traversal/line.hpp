@@ -1,6 +1,6 @@
 // The line of a beam on the grid, computed in integers. A Line computes the points at which the
-// line crosses cell borders. A Line also computes the number of borders crossed up to any fraction
-// of its length.
+// line crosses cell borders, and the number of borders crossed up to any fraction of the line's
+// length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -132,7 +132,7 @@ class Axis {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
 
-  // Returns the distance from S to the next border after n crossings: (n + 1) r - offset.
+  // Returns the distance from S to the next border after n crossings: (n + 1) * r - offset.
   [[nodiscard]] constexpr std::int64_t to_border(std::uint32_t n) const {
     return (std::int64_t{n} + 1) * kResolution - offset_;
   }
@@ -230,7 +230,7 @@ class Line {
   }
 
   // The limit is larger than the number of borders that any line crosses, but small enough that
-  // adding one does not overflow.
+  // adding one to it does not overflow.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;

@@ -1,4 +1,4 @@
-// Counts the borders that a line has crossed up to a given distance, with one multiplication per
+// Counts the borders that a line has crossed up to a given distance, using one multiplication per
 // axis. These counts are needed for the scan point of a beam and for the start of each zone of its
 // profile.
 //

@@ -1,24 +1,24 @@
 // Decides whether two lines with the same start cross the same cells. Lines that cross the same
 // cells can be carved in one walk. At a given azimuth, the lines of a lidar's layers are nearly
-// identical. The lines of the layers differ only in length and in the rounding of their ends.
+// identical. They differ only in length and in the rounding of their ends.
 //
 // Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
 // corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =
-// X A_y - Y A_x and e_B = X B_y - Y B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x +
-// B_y,
-//     A e_B = B e_A + (X + Y) c.
+// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. With c = A_x * B_y - A_y * B_x, A = A_x + A_y and
+// B = B_x + B_y,
+//     A * e_B = B * e_A + (X + Y) * c.
 // After n common borders, the next borders of the two lines can differ only if e_A and c have
-// opposite signs and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. The last condition defines a
-// narrow strip next to 0. As long as no error term of A lies in the strip, B crosses the same
-// borders as A.
+// opposite signs and B * |e_A| <= (X + Y) * |c|, where X + Y <= (n + 2) * r. The last condition
+// defines a narrow strip next to 0. As long as no error term of A lies in the strip, B crosses the
+// same borders as A.
 //
-// How the strip is searched: A column step adds r A_y to the error term of A, and a row step
-// subtracts r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms
-// are divided by r and rounded down, each step adds A_y modulo A, so the terms form a rotation. Let
-// t = floor((n + 2) |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in [-1 - t, -1] if
-// c > 0. Mirroring x to -1 - x reduces the second case to the first, with a rotation by A_x. A
-// variant of Euclid's algorithm finds, in about ten steps, the first time that a rotation enters
-// [0, t].
+// How the strip is searched: A column step adds r * A_y to the error term of A, and a row step
+// subtracts r * A_x. Modulo r * A, each term is therefore the previous term plus r * A_y. If the
+// terms are divided by r and rounded down, each step adds A_y modulo A, so the terms form a
+// rotation. Let t = floor((n + 2) * |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
+// [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
+// rotation by A_x. A variant of Euclid's algorithm finds, in about ten steps, the first time that a
+// rotation enters [0, t].
 //
 // Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
 // < 2^12, because lines in different directions are not worth examining further.
