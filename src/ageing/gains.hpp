@@ -1,5 +1,5 @@
 // The weights of a frame's evidence depend on the time since the last evidence. If a cell is
-// observed twice as often, each observation has half the weight.
+// observed twice as often, each observation has half as much weight.
 #pragma once
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// An XOR computes the complement because 32767 has all bits that occur in 0 ... 32767.
+// An XOR computes the complement because all bits that occur in 0 ... 32767 are set in 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {

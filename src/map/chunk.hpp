@@ -32,8 +32,7 @@ inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Two blocks are different if their CRCs or their numbers of bytes
-// differ.
+// Identifies the block of a chunk. Two blocks are different if their CRCs or their lengths differ.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes

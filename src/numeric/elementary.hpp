@@ -29,8 +29,8 @@ constexpr double power_of_two(int n) {
   return result;
 }
 
-// Returns e^x for -700 < x < 700. The argument is reduced to n ln 2 + f with |f| <= ln 2 / 2, and
-// e^f is computed as a Taylor series.
+// Returns e^x for -700 < x < 700. The argument is reduced to n * ln(2) + f with |f| <= ln(2) / 2,
+// and e^f is computed as a Taylor series.
 constexpr double exp(double x) {
   const double scaled = x / kLn2;
   const int n = static_cast<int>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
@@ -44,8 +44,8 @@ constexpr double exp(double x) {
   return sum * power_of_two(n);
 }
 
-// Returns the natural logarithm of x for 1e-300 < x < 1e300. The argument is reduced to m 2^n with
-// m near 1, and log(m) is computed with the series of atanh((m - 1) / (m + 1)).
+// Returns the natural logarithm of x for 1e-300 < x < 1e300. The argument is reduced to m * 2^n
+// with m near 1, and log(m) is computed from the series of atanh((m - 1) / (m + 1)).
 constexpr double log(double x) {
   int n = 0;
   while (x > 1.5) {

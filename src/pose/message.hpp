@@ -1,4 +1,4 @@
-// The pose message. The message consists of the SOME/IP and E2E headers that all messages have
+// The pose message, which consists of the SOME/IP and E2E headers that all messages have
 // (protection/protected_message.hpp), followed by 72 bytes of big-endian content. Each byte is
 // described in docs/spec.md, section 5.1.
 //

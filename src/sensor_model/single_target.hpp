@@ -36,7 +36,7 @@ struct SingleTarget {
 
  private:
   // Returns the number of cells to sum on each side. The powers of two shift the maximum term by
-  // sigma^2 ln 2 / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
+  // sigma^2 * ln(2) / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
   // maximum.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;

@@ -54,7 +54,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, including both ends. It may be empty.
+// An interval of ranges in mm, including both ends. The interval may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -212,7 +212,7 @@ template <typename HeightAt>
 }
 
 // Returns the part of a beam that is inside a height band, between the beam's origin and reach_mm
-// <= L. `end_z` is the height of the beam's end. The band includes its limits.
+// <= L. `end_z` is the height of the beam's end. The limits of the band are inclusive.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 
