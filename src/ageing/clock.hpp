@@ -1,5 +1,5 @@
-// The clock of the perception grid. It stores the timestamps of the newest 64 frames, and the decay
-// of evidence since each of these frames.
+// The clock of the perception grid, which stores the timestamps of the newest 64 frames and the
+// decay of evidence since each of these frames.
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
 // timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest one,

@@ -30,7 +30,7 @@
 namespace iog::app {
 
 // Returns true if several cores fuse this car's packets on arrival. Shared fusion requires a dense
-// lidar, and a fusion rule under which the parts of a frame can be merged. For four LUX units, one
+// lidar and a fusion rule under which the parts of a frame can be merged. For four LUX units, one
 // core is enough, because fusing their frame takes less time than splitting it between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 

@@ -38,8 +38,9 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // The window is longer than an emulated core may have to wait on a busy PC. The window is also
-  // longer than two periods of the slowest frames (2 s), after which missing data is reported.
+  // The window is longer than the time that an emulated core may have to wait on a busy PC. The
+  // window is also longer than two periods of the slowest frames (2 s), after which missing data is
+  // reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
   // `docs/safety.md` states that a complete memory check takes at most kMemoryWindowUs.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;

@@ -3,9 +3,9 @@
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
-// The loop never blocks. It processes datagrams as they arrive and puts messages into the transmit
-// ring. When there is no more work to do, the processor sleeps until the next Ethernet frame or
-// tick. If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
+// The loop never blocks. The loop processes datagrams as they arrive and puts messages into the
+// transmit ring. When there is no more work to do, the processor sleeps until the next Ethernet
+// frame or tick. If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
 
 #include <concepts>
@@ -80,8 +80,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // `cores` is the maximum number of cores to use. It has no effect if the machine has fewer cores.
-  // `commands` is set only if the car has a key.
+  // `cores` is the number of cores to use. If the machine has fewer cores, all of its cores are
+  // used. `commands` is set only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -181,7 +181,7 @@ class MachinePlatform {
 
  private:
   // A signature is sent after each frame. If a frame has many messages, signatures are also sent
-  // between them.
+  // between the messages.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {
@@ -205,8 +205,9 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. The pipeline sends every frame, and the classes if the vehicle has them,
-// to the network. The serial link transmits as much of the frame's grid as its bandwidth allows.
+// The target's pipeline. The pipeline sends every frame to the network, including the classes if
+// the vehicle has them. The serial link transmits as much of the frame's grid as its bandwidth
+// allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),

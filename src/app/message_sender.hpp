@@ -1,4 +1,4 @@
-// Numbers a target's messages, protects them and sends them to the network.
+// Numbers a target's messages, protects them, and sends them to the network.
 #pragma once
 
 #include <array>

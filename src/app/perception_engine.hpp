@@ -1,9 +1,9 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. It then fuses the packets that were measured
-// in the same slice of a few milliseconds, and adds them to the window using the pose of the slice.
-// The frame's own grid is assembled from the grids of its slices. This grid is byte-for-byte
-// identical to the grid that results from fusing the packets on arrival.
+// The engine buffers the packets until the frame ends. Then the engine fuses the packets that were
+// measured in the same slice of a few milliseconds, and adds them to the window using the pose of
+// the slice. The frame's own grid is assembled from the grids of its slices. This grid is
+// byte-for-byte identical to the grid that results from fusing the packets on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
 //                                                   '-> [JoinedGrid] the frame's grid
@@ -58,7 +58,7 @@ class PerceptionEngine {
   // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call this function before the first datagram. The window's age is measured from `now_us` on.
+  // Call this function before the first datagram. The window's age is measured from `now_us`.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
   // Returns true if the datagram was a pose or a part of a map. The function also logs all
@@ -69,7 +69,7 @@ class PerceptionEngine {
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // Closes the frame. Completes the grid and the classes on all cores of the crew. After each
+  // Closes the frame. Completes the grid and the classes, using all cores of the crew. After each
   // stage, finish() calls lap(stage) with the stage's stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
@@ -78,11 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers use these
-  // steps to run other tasks at the same time. `decide()` completes the grid and all classes except
-  // those of moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other
-  // cores may read the grid while follow_objects() runs. `end()` stores the ground. While end()
-  // runs, core 0 runs do_beside(), which may read the classes.
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers can use
+  // these steps to run other tasks at the same time. `decide()` completes the grid and all classes
+  // except those of moving objects. `follow_objects()` adds the classes of moving objects on core
+  // 0. Other cores may read the grid while follow_objects() runs. `end()` stores the ground. While
+  // end() runs, core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -104,7 +104,7 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // `describe()` fills in the engine's fields of the frame's header or of the classes' end message.
+  // `describe()` fills in the engine's fields in the frame's header or in the class end message.
   // `list_objects()` lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;

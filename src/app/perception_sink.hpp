@@ -30,7 +30,7 @@ class PerceptionSink : private NetworkSink<P> {
   using Indexes::end;
 
   // Callers must fill in class_end(), which is the class end message, before the classes are
-  // encoded. They must fill in objects() before the objects are sent.
+  // encoded. Callers must also fill in objects() before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 

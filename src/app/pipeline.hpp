@@ -234,9 +234,9 @@ class FramePipeline {
   }
 
   // Each tile and its reference are used once per frame. Tiles and references must not evict the
-  // tables and the cached lines, which the next frame uses again. Raw tiles have no reference, and
-  // classes reuse most of their data. For both, keeping the cached lines would only cost time
-  // (lab/notes/2026-11-29-l2-lockdown.md).
+  // tables and the cached lines, which the next frame uses again. Keeping the cached lines would
+  // only cost time for raw tiles, which have no reference, and for classes, which reuse most of
+  // their data (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {

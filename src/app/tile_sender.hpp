@@ -8,7 +8,7 @@
 // do other work. Tiles whose cells change are collected in batches. If there is only one core, it
 // encodes each tile immediately, while the tile is still in the cache.
 //
-// Encoded tiles of classes are cached. The cells of a tile are read again only if they or the
+// Encoded tiles of classes are cached. The cells of a tile are read again only if the cells or the
 // tile's reference have changed.
 #pragma once
 
@@ -38,8 +38,8 @@
 
 namespace iog::app {
 
-// The encoding of the sent tiles. In their shortest encoding, tiles take a tenth as many bytes as
-// raw tiles, but more instructions.
+// The encoding of the sent tiles. Tiles in their shortest encoding take up a tenth as many bytes as
+// raw tiles, but need more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // Specifies how long the cells of an added tile stay unchanged.
@@ -219,9 +219,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes cells that have not changed. The cells are encoded against the same reference. If the
-  // cells were sent without a reference, they are encoded as unchanged. If the function is
-  // interrupted and repeated, the result is the same.
+  // Encodes cells that have not changed. The cells are encoded against the same reference as
+  // before. If the cells were sent without a reference, they are encoded as unchanged. If the
+  // function is interrupted and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {

@@ -1,4 +1,4 @@
-// The car block is a block of bytes at a fixed offset in an image. It contains the compiled car
+// The car block is a block of bytes at a fixed offset in an image, and contains the compiled car
 // file and the network configuration. The block is written either by the build or by `iog image`.
 // The target checks the entire block before it uses any part of it (docs/spec.md, section 8).
 #pragma once

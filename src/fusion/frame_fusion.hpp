@@ -96,7 +96,7 @@ class FrameFusion {
   // this function once per frame, after the last point.
   void finish();
 
-  // Returns the grid. The grid is complete from finish() until it is cleared.
+  // Returns the grid. The grid is complete after finish() and until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from the lowest y, and then clears the tile. Returns

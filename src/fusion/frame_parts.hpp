@@ -41,7 +41,7 @@ class FrameParts {
   }
 
  private:
-  // In each group, all parts except the last one have the full size.
+  // All parts of a group are full-sized, except for the last one.
   static constexpr std::size_t kMaxGroups = kMaxSlices + 1;
   static constexpr std::size_t kMaxParts = kMostOfARound + kMaxGroups;
 

@@ -34,7 +34,8 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of all packets that are not registered. Packets of slice placed()[i] have group i.
+  // The group of all packets that are not registered. Packets of slice placed()[i] belong to group
+  // i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.

@@ -1,6 +1,6 @@
 // Carves the beams of tilted rotating sensors and of sensors that measure in the same directions in
-// every scan. The carver uses cached lines (beam_lines.hpp). It collects the beams of one azimuth
-// and carves them when the next azimuth begins.
+// every scan. The carver uses cached lines (beam_lines.hpp). The beams of one azimuth are collected
+// and then carved when the next azimuth begins.
 //
 // Beams that share a line, or whose lines cross the same cells, are carved together.
 #pragma once

@@ -28,8 +28,8 @@ class Exits {
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
   // Returns the exit range of a beam. The exit range is the distance along the beam's line at which
-  // the beam leaves the limits. It is rounded down to a multiple of 2 mm and is at most the line's
-  // length.
+  // the beam leaves the limits. This distance is rounded down to a multiple of 2 mm and is at most
+  // the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }

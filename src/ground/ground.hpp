@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The slope of a beam, and the ranges at which it hits the car itself. Both are needed for a
-// sample.
+// The slope of a beam, and the ranges at which it hits the car itself. Both properties are needed
+// for a sample.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -202,7 +202,7 @@ class Grounds {
   }
 
  private:
-  // If a sensor has been silent for kForgottenUs, the car may have moved to a different place. The
+  // If a sensor has been silent for kForgottenUs, the car may have moved to a different place. This
   // time is counted in frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 

@@ -7,10 +7,10 @@
 // and the top would then appear to be motion. The height of a beam is therefore measured from the
 // lowest ground nearby, and the height of a tall return is measured from the highest ground nearby.
 //
-// A beam opens no cells where it is less than MovedLimits::kUnderCarsMm above the ground. At such a
-// height, the beam may pass under a parked car, and the next beam may hit the car's body. If the
-// sensor is mounted at most kUnderCarsMm above the car's plane, it has no higher beams, so all its
-// low beams open cells.
+// A beam does not open cells where it is less than MovedLimits::kUnderCarsMm above the ground. At
+// such a height, the beam may pass under a parked car, and the next beam may hit the car's body. If
+// the sensor is mounted at most kUnderCarsMm above the car's plane, it has no higher beams, so all
+// its low beams open cells.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // A small network host on one Ethernet port. The host receives datagrams and sends messages to one
-// peer. The host answers pings only from the peer. It answers ARP requests from every host in its
-// subnet, so that sensors can reach it.
+// peer. The host answers pings only from the peer. The host answers ARP requests from every host in
+// its subnet, so that sensors can reach it.
 //
 // `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
 // can also use ARP to resolve one more address, called the neighbour.

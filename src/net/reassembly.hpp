@@ -11,8 +11,8 @@
 // datagrams as it has streams. Slots are reserved for these datagrams. If a sender starts too many
 // datagrams, its own oldest datagram is evicted. If unlisted senders are allowed, they share the
 // remaining slots. If all shared slots are in use, the unlisted sender with the most datagrams
-// loses one of them. It loses the datagram with the fewest fragments or, in a tie, the oldest one.
-// In a flood, orphaned fragments are therefore evicted before the datagram of a sensor.
+// loses one of them. This sender loses the datagram with the fewest fragments or, in a tie, the
+// oldest one. In a flood, orphaned fragments are therefore evicted before the datagram of a sensor.
 #pragma once
 
 #include <array>

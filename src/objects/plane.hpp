@@ -39,8 +39,8 @@ struct Velocity {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// Returns the approximate distance, max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is at most
-// 1/16 of the distance.
+// Returns the approximate distance, which is max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is
+// at most 1/16 of the distance.
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);

@@ -1,6 +1,6 @@
 // Defines all parameters of tracking (docs/objects.md).
 //
-// Unless a name says otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
+// Unless a name indicates otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
 // belong to the algorithm and are the same for all cars.
 #pragma once
 
@@ -39,8 +39,9 @@ inline constexpr std::int32_t kSmallMm = 1200;     // a pedestrian is at most th
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// Tyres and legs limit the acceleration. After kGripFrom updates, the speed of a moving track
-// changes by at most kGrip mm/s per second along each axis. Braking and cornering reach 10 m/s^2.
+// The acceleration of road users is limited by their tyres or legs. After kGripFrom updates, the
+// speed of a moving track changes by at most kGrip mm/s per second along each axis. Braking and
+// cornering reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
@@ -173,7 +174,7 @@ inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
 // At speeds of kClearSpeed and above, kClearHits good places increase the confidence by a larger
-// amount, because the car will soon have passed the object.
+// amount than at lower speeds, because the car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
 // If a track's box has been car-sized for kSteadyFrom updates, the track needs only kSteadyHits

@@ -1,4 +1,4 @@
-// A track represents one object. It has a box, a velocity and a state, and hits are assigned to it.
+// A track represents one object by a box, a velocity and a state. Hits are assigned to tracks.
 #pragma once
 
 #include <array>
@@ -84,10 +84,10 @@ class Track {
   [[nodiscard]] bool is_mostly_standing() const;
   // Returns true if the track has a heading and is the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Returns true if the track is car-sized, has a high confidence, and is supported in its motion
-  // by recent frames. Standing hits in the box of such a track belong to the car. A slow car covers
-  // each place for so long that the grid classifies the place as standing. Pedestrians beside a
-  // parked car may form a track of the same size, but the cells that they leave are classified as
+  // Returns true if the track is car-sized and has a high confidence, and if recent frames support
+  // its motion. Standing hits in the box of such a track belong to the car. A slow car covers each
+  // place for so long that the grid classifies the place as standing. Pedestrians beside a parked
+  // car may form a track of the same size, but the cells that they leave are classified as
   // standing.
   [[nodiscard]] bool is_sure_car() const;
   // Updates is_receding from the track's velocity and its position relative to the car.

@@ -5,8 +5,8 @@
 // metres (Rules::around), and the required numbers of new hits stay the same.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
-// beam has freed its cell and a tall return lies within Rules::tall_within cells. An object is
-// therefore never classified as moving if it is so low that beams pass over it.
+// beam has freed its cell and a tall return lies within Rules::tall_within cells of the hit. An
+// object is therefore never classified as moving if it is so low that beams pass over it.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
 // the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and

@@ -1,10 +1,9 @@
-// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving. A
-// moving cell loses the class `moving` if it was not hit and is outside the boxes of all moving
-// tracks.
+// Relabels cells according to tracks (docs/objects.md). Cells that contain hits of moving tracks
+// become moving. A moving cell loses the class `moving` if it was not hit and is outside the boxes
+// of all moving tracks.
 //
-// Relabelling changes only class bytes. It never changes masses or the ground memory. All changes
-// are undone when the next frame begins, so the masses in the grid are the same with and without
-// tracks.
+// Relabelling changes only class bytes, never masses or the ground memory. All changes are undone
+// when the next frame begins, so the masses in the grid are the same with and without tracks.
 #pragma once
 
 #include <array>

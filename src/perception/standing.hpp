@@ -37,8 +37,8 @@ struct StandingCounts {
                                              const Around& around = {});
 
 // Detects wrong poses. If the poses are wrong, beams appear to pass through standing objects on all
-// sides. Counts are averaged over about eight frames. The weight of a frame then falls to one half
-// after five more frames. When a parked car drives off, beams also cross its cells, but walls,
+// sides. Counts are averaged over about eight frames. The weight of a frame therefore falls to one
+// half after five more frames. When a parked car drives off, beams also cross its cells, but walls,
 // poles and other cars are confirmed at the same time.
 //
 // If the poses are wrong from the start, few cells are classified as standing, and a much larger

@@ -36,7 +36,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 template <std::size_t kGroups>
 using Joint = std::conditional_t<kGroups == 4, std::uint32_t, std::uint16_t>;
 
-// `bytes` has one byte per group of a tile. The number of the first group is a multiple of kGroups.
+// `bytes` has one byte per group of a tile. The number of the first group must be a multiple of
+// kGroups.
 template <std::size_t kGroups, typename Bytes>
 [[nodiscard]] inline Joint<kGroups> joint(const Bytes& bytes, std::size_t group) {
   Joint<kGroups> word = 0;

@@ -11,8 +11,8 @@
 // for both sums (placing/slice_byte.hpp). A positive byte contains only the sum of hits, because
 // the first hit overwrites the free index. Slices may be added in any order because a saturating
 // sum of numbers with the same sign does not depend on their order. The extra bit of a free cell is
-// set if any slice sets it. A second bit per cell is set if a hit is a tall return. The evidence
-// takes up 1.1 MB in total.
+// set if any slice sets it. A second bit per cell is set if a hit in the cell is a tall return. The
+// evidence takes up 1.1 MB in total.
 //
 // If several cores add slices, they work in parallel. Each core processes regions of the window.
 // The core that processes a region gathers free space into the region's tiles and searches the

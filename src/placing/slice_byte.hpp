@@ -25,7 +25,7 @@ inline constexpr std::int32_t kMostIndex = evidence::kGradedIndexes - 1;
 inline constexpr std::int32_t kBeside = 32;
 static_assert(kMostIndex == kBeside - 1);
 
-// Returns the index of a byte, without the extra bit.
+// Returns the index stored in a byte, without the extra bit.
 [[nodiscard]] constexpr std::int32_t index_of(std::int8_t byte) {
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }

@@ -3,7 +3,7 @@
 //
 // The cells are a copy. Copying saves time because each cell is looked up four times on average.
 // Known tiles are stored consecutively, so successive slices use the same part of the L2 cache. The
-// cells of unknown tiles are not stored, so they need not be cleared.
+// cells of unknown tiles are not stored, so they do not have to be cleared.
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@ inline constexpr std::uint8_t kInterfaceVersion = 5;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // The event group that service discovery offers. The group contains all events of the network
-// channel. The minor version increases when fields are appended without a new major version.
+// channel. Appending fields increases only the minor version.
 inline constexpr std::uint16_t kEventGroup = 0x0001;
 inline constexpr std::uint32_t kMinorVersion = 0;
 

@@ -112,7 +112,7 @@ struct ObjectPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent in each of these cases:
+// kInconsistent. A part is inconsistent in any of these cases:
 //   * The part number exceeds the number of parts, or the object count does not match the number of
 //     parts.
 //   * The part has objects but no time, or a record is truncated.

@@ -64,7 +64,7 @@ struct ReceptionPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent in each of these cases:
+// kInconsistent. A part is inconsistent in any of these cases:
 //   * The part number exceeds the number of parts.
 //   * The number of receptions is wrong for this part.
 //   * A record is truncated, or the times decrease.

@@ -31,7 +31,7 @@ class References {
 
   // Records the payload length of a tile that was sent as a difference from its reference. If this
   // length exceeds seven eighths of the self-contained length, the tile is sent in self-contained
-  // form the next time. This makes the following frames shorter.
+  // form the next time. The following frames are then shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
   // Returns the stored reference of a tile. Returns nothing if no self-contained version of the

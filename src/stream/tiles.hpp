@@ -99,7 +99,7 @@ struct Geometry {
   return geometry;
 }
 
-// Returns the extent of the window with this geometry, or nothing if no car can have it.
+// Returns the extent of the window with this geometry, or nothing if no car can have such a window.
 [[nodiscard]] constexpr std::optional<window::Extent> extent_of(const Geometry& geometry) {
   const auto tiles = [](std::uint16_t cells) {
     return static_cast<std::uint8_t>(cells / geometry::kTileSide);
@@ -194,7 +194,7 @@ class TileRecords {
 };
 
 // Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. A message is
-// inconsistent in each of these cases:
+// inconsistent in any of these cases:
 //   * The message covers tiles outside its grid, or contains a tile that it does not cover.
 //   * The message repeats a tile, or contains a tile longer than a raw tile.
 //   * The number of tiles is wrong.

@@ -1,6 +1,6 @@
 // Decides whether two lines with the same start cross the same cells. Lines that cross the same
 // cells can be carved in one walk. At a given azimuth, the lines of a lidar's layers are nearly
-// identical. They differ only in length and in the rounding of their ends.
+// identical. These lines differ only in length and in the rounding of their ends.
 //
 // Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
 // corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =

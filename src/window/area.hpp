@@ -6,8 +6,8 @@
 // `32 * (b mod 32) + a mod 32`. The slot does not depend on the position of the window, so no data
 // is moved when the window moves. In messages, the tiles of a window of c by r tiles are numbered
 // `c * (b mod r) + a mod c`, which is the slot if c and r are 32. Coordinates of the local frame
-// are int32 millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For cells of 0.2
-// m and 0.5 m, tile numbers are closer to 0.
+// are int32 values in millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For
+// cells of 0.2 m and 0.5 m, tile numbers are closer to 0.
 #pragma once
 
 #include <cstddef>

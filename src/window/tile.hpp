@@ -128,7 +128,7 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// Returns cell i of a group in the tile of a slot.
+// Returns cell i of a group in the tile in a slot.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

@@ -70,7 +70,7 @@ class Window {
     return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
   }
 
-  // Returns true if around() has returned no plane that may have a bit set.
+  // Returns true if none of the planes that around() returned may have a bit set.
   [[nodiscard]] static bool are_empty(const NinePlanes& nine) {
     return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
   }

@@ -28,7 +28,7 @@ class WindowView {
   // Returns the tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Returns true if the tile in a slot has ever been known. If not, all cells of the tile are
+  // Returns true if the tile in a slot has ever been known. Otherwise, all cells of the tile are
   // unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 

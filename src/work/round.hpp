@@ -62,8 +62,8 @@ template <typename Callable>
 }
 
 // Adds to a counter that only one core writes. Other cores may read the counter. A load and a store
-// are enough because no other core writes in between. They also avoid an exclusive access, which
-// could follow a store to a device.
+// are enough because no other core writes in between. A load and a store also avoid an exclusive
+// access, which could follow a store to a device.
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }

@@ -1,4 +1,4 @@
-// The worker pool. It consists of core 0, which opens rounds, and the helpers.
+// The worker pool, which consists of the helpers and of core 0, which opens rounds.
 //
 // Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
 // faults or hangs while it runs an item, it is stopped and never used again, and core 0 repeats the
