@@ -115,7 +115,7 @@ class AzimuthCarver {
   const vehicle::Vehicle* vehicle_;
 
   // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
-  // contains the further lines that have been found. `lines_in_use_` contains the lines with
+  // contains those further lines that have been found. `lines_in_use_` contains the lines with
   // pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;

@@ -1,9 +1,9 @@
 // Defines a one-byte code for the cells of a 4 by 4 block that a line crosses.
 //
-// A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
-// of both axes and rises by at most one cell per column. `u` is the column number along the line's
-// longer axis, and `v` is the row number along the other axis. Such a line can enter a block in the
-// seven numbered cells:
+// A line that does not pass through a corner is mirrored and transposed, so that it runs in the
+// positive direction of both axes and rises by at most one cell per column. `u` is the column
+// number along the line's longer axis, and `v` is the row number along the other axis. Such a line
+// can enter a block in the seven numbered cells:
 //
 //     v
 //     3 | 3  .  .  . |
@@ -56,7 +56,7 @@ struct BlockColumn {
 };
 
 // The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
-// Each of u and v can run in the negative direction.
+// Either u or v, or both, can run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;

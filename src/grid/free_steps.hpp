@@ -130,8 +130,8 @@ class LowSteps : public FreeSteps {};
 // cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which at least one
 // beam is low. A beam adds at most one entry to each of these members.
 struct LineSteps {
-  // The amount by which a low beam lowers cells in `low`. Cells saturate, so several overlapping
-  // low beams have the same effect as one low beam.
+  // The amount by which a low beam lowers cells in `low`. Cell values saturate, so several
+  // overlapping low beams have the same effect as one low beam.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

@@ -1,6 +1,5 @@
 // The lines of level rotating sensors. All layers share one line per azimuth step (docs/model.md
-// section 5). The lines are cached in the same way as in beam_lines.hpp, but each azimuth step has
-// its own slot.
+// section 5). The lines are cached as in beam_lines.hpp, but each azimuth step has its own slot.
 #pragma once
 
 #include <array>

@@ -88,7 +88,7 @@ class TileUpdate {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
-  // Has the same effect as fuse() if needs_no_taken() is true and no cell of the group is hit.
+  // Equivalent to fuse() if needs_no_taken() is true and no cell of the group is hit.
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
@@ -107,8 +107,8 @@ class TileUpdate {
            are_equal(joint<kGroups>(tile.evidence_at, group)) && assignment_ == nullptr;
   }
 
-  // Same as the function above, but processes kGroups consecutive groups at once. may_be_joint()
-  // must be true. `indexes` are the indexes of the first group.
+  // Same as above, but processes kGroups consecutive groups at once. may_be_joint() must be true.
+  // `indexes` are the indexes of the first group.
   template <std::size_t kGroups>
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     cross_joint<kGroups>(tile, group, indexes);

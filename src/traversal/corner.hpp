@@ -1,5 +1,5 @@
-// Finds lines that meet no corner between cells after their start. Every step of the walk along
-// such a line crosses exactly one border.
+// Finds lines that do not pass through a corner between cells after their start. Every step of the
+// walk along such a line crosses exactly one border.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid

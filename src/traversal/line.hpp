@@ -182,7 +182,7 @@ class Line {
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // Returns the error term of the walk at a position. The sign of the error term shows on which
+  // Returns the error term of the walk at a position. The sign of the error term indicates on which
   // side of the line the next corner is. If the error term is negative, the line crosses the column
   // border first. If the error term is positive, the line crosses the row border first. If the
   // error term is 0, the line crosses the corner itself.

@@ -48,14 +48,15 @@ struct Turn {
 
 // Finds the first term of a rotation whose value is at most `threshold` and returns its number.
 // Returns `limit` if the first `limit` terms are all greater than `threshold`. The rotation starts
-// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, this is the same as
-// moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
+// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, such a step is the same
+// as moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
 // The first term that is at most `threshold` is smaller than all terms before it. From each such
 // minimum, the first downward turn by at most x leads to the next one. As in Euclid's algorithm,
-// shorter and shorter downward turns are found. For this, the shortest upward turn so far is
-// subtracted from the shortest downward turn so far, and vice versa. The angles of both turns add
-// up to at most a full circle, and so do the numbers of their steps, so nothing overflows.
+// shorter and shorter downward turns are found. To find these turns, the shortest upward turn so
+// far is subtracted from the shortest downward turn so far, and vice versa. The angles of both
+// turns add up to at most a full circle, and so do the numbers of their steps, so nothing
+// overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {

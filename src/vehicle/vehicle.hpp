@@ -44,7 +44,7 @@ inline constexpr std::size_t kMaxTurnLines = 8192;
 inline constexpr int kAxisFractionBits = 10;
 
 // One coordinate of the end of a layer's beams, as a function of the azimuth `a` of the beam:
-//   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
+//   end = base + forward * cos(a) + left * sin(a)      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
   std::int32_t forward = 0;
