@@ -5,12 +5,11 @@
 //
 // The payload of a signature is in big-endian order:
 //
-//    0  u16: The number of bytes before the names, which is 12. u16: The length of a name, which is
-//       16 bytes.
-//    4  u32: The number of the target's run.
-//    8  u16: The number of names. u16: Always 0.
-//   12  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of the
-//       whole message.
+//    `0`  The number of bytes before the names, 12 (u16), and the number of bytes per name, 16 (u16).
+//    `4`  The run number of the target (u32).
+//    `8`  The number of names (u16), and 0 (u16).
+//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of the
+//         whole message.
 #pragma once
 
 #include <algorithm>

@@ -74,7 +74,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) 
   return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
 }
 
-// `index` must be in -127 ... 127.
+// `index` must be in the range -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {
   constexpr int kUnit = (kCertain + 1) / kMassFraction;

@@ -6,12 +6,12 @@
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
 // plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
-// turn in which fewer than one sixteenth of its ground beams have a return, if one of two
-// conditions holds: fewer than one sixteenth of all its beams have a return, or at least one
-// quarter of its ground beams previously had a return. The previous fraction is a running mean that
-// is updated by 1/32 per turn. A ground sector is unblocked after three turns in which one eighth
-// of its ground beams have a return. If fewer than one quarter of its ground beams previously had a
-// return, one eighth of all its beams is also enough.
+// turn in which fewer than one sixteenth of its ground beams have a return, provided that fewer
+// than one sixteenth of all its beams have a return or at least one quarter of its ground beams
+// previously had a return. The previous fraction is a running mean that is updated by 1/32 per
+// turn. A ground sector is unblocked after three turns in which one eighth of its ground beams have
+// a return. If fewer than one quarter of its ground beams previously had a return, one eighth of
+// all its beams is also enough.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
@@ -21,8 +21,8 @@
 // 32 scans without a return, and is unblocked after two scans with a return. After three scans
 // without any return, all sectors of the unit are reported as blocked.
 //
-// Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-// range, such as a level 2D scanner. Only beams that have an echo are evaluated. An open sector
+// Open sectors are all sectors of a unit, such as a level 2D scanner, whose beams never meet the
+// car's plane within the unit's range. Only beams that have an echo are evaluated. An open sector
 // becomes blocked after 32 scans in which fewer than 1/16 of the echoes count as returns. An open
 // sector is unblocked after two scans in which at least 1/16 of the echoes count as returns.
 //
@@ -97,7 +97,7 @@ class BlockedSectors {
   // Ends the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // Returns the azimuths of a packet at which a missing return is no evidence of free space. At
+  // Returns the azimuths of a packet at which a missing return is not evidence of free space. At
   // such an azimuth, either the sector was blocked in earlier frames, or fewer than one sixteenth
   // of the evaluated beams in the packet have a return. The result also includes the azimuth parts
   // adjacent to these azimuths.
@@ -146,8 +146,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet that the fusion code uses. At silent azimuths, a missing return is no evidence
-// of free space.
+// A view of a packet that the fusion code uses. At silent azimuths, a missing return is not
+// evidence of free space.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

@@ -1,6 +1,6 @@
 // Decodes the data packets of the Hesai QT128, also called QT128C2X (QT128C2X User Manual, "Point
-// Cloud Data Packet"). The lasers point up to 53 degrees up and down and up to 11 degrees to the
-// sides. The angles differ between units, so the car file contains the angles from the
+// Cloud Data Packet"). The lasers point up to 53 degrees up or down and up to 11 degrees to either
+// side. The angles differ between units, so the car file contains the angles from the
 // manufacturer's calibration file.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Decodes the data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data
-// Packet"). The lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The
+// Packet"). The lasers point up to 52 degrees up or down and up to 9 degrees to either side. The
 // angles differ between units, so the car file contains the angles from the manufacturer's
 // calibration file.
 #pragma once

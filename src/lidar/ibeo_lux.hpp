@@ -47,7 +47,7 @@ class IbeoLux {
   }
 
   // Checks the whole message, including every point, and keeps a view of the datagram. The view is
-  // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
+  // valid while the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
   // kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 

@@ -35,7 +35,8 @@ enum class DecodeStatus : std::uint8_t {
 inline constexpr std::size_t kDecodeStatusCount = 6;
 
 // The azimuths that a packet has swept, counter-clockwise from `first_ticks`. Consecutive packets
-// of a scan cover adjacent sectors. The sectors of all packets show whether the scan is complete.
+// of a scan cover adjacent sectors. Together, the sectors of all packets show whether the scan is
+// complete.
 struct Sector {
   std::uint16_t first_ticks = 0;  // 0 to ticks_per_turn - 1
   std::uint16_t width_ticks = 0;  // 0 to ticks_per_turn

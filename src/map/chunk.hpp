@@ -51,7 +51,7 @@ struct Chunk {
 };
 
 // Returns the chunk with this number. The number must be below chunk_count(). `block` contains all
-// bytes of the block. The size of `block` must be 1 ... kMaxBlockBytes.
+// bytes of the block. The size of `block` must be in the range 1 ... kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 

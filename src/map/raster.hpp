@@ -61,7 +61,7 @@ class Raster {
   void add_to(FrameBits& bits);
 
  private:
-  // Returns the first row or column whose centre is not below `fine`.
+  // Returns the first row or column whose centre is at or above `fine`.
   [[nodiscard]] static std::int32_t first_from(std::int32_t fine) {
     return (fine + kFine / 2 - 1) >> kFineBits;
   }

@@ -28,7 +28,8 @@ class Checksum {
   // uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // Returns the value for the checksum field. For the sum, that field must have been 0.
+  // Returns the value for the checksum field. That field must have been 0 when the sum was
+  // computed.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }

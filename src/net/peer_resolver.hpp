@@ -27,8 +27,9 @@ class PeerResolver {
  public:
   [[nodiscard]] bool known() const { return mac_.has_value(); }
 
-  // Requires known(). An address can be replaced, but it is never deleted. No message is therefore
-  // lost if the peer is silent for a while. If the peer is gone, one request per second is sent.
+  // Requires known(). An address can be replaced, but it is never deleted. Messages are therefore
+  // not lost if the peer is silent for a while. If the peer is gone, one request per second is
+  // sent.
   [[nodiscard]] const MacAddress& mac() const { return *mac_; }
 
   // Returns the address and the time at which ARP last confirmed it, or nothing if no address is

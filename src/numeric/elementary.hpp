@@ -66,8 +66,8 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// Returns the sum of (-1)^i x^(2i + first) / (2i + first)! for |x| <= pi / 4. The result is the
-// Taylor series of cosine if `first` is 0, and of sine if `first` is 1.
+// Returns the sum of (-1)^i * x^(2 * i + first) / (2 * i + first)! for |x| <= pi / 4. The result is
+// the Taylor series of cosine if `first` is 0, and of sine if `first` is 1.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;

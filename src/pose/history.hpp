@@ -1,6 +1,6 @@
 // Stores the poses of the last second and interpolates the pose at any time within this second.
 //
-// Times are in us on the clock of the pose source unless the target's clock is stated. Messages
+// Times are in us on the clock of the pose source unless the target's clock is mentioned. Messages
 // must arrive in the order of the source's clock. A message that is not newer than the newest
 // message so far is dropped. A sequence of poses ends with a break. A break is one of the
 // following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by

@@ -10,8 +10,8 @@ namespace iog::pose {
 // Angles are converted to lengths at this distance, which equals the range of the sensors.
 inline constexpr std::int32_t kReachMm = 50'000;
 
-// The valid values of a message. The integer widths of all computations with poses follow from
-// these bounds.
+// The valid ranges of the values in a message. The integer widths of all computations with poses
+// follow from these bounds.
 inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
@@ -31,7 +31,7 @@ inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
 // Messages of one run must be at least kMinSpacingUs apart on the sender's clock. Messages that are
 // closer together are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
-// A history of kHistoryMessages messages always covers more than the required second.
+// A history of kHistoryMessages messages always covers more than the required one second.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 

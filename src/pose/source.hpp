@@ -73,9 +73,9 @@ class Source {
   // Returns the number of slices since start-up for each reason why a slice has no pose. The entry
   // kNone counts the slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this is
-  // the middle of the first slice in a series of slices without a pose. For the other causes, see
-  // History.
+  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this time
+  // is the middle of the first slice in a series of slices without a pose. For the other causes,
+  // see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -100,8 +100,8 @@ struct GroundLimits {
 // otherwise. By default, every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
-  // If the sensor follows the ground, a beam below this height opens no cells because it may pass
-  // under a stationary car.
+  // If the sensor follows the ground, a beam below this height does not open cells, because it may
+  // pass under a stationary car.
   static constexpr std::uint16_t kUnderCarsMm = 300;
 
   std::uint16_t low_mm = kAnyHeight;
