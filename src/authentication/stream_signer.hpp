@@ -5,11 +5,11 @@
 //
 // The payload of a signature is in big-endian order:
 //
-//    `0`  The number of bytes before the names, 12 (u16), and the number of bytes per name, 16 (u16).
+//    `0`  The number of bytes before the names, 12 (u16), and the length of a name, 16 bytes (u16).
 //    `4`  The run number of the target (u32).
 //    `8`  The number of names (u16), and 0 (u16).
-//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of the
-//         whole message.
+//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of
+//         the whole message.
 #pragma once
 
 #include <algorithm>
