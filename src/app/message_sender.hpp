@@ -33,8 +33,7 @@ class MessageSender {
   }
 
   // Sends a message with a header and a body. `write(buffer)` writes the body and returns its
-  // length in bytes. If the message is lost, the receiver detects the loss from the next sequence
-  // number.
+  // length in bytes.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

@@ -279,7 +279,7 @@ class FramePipeline {
     }
   }
 
-  // Passes the classes to the other sinks. The network sink already has the classes.
+  // Passes the classes to the other sinks.
   void show_classes() {
     const auto show = [this](auto& sink) {
       if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {

@@ -130,7 +130,7 @@ class TileSender {
   // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  // True if encoded tiles are cached. Only tiles of classes are cached.
+  // True if encoded tiles are cached.
   static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
 
   struct Added {

@@ -69,8 +69,7 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message that is shown when a car block is rejected. The console, the stream and `iog image`
-// display this message.
+// The message that is shown when a car block is rejected.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

@@ -1,6 +1,5 @@
 // Ages a group's free masses and fuses a frame's evidence into them, with eight cells per register.
-// These functions are the building blocks of fusion_neon.cpp. Callers that process the result
-// further can also use these functions.
+// These functions are the building blocks of fusion_neon.cpp.
 #pragma once
 
 #include <arm_neon.h>

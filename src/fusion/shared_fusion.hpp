@@ -131,7 +131,6 @@ class SharedFusion {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
   }
   // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
-  // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
   // `deal()`, `fuse_next()` and `join()` are the steps of fuse_kept(). `deal()` splits the buffered
   // packets in the same way as FrameParts::deal().

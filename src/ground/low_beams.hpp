@@ -1,6 +1,5 @@
-// Computes the part of each beam that is close to the ground. Only low beams make a cell eligible
-// for motion detection. A hit counts as moving only if a low beam freed its cell earlier
-// (docs/perception.md, section 4).
+// Computes the part of each beam that is close to the ground. A hit counts as moving only if a low
+// beam freed its cell earlier (docs/perception.md, section 4).
 //
 // The height of the ground below a beam is known only per bin. If a bank rises from one bin to the
 // next, a beam would appear low over both the foot and the top of the bank. A hit between the foot

@@ -16,8 +16,7 @@ namespace iog::index {
 // The index as stored in a grid. The value -128 never occurs, so the range is symmetric.
 using OccupancyIndex = std::int8_t;
 
-// The range of an index in a cell of type Cell. A smaller epsilon needs a wider cell type, but the
-// code stays the same.
+// The range of an index in a cell of type Cell.
 template <std::signed_integral Cell>
 inline constexpr Cell kIndexMax = std::numeric_limits<Cell>::max();
 template <std::signed_integral Cell>

@@ -1,8 +1,7 @@
 // Converts datagrams to packets and assigns them to frames.
 //
-// A datagram is decoded only once. The result contains the sensor and the decoded contents of the
-// datagram. If the caller closes a frame, it can therefore classify the same packet again for the
-// next frame. Dropped datagrams are counted by cause.
+// A datagram is decoded only once. After closing a frame, the caller can therefore classify the
+// same packet again for the next frame. Dropped datagrams are counted by cause.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// Determines the directions around the vehicle that no sensor watches. For a planner, these
-// directions are the most important information.
+// Determines the directions around the vehicle that no sensor watches.
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle

@@ -1,4 +1,4 @@
-// The SSE2 implementation of operations on sixteen indexes at once. Every PC has SSE2.
+// The SSE2 implementation of operations on sixteen indexes at once.
 #pragma once
 
 #include <array>

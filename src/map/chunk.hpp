@@ -1,8 +1,6 @@
 // Defines the messages that transmit chunks of a map block. Each message consists of SOME/IP and
 // E2E headers (protection/protected_message.hpp), a header of 20 bytes, and up to 1280 bytes of the
 // block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each byte.
-//
-// The sender and the target both use this file, so they use the same format.
 #pragma once
 
 #include <array>

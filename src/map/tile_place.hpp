@@ -4,7 +4,7 @@
 // if cells are 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower
 // corner of the tile's frame. The frame is the tile with kHalo additional cells on each side. The
 // rounding depends only on the position in the local frame. A vertex therefore has the same
-// position for all tiles and features. Operations on rounded vertices are exact (map/raster.hpp).
+// position for all tiles and features.
 #pragma once
 
 #include <cstdint>

@@ -5,10 +5,9 @@
 // `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
 // can also use ARP to resolve one more address, called the neighbour.
 //
-// The host reads no clock and owns no memory except the port's buffers. The caller provides the
-// memory for reassembly. Received data is copied only for reassembly. Sent data is copied once, and
-// its checksum is computed during the copy. The port's memory is uncached, so it would be slow to
-// read the data back.
+// The host reads no clock and owns no memory except the port's buffers. Received data is copied
+// only for reassembly. Sent data is copied once, and its checksum is computed during the copy. The
+// port's memory is uncached, so it would be slow to read the data back.
 //
 // In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
 // then calls the port's pump().

@@ -4,8 +4,7 @@
 // ensures that the image contains no floating-point instructions. On the PC, the reference
 // implementations also call these functions at run time. The functions use only +, -, * and / of
 // IEEE doubles. Each operation is correctly rounded, so every compiler computes the same table. The
-// relative error is below 1e-14 in the stated ranges. The tests in tests/host/numeric/ compare the
-// results with the C library.
+// relative error is below 1e-14 in the stated ranges.
 #pragma once
 
 namespace iog::numeric {

@@ -44,8 +44,7 @@ struct ClassWindow {
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// Returns the area of the window. The number of a tile in messages does not change when the window
-// moves (window/area.hpp).
+// Returns the area of the window.
 [[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes,
                                              window::Extent extent = {}) {
   return window::Area({.a = classes.corner_a, .b = classes.corner_b}, extent);

@@ -3,8 +3,7 @@
 //
 // Every message starts with the same header, which contains its own length and the message type. A
 // receiver skips header bytes that it does not know, and drops messages with unknown types,
-// encodings or storage formats. Later versions can therefore add fields and encodings. Tile
-// messages are defined in stream/tiles.hpp.
+// encodings or storage formats. Later versions can therefore add fields and encodings.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// Reads IEEE 754 binary32 numbers without floating-point arithmetic. Some wire formats contain
-// binary32 numbers.
+// Reads IEEE 754 binary32 numbers without floating-point arithmetic.
 //
 // A binary32 number equals m * 2^(e - 150) with m below 2^24. The product of m and a factor below
 // 2^32 is below 2^56. One 64-bit multiplication and one shift therefore give an exact result.

@@ -7,7 +7,7 @@
 // this.
 //
 // ARMv7 supports unaligned access to normal memory, so GCC merges the bytewise expressions into one
-// ldr/str and one rev. No function requires alignment.
+// ldr/str and one rev.
 #pragma once
 
 #include <cstddef>
