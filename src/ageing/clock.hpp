@@ -1,13 +1,13 @@
-// The clock of the perception grid. The clock stores the timestamps of the newest 64 frames, and
-// the decay of evidence since each of them.
+// The clock of the perception grid, which stores the timestamps of the newest 64 frames and the
+// decay of evidence since each of these frames.
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
 // timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest one,
 // the newest one is used instead, so time never decreases.
 //
 // Each frame has a slot from 1 to 64. Slots are reused cyclically, so a stored slot number must be
-// discarded within 63 frames. Slot 0 represents no frame. If a group has slot 0, it was never aged
-// or never had evidence.
+// discarded within 63 frames. Slot 0 represents no frame. A group with slot 0 has never been aged
+// or has never had evidence.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
-  // `tables` contains the tables of a car with its own constants. It must outlive the clock.
-  // `tables` is null if the default constants are used.
+  // `tables` points to the tables of a car that defines its own constants, and must outlive the
+  // clock. The pointer is null if the default constants are used.
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime, const Tables* tables = nullptr)
       : discounting_(discounting),

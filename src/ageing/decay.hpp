@@ -1,7 +1,7 @@
 // Computes the decay of a mass after a given time, as a product over the bits of the time.
 //
-// The decay after a time t is kappa(t) = exp(-t / tau). A table contains floor(2^31 kappa(2^j ms))
-// for each bit j. The factors of the bits that are set in t are multiplied, starting with the
+// The decay after a time t is kappa(t) = exp(-t / tau). A table contains floor(2^31 * kappa(2^j
+// ms)) for each bit j. The factors of the bits that are set in t are multiplied, starting with the
 // lowest bit, and each product is rounded down. All factors and products are below 1, and each of
 // them loses less than one unit of 2^-31. The computed kappa(t) is therefore at most 16 + 15 units
 // below the true value.
@@ -50,7 +50,7 @@ constexpr std::uint32_t product(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> kDecayFraction);
 }
 
-// The argument must be 0 ... 65535.
+// The argument must be in the range 0 ... 65535.
 constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
   std::uint32_t left = kUndecayed;
   for (std::uint32_t rest = ms; rest != 0; rest &= rest - 1) {
@@ -62,9 +62,9 @@ constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
 struct Decays {
   DecayTable dynamic{};
   DecayTable fixed{};
-  // The factor kappa_dyn^(1/4) kappa_sta^(3/4). This factor is the limit of the proportional factor
-  // (Kurdej 2015, section 6.3) for small time steps. A product of finite steps would depend on the
-  // update rate.
+  // The factor kappa_dyn^(1/4) * kappa_sta^(3/4). This factor is the limit of the proportional
+  // factor (Kurdej 2015, section 6.3) for small time steps. A product of finite steps would depend
+  // on the update rate.
   DecayTable shared{};
   friend constexpr bool operator==(const Decays&, const Decays&) = default;
 };

@@ -1,5 +1,5 @@
 // The weights of a frame's evidence depend on the time since the last evidence. If a cell is
-// observed twice as often, each observation has half the weight.
+// observed twice as often, each observation has half as much weight.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,9 @@ inline constexpr std::uint32_t kLongestGainMs = 100;
 
 // The constants of Kurdej 2015, section 7.3. These constants describe an object of length L = 3 m
 // that moves at V_min = 1 m/s or faster, at a distance of d = 0.5 m behind another object. The
-// accumulator is full after L / V_min (delta), and it is empty again after d / V_min (gamma = L / d
-// = 6). At the scan rate of the thesis, a full accumulator specialises all mass within one scan.
+// accumulator fills in the time delta = L / V_min and empties in the time d / V_min, where gamma =
+// L / d = 6. At the scan rate of the thesis, a full accumulator specialises all mass within one
+// scan.
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;

@@ -1,9 +1,9 @@
 // Checks whether the loop keeps up with incoming datagrams.
 //
 // If a target is too slow for its sensors, the loop never empties the receive ring. The waiting
-// Ethernet frames become outdated, and finally the controller drops new frames unread. Therefore,
-// if the ring has not been empty for kLongestUs, the loop sheds and counts the waiting datagrams.
-// As a result, the delay of the target's grids never exceeds kLongestUs.
+// Ethernet frames become stale, and eventually the controller drops new frames unread. If the ring
+// has not been empty for kLongestUs, the loop therefore sheds and counts the waiting datagrams. As
+// a result, the delay of the target's grids never exceeds kLongestUs.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace iog::app {
 class Backlog {
  public:
   // The maximum time for which the ring may stay non-empty. The receive ring can buffer 100 ms of
-  // the densest traffic for which it is designed, so the maximum must be shorter. The maximum
-  // equals two frame periods of a car with four LUX, so a single late frame does not cause
-  // shedding.
+  // the densest traffic for which it is designed, so the maximum must be shorter than that. The
+  // maximum equals two frame periods of a car with four LUX units, so a single late frame does not
+  // cause shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
   // The grace period for a frame whose deadline passed before the loop woke up. Most datagrams of
   // such a frame may have arrived while the machine was not running. The loop processes these

@@ -33,7 +33,7 @@ struct SignedCommands {
 class CommandGate {
  public:
   // If `commands` is empty, every datagram passes the gate. `run` is the target's run number, which
-  // the signers use.
+  // is used by the signers.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
   // The gate is not copyable, because the verifiers point to the key.
@@ -42,13 +42,13 @@ class CommandGate {
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // Returns the key of an enabled gate. The reference is valid while the gate exists.
+  // Returns the key of an enabled gate. The reference is valid for the lifetime of the gate.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
   // Returns the datagram for the pipeline. Returns nothing if the datagram is a command that is not
   // authentic. The returned datagram is valid until the next call. A command from an unknown source
-  // is passed on with an empty payload, and the pipeline counts it. The gate therefore computes no
-  // MAC for unknown sources.
+  // is passed on with an empty payload so that the pipeline can count it. The gate therefore
+  // computes no MAC for unknown sources.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {
       return datagram;
@@ -84,7 +84,7 @@ class CommandGate {
   }
 
  private:
-  // Only the value kOff disables the gate. A single bit flip cannot convert kOn to kOff.
+  // Only the value kOff disables the gate. A single bit flip cannot change kOn to kOff.
   static constexpr std::uint32_t kOff = 0x6F66'6621;
   static constexpr std::uint32_t kOn = 0x9099'99DE;
 

@@ -8,12 +8,12 @@
 // passed. If no packets arrive, an empty frame is closed every two periods so that the loss of data
 // is reported.
 //
-// If one core fuses the packets, it fuses each packet on arrival. A dense lidar may send more
-// points than one core can process. In this case, several cores share the work, and the lidar's
-// packets are buffered until there is a part for each core. The cores fuse the parts in a round
-// while the next packets arrive. The parts are merged when the frame ends
-// (fusion/shared_fusion.hpp). The grid does not depend on the number of cores. If the frame has
-// classes, all packets are buffered until the frame ends (app/perception_engine.hpp).
+// If one core fuses the packets, it fuses each packet on arrival. If a dense lidar sends more
+// points than one core can process, several cores share the work. The lidar's packets are then
+// buffered until there is a part for each core. The cores fuse the parts in a round while the next
+// packets arrive. The parts are merged when the frame ends (fusion/shared_fusion.hpp). The grid
+// does not depend on the number of cores. If the frame has classes, all packets are buffered until
+// the frame ends (app/perception_engine.hpp).
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@
 namespace iog::app {
 
 // Returns true if several cores fuse this car's packets on arrival. Shared fusion requires a dense
-// lidar, and a fusion rule under which the parts of a frame can be merged. For four LUX, one core
-// is enough, because fusing their frame takes less time than splitting it between two cores.
+// lidar and a fusion rule under which the parts of a frame can be merged. For four LUX units, one
+// core is enough, because fusing their frame takes less time than splitting it between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // The time at which the points of a frame's packets are fused.
@@ -43,16 +43,17 @@ class Frame {
   using Outcome = intake::Intake::Outcome;
 
   // `vehicle` and `space` must outlive this object. The scans of all sensors together may mark at
-  // most grid::kMaxMarks cells. `replayer_ipv4` may send on behalf of any sensor. `replayer_ipv4`
-  // is 0 if there is no replayer.
+  // most grid::kMaxMarks cells. The replayer at `replayer_ipv4` may send on behalf of any sensor.
+  // The address is 0 if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Starts timing the interval without datagrams. Call this function before the first datagram.
+  // Starts the timer for the interval without datagrams. Call this function before the first
+  // datagram.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
-  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was dropped. The
-  // payload must outlive the packet.
+  // Decodes the datagram as a packet from a sensor. Returns nothing if the datagram was dropped.
+  // The payload must outlive the packet.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram) {
     return intake_.receive(datagram);
   }
@@ -64,8 +65,8 @@ class Frame {
   }
 
   // Determines whether the packet belongs to the open frame. If the packet belongs to the next
-  // frame, close the open frame and call classify() again. If the open frame's buffer has no room
-  // for a packet, the packet belongs to the next frame.
+  // frame, close the open frame and call classify() again. A packet that does not fit into the open
+  // frame's buffer belongs to the next frame.
   [[nodiscard]] Outcome classify(const intake::SensorPacket& packet) {
     const Outcome outcome = intake_.classify(packet);
     const bool is_full = fusing_ == Fusing::kAtItsEnd && !fusion_.packets().fits(packet);
@@ -100,7 +101,7 @@ class Frame {
   [[nodiscard]] bool is_overdue(std::uint64_t now_us) const { return now_us >= deadline_us(); }
   [[nodiscard]] std::uint64_t deadline_us() const;
 
-  // Returns the frame number. The frame number starts at 0 and wraps around.
+  // Returns the frame number, which starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
   // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's
@@ -123,7 +124,7 @@ class Frame {
   // Fills in the frame's fields in the header and in the end message.
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end);
 
-  // Does the same as SharedFusion::release().
+  // Equivalent to SharedFusion::release().
   template <typename Visit>
   void release(Visit&& visit) {
     fusion_.release(visit);
@@ -158,8 +159,8 @@ class Frame {
   std::uint32_t number_ = 0;
 };
 
-// Handles one datagram if it is a sensor's packet. Calls fuse(packet) if the packet belongs to the
-// open frame. If the packet ends the frame, calls close() before or after fusing it.
+// Handles one datagram if it is a packet from a sensor. Calls fuse(packet) if the packet belongs to
+// the open frame. If the packet ends the frame, calls close() before or after fusing it.
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -3,9 +3,9 @@
 // closing of frames and the memory check. If a checkpoint is late, the run ends, and the next run
 // reports which checkpoint was late.
 //
-// A core that faulted or was stopped is known to be lost. A lost core need not report, because the
-// other cores do its work (docs/cores.md). A core that should be alive but does not answer a
-// wake-up counts as late, even if it has no work.
+// A core that faulted or was stopped is known to be lost. A lost core does not have to report,
+// because the other cores do its work (docs/cores.md). A core that should be alive but does not
+// answer a wake-up counts as late, even if it has no work.
 #pragma once
 
 #include <array>
@@ -38,9 +38,9 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // The window is longer than the time for which an emulated core may have to wait on a busy PC.
-  // The window is also longer than two periods of the slowest frames (2 s), after which missing
-  // data is reported.
+  // The window is longer than the time that an emulated core may have to wait on a busy PC. The
+  // window is also longer than two periods of the slowest frames (2 s), after which missing data is
+  // reported.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
   // `docs/safety.md` states that a complete memory check takes at most kMemoryWindowUs.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;

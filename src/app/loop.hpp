@@ -4,8 +4,8 @@
 //                          '-> poses -> slices -> masses of the window -> classes -^
 //
 // The loop never blocks. The loop processes datagrams as they arrive and puts messages into the
-// transmit ring. When no work is left, the processor sleeps until the next Ethernet frame or tick.
-// If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
+// transmit ring. When there is no more work to do, the processor sleeps until the next Ethernet
+// frame or tick. If the loop is too slow, datagrams are shed and counted (app/backlog.hpp).
 #pragma once
 
 #include <concepts>
@@ -45,8 +45,8 @@
 
 namespace iog::app {
 
-// A machine provides one object for each hardware interface. A machine also reports the maximum
-// stack depth so far.
+// A machine provides one object for each hardware interface, and reports the maximum stack depth so
+// far.
 template <typename T>
 concept Machine = requires(T& machine) {
   requires hal::Clock<std::remove_reference_t<decltype(machine.clock())>>;
@@ -64,8 +64,8 @@ concept Machine = requires(T& machine) {
 };
 
 // The maximum number of datagrams that the loop processes in one pass. Because of this limit, the
-// loop runs its tick and services the watchdog even during a flood of datagrams. A frame of four
-// LUX has 24 datagrams, and a full receive ring contains 256 datagrams.
+// loop runs its tick and services the watchdog even during a flood of datagrams. A frame from four
+// LUX units has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
 // The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
@@ -80,8 +80,8 @@ class MachinePlatform {
 
   using Team = work::Team<std::remove_reference_t<decltype(std::declval<M&>().cores())>>;
 
-  // `cores` is the number of cores to use. `cores` has no effect if the machine has fewer cores.
-  // `commands` is set only if the car has a key.
+  // `cores` is the number of cores to use. If the machine has fewer cores, all of its cores are
+  // used. `commands` is set only if the car has a key.
   MachinePlatform(M& machine, const net::Config& config, std::size_t cores = 1,
                   const std::optional<SignedCommands>& commands = {})
       : team_(machine.cores(), kPatienceUs),
@@ -153,8 +153,8 @@ class MachinePlatform {
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // The counters of commands and of service discovery are included only if their features are
-  // enabled.
+  // The counters for commands and for service discovery are included only if the respective feature
+  // is enabled.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -181,7 +181,7 @@ class MachinePlatform {
 
  private:
   // A signature is sent after each frame. If a frame has many messages, signatures are also sent
-  // between these messages.
+  // between the messages.
   void sign(std::span<const std::byte> message) {
     signer_->add(message);
     if (signer_->is_full() || stream::ends_frame(message)) {
@@ -205,9 +205,9 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. The pipeline sends every frame to the network. If the vehicle has classes,
-// the pipeline also sends the classes. The serial link transmits as much of the frame's grid as the
-// bandwidth allows.
+// The target's pipeline. The pipeline sends every frame to the network, including the classes if
+// the vehicle has them. The serial link transmits as much of the frame's grid as its bandwidth
+// allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
@@ -222,7 +222,7 @@ template <typename ItsPipeline>
 }
 
 // Processes the datagrams of one pass, at most kMaxDatagramsPerPass. If the frame is due to end,
-// the function stops early. Slow processing of points therefore cannot delay the end of the frame.
+// the function stops early, so that slow processing of points cannot delay the end of the frame.
 // The function also stops early if datagrams have waited too long.
 template <Machine M, typename ItsPipeline>
 void take_datagrams(M& machine, MachinePlatform<M>& platform, const Backlog& backlog,

@@ -2,9 +2,6 @@
 // stage of a frame, the delay between a frame's deadline and its closing, and the working time of
 // each core per frame. Frames without packets are ignored. Each new maximum is written to the
 // console, for example as "worst publish 12345 us".
-//
-// The statistics require two readings of the stopwatch per stage and a few divisions per frame
-// (docs/safety.md).
 #pragma once
 
 #include <algorithm>
@@ -26,7 +23,7 @@ namespace iog::app {
 
 class LoopTimes {
  public:
-  // The rows have the same order as Counts::kNames.
+  // The rows are in the same order as Counts::kNames.
   enum Row : std::uint8_t { kFuse, kMark, kPublish, kPerceive, kFrame, kLate, kCore0 };
   static constexpr std::size_t kRows = kCore0 + hal::kMaxCores;
 

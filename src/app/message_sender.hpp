@@ -1,4 +1,4 @@
-// Numbers and protects a target's messages, and sends them to the network.
+// Numbers a target's messages, protects them, and sends them to the network.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ class MessageSender {
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
   // Sends a complete message that has room for its protection fields. Returns false if the network
-  // did not accept the message. Lost messages also use up sequence numbers, so that the receiver
-  // notices the loss.
+  // did not accept the message. Lost messages also use up sequence numbers so that the receiver can
+  // detect the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;
@@ -33,8 +33,7 @@ class MessageSender {
   }
 
   // Sends a message with a header and a body. `write(buffer)` writes the body and returns its
-  // length in bytes. If the message is lost, the receiver detects the loss from the next sequence
-  // number.
+  // length in bytes.
   template <typename Write>
   void send(stream::Header header, stream::MessageType type, Write&& write) {
     std::array<std::byte, protection::kMaxMessageBytes> message;

@@ -22,8 +22,8 @@ class NetworkSink {
   NetworkSink(const NetworkSink&) = delete;
   NetworkSink& operator=(const NetworkSink&) = delete;
 
-  // Returns the end message of the current frame. Before the frame begins, fill in all of its
-  // fields except the counts of tiles.
+  // Returns the end message of the current frame. Before the frame begins, fill in all fields of
+  // this message except the tile counts.
   [[nodiscard]] stream::FrameEnd& end() { return end_; }
 
   void begin_frame(const stream::Header& header) {

@@ -24,9 +24,9 @@ class ObjectFollower {
   // Reads the labels of the frame's hits. The cores of the crew share this work. The classes must
   // have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
-  // Updates the tracks and labels the cells of moving objects. Call this function before the frame
-  // has ended. The function uses only the labels of the window, and reads all labels before it
-  // changes any label.
+  // Updates the tracks and labels the cells of moving objects. Call this function before the end of
+  // the frame. The function uses only the window's labels, and reads all labels before changing any
+  // of them.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
   // Handles a frame without slices. `end_us` is the end of the frame.

@@ -1,5 +1,5 @@
-// The service that a target offers. With this service, the target runs service discovery and sends
-// a copy of each message to the subscriber. Without this service, the target sends messages only to
+// The service that a target offers. If the service is enabled, the target runs service discovery
+// and sends a copy of each message to the subscriber. Otherwise, the target sends messages only to
 // its peer.
 //
 // Messages to the peer have priority over the copies. A frame has at most kMostMessages messages.
@@ -23,15 +23,15 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // The number of messages that are needed for a complete grid of raw tiles, plus other messages
-  // that may be sent at the same time.
+  // The number of messages needed for a complete grid of raw tiles, plus other messages that may be
+  // sent at the same time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
-  // The number of buffers that stay reserved for the peer if a frame has more messages than
+  // The number of buffers that remain reserved for the peer if a frame has more messages than
   // expected.
   static constexpr std::size_t kLeastRoom = 64;
 
-  // `port` and `host` must outlive this object. `run_number` is the seed of the random delay before
-  // the first offer.
+  // `port` and `host` must outlive this object. `run_number` seeds the random delay before the
+  // first offer.
   Offering(Port& port, net::Host<Port>& host, const net::Config& config, std::uint32_t run_number)
       : port_(port),
         host_(host),
@@ -46,7 +46,7 @@ class Offering {
   [[nodiscard]] bool is_on() const { return is_on_; }
   [[nodiscard]] const discovery::Counts& counts() const { return server_.counts(); }
 
-  // If the datagram belongs to service discovery, answers it and returns true.
+  // If the datagram is a service discovery message, answers it and returns true.
   [[nodiscard]] bool take(const net::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_ || datagram.destination_port != net::kDiscoveryPort) {
       return false;
@@ -72,7 +72,7 @@ class Offering {
     }
   }
 
-  // Declares that the next message is the first message of a frame.
+  // Marks the next message as the first message of a frame.
   void begin_frame() { messages_ = 0; }
 
   // Sends the message to the peer and then to the subscriber. Returns false if the message is sent

@@ -1,7 +1,7 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. The engine then fuses the packets that were
-// measured in the same slice of a few milliseconds, and adds them to the window with the pose of
+// The engine buffers the packets until the frame ends. Then the engine fuses the packets that were
+// measured in the same slice of a few milliseconds, and adds them to the window using the pose of
 // the slice. The frame's own grid is assembled from the grids of its slices. This grid is
 // byte-for-byte identical to the grid that results from fusing the packets on arrival.
 //
@@ -10,7 +10,7 @@
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
 // Packets without a pose are fused into the frame's grid, but are not added to the window. If the
-// sequence of poses breaks, the whole window becomes unknown. The engine counts these events.
+// sequence of poses breaks, the entire window becomes unknown. The engine counts both cases.
 #pragma once
 
 #include <cstddef>
@@ -58,18 +58,18 @@ class PerceptionEngine {
   // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call this function before the first datagram. The window's age is measured from now_us.
+  // Call this function before the first datagram. The window's age is measured from `now_us`.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
-  // Returns true if the datagram was a pose or a part of a map. The function also logs the
+  // Returns true if the datagram was a pose or a part of a map. The function also logs all
   // datagrams that the frame receives.
   [[nodiscard]] bool receive(const intake::Datagram& datagram, std::uint64_t now_us);
-  // Records that the last packet was shed because it had waited too long.
+  // Records that the latest packet was shed because it had waited too long.
   void note_left() { receptions_.note_left(); }
   // Buffers a packet that belongs to the frame.
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
-  // Closes the frame. Completes the grid and the classes on all cores of the crew. After each
+  // Closes the frame. Completes the grid and the classes, using all cores of the crew. After each
   // stage, finish() calls lap(stage) with the stage's stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
@@ -78,11 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers use these
-  // steps to run other tasks at the same time. `decide()` completes the grid and all classes except
-  // those of moving objects. `follow_objects()` adds the classes of moving objects on core 0. Other
-  // cores may read the grid while follow_objects() runs. `end()` stores the ground. While end()
-  // runs, core 0 runs do_beside(), which may read the classes.
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers can use
+  // these steps to run other tasks at the same time. `decide()` completes the grid and all classes
+  // except those of moving objects. `follow_objects()` adds the classes of moving objects on core
+  // 0. Other cores may read the grid while follow_objects() runs. `end()` stores the ground. While
+  // end() runs, core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -104,7 +104,7 @@ class PerceptionEngine {
   void end(const work::Crew& crew, DoBeside&& do_beside) {
     window_.end_frame(crew, do_beside);
   }
-  // `describe()` fills in the engine's fields of the frame's header or of the classes' end message.
+  // `describe()` fills in the engine's fields in the frame's header or in the class end message.
   // `list_objects()` lists the tracked objects.
   void describe(stream::Header& header) const;
   void describe(stream::ClassEnd& end) const;
@@ -113,8 +113,8 @@ class PerceptionEngine {
   // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
   // the poses. A frame ends at the end of its last slice. A frame without packets ends at the time
   // of the newest pose. The value of stamp_us() increases from frame to frame, even if the clock of
-  // the poses restarts or is unknown. `is_forgotten()` returns true if the earlier content of the
-  // window no longer has a known position.
+  // the poses restarts or is unknown. `is_forgotten()` returns true if the position of the window's
+  // earlier content is no longer known.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
@@ -145,7 +145,7 @@ class PerceptionEngine {
   }
 
  private:
-  // Fuses one slice after another. Each tile is read while it is still in the cache.
+  // Fuses the slices one after another. Each tile is read while it is still in the cache.
   template <typename Lap>
   void fuse_alone(Lap&& lap) {
     const std::span<const fusion::PlacedSlice> placed = slices_.placed();

@@ -1,5 +1,5 @@
-// The network sink for frames with classes. Between the tiles and the end message of a frame, the
-// sink sends the tiles of the classes, the end message of the classes, and the objects.
+// The network sink for frames with classes. Between a frame's tiles and its end message, the sink
+// sends the class tiles, the class end message and the objects.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ class PerceptionSink : private NetworkSink<P> {
   using Indexes::begin_frame;
   using Indexes::end;
 
-  // Callers must fill in class_end(), the end message of the classes, before the classes are
-  // encoded, and objects() before the objects are sent.
+  // Callers must fill in class_end(), which is the class end message, before the classes are
+  // encoded. Callers must also fill in objects() before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 
@@ -42,8 +42,8 @@ class PerceptionSink : private NetworkSink<P> {
   }
 
   // `encode_tiles()`, `encode_classes()` and `send_classes()` are the three steps of sending a
-  // frame. In the first two steps, the cores share the work. Core 0 also runs do_beside() during
-  // encode_tiles(), and sends the messages of the tiles during encode_classes().
+  // frame. The cores share the work of the first two steps. Core 0 also runs do_beside() during
+  // encode_tiles(), and sends the tile messages during encode_classes().
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);

@@ -53,8 +53,8 @@ struct NoPerception {
 template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
-  // `vehicle`, `platform` and `sinks` must outlive the pipeline. `replayer_ipv4` may send on behalf
-  // of any sensor. `replayer_ipv4` is 0 if there is no replayer.
+  // `vehicle`, `platform` and `sinks` must outlive the pipeline. The replayer at `replayer_ipv4`
+  // may send on behalf of any sensor. The address is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -150,8 +150,8 @@ class FramePipeline {
   static constexpr std::size_t kMostCores = HasOneCore<P> ? 1 : hal::kMaxCores;
   using Network = std::conditional_t<kPerceives, PerceptionSink<P>, NetworkSink<P>>;
 
-  // These functions measure the times of stages. `begin_stage()` starts the timer. `end_stage()`
-  // adds the elapsed time to a stage and restarts the timer for the next stage.
+  // These functions measure the duration of each stage. `begin_stage()` starts the timer.
+  // `end_stage()` adds the elapsed time to a stage and restarts the timer for the next stage.
   using Stage = std::uint32_t stream::StageTicks::*;
   void begin_stage() { since_ = platform_->ticks(); }
   void end_stage(Stage stage) {
@@ -160,8 +160,8 @@ class FramePipeline {
     since_ = now;
   }
 
-  // Decodes the datagram as a sensor's packet. Returns nothing if the datagram was a pose or a part
-  // of a map, or if it was dropped.
+  // Decodes the datagram as a packet from a sensor. Returns nothing if the datagram was a pose or a
+  // part of a map, or if it was dropped.
   [[nodiscard]] std::optional<intake::SensorPacket> receive(const intake::Datagram& datagram,
                                                             std::uint64_t now_us) {
     return perception_.receive(datagram, now_us) ? std::nullopt : frame_.receive(datagram);
@@ -219,7 +219,7 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // `publish()` and `publish_divided()` are not inlined, so that both can use the same stack space.
+  // `publish()` and `publish_divided()` are not inlined so that both can use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -234,9 +234,9 @@ class FramePipeline {
   }
 
   // Each tile and its reference are used once per frame. Tiles and references must not evict the
-  // tables and the cached lines, which the next frame uses again. Raw tiles have no reference, and
-  // classes reuse most of their data, so for both, keeping the cached lines would only cost time
-  // (lab/notes/2026-11-29-l2-lockdown.md).
+  // tables and the cached lines, which the next frame uses again. Keeping the cached lines would
+  // only cost time for raw tiles, which have no reference, and for classes, which reuse most of
+  // their data (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -279,7 +279,7 @@ class FramePipeline {
     }
   }
 
-  // Passes the classes to the other sinks. The network sink already has the classes.
+  // Passes the classes to the other sinks.
   void show_classes() {
     const auto show = [this](auto& sink) {
       if constexpr (ClassSink<std::remove_reference_t<decltype(sink)>>) {

@@ -1,4 +1,4 @@
-// Defines the pipeline's requirements on its machine, and the sinks that receive the pipeline's
+// Defines what the pipeline requires of its machine, and the sinks that receive the pipeline's
 // frames.
 #pragma once
 
@@ -35,10 +35,11 @@ struct FrameTimes {
 };
 
 // `send_message(bytes)` sends a copy of at most protection::kMaxMessageBytes bytes.
-// `send_message()` returns false if the message cannot be sent. `ticks()` and ticks_hz() form a
-// stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the frame's
-// first message. `run_number()` is the same as in hal::RunNumber. `cores()` returns the number of
-// working cores. `share(items, work, beside)` runs all items, in the same way as work::Team.
+// `send_message()` returns false if the message cannot be sent. Together, ticks() and ticks_hz()
+// form a stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the
+// frame's first message. `run_number()` is the same function as in hal::RunNumber. `cores()`
+// returns the number of working cores. `share(items, work, beside)` runs all items, just as
+// work::Team does.
 template <typename T>
 concept Platform = requires(T& platform, std::span<const std::byte> message, std::size_t items,
                             work::Work work, work::Beside beside, const FrameTimes& times) {
@@ -57,10 +58,9 @@ concept HasOneCore = requires {
   requires T::kMostCores == 1;
 };
 
-// A FrameSink receives a closed frame. A FrameSink receives the header of the frame's messages
-// first, then each tile with a known cell, in ascending order, and finally the end of the frame.
-// The sink ignores the type and number in the header. The cells belong to the caller and change
-// after the call.
+// A FrameSink receives a closed frame: first the header of the frame's messages, then each tile
+// with a known cell, in ascending order, and finally the end of the frame. The sink ignores the
+// type and number in the header. The cells belong to the caller and change after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

@@ -35,7 +35,7 @@ class ReceptionLog {
                        .before_close_us = static_cast<std::uint32_t>(now_us)};
   }
 
-  // Records that the last datagram was shed because it had waited too long.
+  // Records that the latest datagram was shed because it had waited too long.
   void note_left() {
     if (is_on_ && not_listed_ == 0 && count_ > 0) {
       list_[count_ - 1].was_left = true;
@@ -43,7 +43,7 @@ class ReceptionLog {
   }
 
   // Call this function once per frame, before the log is read. A frame must be closed less than
-  // 2^32 us after the arrival of each of its datagrams.
+  // 2^32 us after its first datagram arrived.
   void close(std::uint64_t closed_us) {
     for (stream::Reception& each : std::span(list_).first(count_)) {
       each.before_close_us = static_cast<std::uint32_t>(closed_us) - each.before_close_us;

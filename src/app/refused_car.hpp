@@ -1,4 +1,4 @@
-// Runs a target without a car block. Such a target computes no grid and reports why it has no car
+// Runs a target that has no car block. Such a target computes no grid and reports why it has no car
 // block. The target answers ARP and ping as usual, ignores datagrams, and sends a message with the
 // reason to its peer every second (docs/spec.md 3.11).
 #pragma once
@@ -15,7 +15,7 @@ namespace iog::app {
 
 inline constexpr std::uint64_t kRefusalPeriodUs = 1'000'000;
 
-// The texts of the refusal must outlive this object.
+// The texts in the refusal must outlive this object.
 template <Machine M>
 class RefusedCar {
  public:

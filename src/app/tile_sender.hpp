@@ -8,7 +8,7 @@
 // do other work. Tiles whose cells change are collected in batches. If there is only one core, it
 // encodes each tile immediately, while the tile is still in the cache.
 //
-// Encoded tiles of classes are cached. The cells of a tile are read again only if they or the
+// Encoded tiles of classes are cached. The cells of a tile are read again only if the cells or the
 // tile's reference have changed.
 #pragma once
 
@@ -38,8 +38,8 @@
 
 namespace iog::app {
 
-// The encoding of the sent tiles. Tiles in their shortest encoding take a tenth of the bytes of raw
-// tiles, but more instructions.
+// The encoding of the sent tiles. Tiles in their shortest encoding take up a tenth as many bytes as
+// raw tiles, but need more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // Specifies how long the cells of an added tile stay unchanged.
@@ -82,16 +82,17 @@ class TileSender {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
   // Adds a tile of classes by its number in messages. The cells must not change until finish(). The
-  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the
-  // tile's classes were computed. `version` must not be 0, and must differ from the previous
-  // version if the cells have changed since the tile was last added.
+  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the tile's
+  // classes were computed. `version` must not be 0, and must differ from the previous version if
+  // the cells have changed since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
         CellsStay::kToTheFinish);
   }
 
-  // Returns true if added tiles wait to be encoded together because several cores share the work.
+  // Returns true if the added tiles are waiting to be encoded together because several cores share
+  // the work.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
@@ -107,7 +108,7 @@ class TileSender {
     }
   }
 
-  // Ends the grid. After this call, every tile has been put into a message.
+  // Ends the grid. After this call, all tiles have been put into messages.
   Sent finish() {
     encode_rest();
     return finish_encoded();
@@ -129,7 +130,7 @@ class TileSender {
   // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
 
-  // True if encoded tiles are cached. Only tiles of classes are cached.
+  // True if encoded tiles are cached.
   static constexpr bool kIsKept = std::is_same_v<Hash, stream::ClassHash>;
 
   struct Added {
@@ -218,9 +219,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes cells that have not changed. The cells are encoded against the same reference. If the
-  // cells were sent without a reference, they are encoded as unchanged. If the function is
-  // interrupted and repeated, the result is the same.
+  // Encodes cells that have not changed. The cells are encoded against the same reference as
+  // before. If the cells were sent without a reference, they are encoded as unchanged. If the
+  // function is interrupted and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -259,7 +260,7 @@ class TileSender {
     encoded_ = waiting_count_;
   }
 
-  // This function is not inlined, because each message uses a kilobyte of the stack.
+  // This function is not inlined because each message takes up a kilobyte on the stack.
   [[gnu::noinline]] void send_waiting() {
     require(encoded_ == waiting_count_);
     for (std::size_t i = 0; i < waiting_count_; ++i) {

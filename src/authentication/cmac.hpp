@@ -9,7 +9,7 @@
 
 namespace iog::authentication {
 
-// An expanded key. An expanded key consists of the round keys and both subkeys.
+// An expanded key, which consists of the round keys and both subkeys.
 class CmacKey {
  public:
   explicit CmacKey(const Key& key);

@@ -2,7 +2,7 @@
 // AES blocks side by side. Logic operations on planes process all bytes at once. The run time of
 // these operations does not depend on the values of the bytes.
 //
-// The byte in row r and column c of a block is bit 8 r + 2 c of each plane. The next higher bit
+// The byte in row r and column c of a block is bit 8 * r + 2 * c of each plane. The next higher bit
 // belongs to a second block, which is always zero here. A row of the AES state is therefore one
 // byte of a plane. Kaesper and Schwabe (Faster and Timing-Attack Resistant AES-GCM, 2009) use the
 // same method with wider registers.

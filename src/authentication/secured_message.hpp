@@ -48,8 +48,8 @@ struct Freshness {
 void sign(const CmacKey& key, std::uint16_t data_id, Freshness freshness,
           std::span<std::byte> secured);
 
-// Returns true if the datagram's length fields match a signed message. The function does not check
-// the MAC. Only a Verifier checks the MAC.
+// Returns true if the datagram's length fields match a signed message. The MAC is checked only by a
+// Verifier.
 [[nodiscard]] bool is_signed(std::span<const std::byte> datagram);
 
 // Restores the unsigned message. Requires message.size() + kTrailerBytes == secured.size().
@@ -79,7 +79,7 @@ class Verifier {
   Verifier(const CmacKey& key, std::uint16_t data_id, std::uint32_t run)
       : key_(&key), data_id_(data_id), run_(run) {}
 
-  // Verifies a datagram. It may contain any bytes. Unsigned and replayed messages are dropped
+  // Verifies a datagram, which may contain any bytes. Unsigned and replayed messages are dropped
   // before the MAC is computed.
   [[nodiscard]] Verdict verify(std::span<const std::byte> datagram);
 

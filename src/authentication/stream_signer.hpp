@@ -3,13 +3,13 @@
 // contains a MAC (authentication/secured_message.hpp). The signed messages themselves do not
 // change. Hashing the messages takes one tenth of the time that one MAC per message would take.
 //
-// The content of a signature is big endian:
+// The payload of a signature is in big-endian order:
 //
-//    0  u16 number of bytes before the names: 12; u16 bytes per name: 16
-//    4  u32 number of the target's run
-//    8  u16 number of names; u16 0
-//   12  one name per message in sending order: the first 128 bits of the SHA-256 of the whole
-//   message
+//    `0`  The number of bytes before the names, 12 (u16), and the length of a name, 16 bytes (u16).
+//    `4`  The run number of the target (u32).
+//    `8`  The number of names (u16), and 0 (u16).
+//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of
+//         the whole message.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,6 @@
-// The car block is a block of bytes at a fixed offset in an image. The car block contains the
-// compiled car file and the network configuration. The block is written either by the build or by
-// `iog image`. The target checks the entire block before it uses any part of it (docs/spec.md,
-// section 8).
+// The car block is a block of bytes at a fixed offset in an image, and contains the compiled car
+// file and the network configuration. The block is written either by the build or by `iog image`.
+// The target checks the entire block before it uses any part of it (docs/spec.md, section 8).
 #pragma once
 
 #include <array>
@@ -70,8 +69,7 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message that is shown when a car block is rejected. The console, the stream and `iog image`
-// display this message.
+// The message that is shown when a car block is rejected.
 class Words {
  public:
   explicit Words(const Verdict& verdict);

@@ -127,9 +127,9 @@ void visit_assignment(auto& content, auto& assignment) {
   content.numbers(assignment.free_by_time);
 }
 
-// Writes the members of a car as bytes. Integers are written in big-endian order with the size of
-// their type. A bool is written as one byte, a string as its characters followed by a 0, and a
-// format as its name. `put(std::uint8_t)` receives the bytes one by one.
+// Serialises the members of a car. Integers are written in big-endian order with the size of their
+// type. A bool is written as one byte, a string as its characters followed by a 0, and a format as
+// its name. `put(std::uint8_t)` receives the bytes one by one.
 template <typename Put>
 class Writer {
  public:

@@ -1,4 +1,4 @@
-// The limits of a car. The loops of the target rely on these limits. The limits are checked on the
+// The limits of a car, which the loops of the target rely on. The limits are checked on the
 // integers that are compiled from the car file. The target checks the car block in its image, and
 // the PC checks a car file.
 #pragma once

@@ -16,7 +16,7 @@ namespace iog::car_block {
 struct SensorMemory {
   SensorMemory();
   std::array<vehicle::Sensor, vehicle::kMaxSensors> sensors;
-  ageing::Tables tables;  // only of a car with evidential constants of its own
+  ageing::Tables tables;  // only for a car with its own evidential constants
 };
 
 // Reads a vehicle and returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and

@@ -26,10 +26,9 @@ class FastCrc32 {
     crc.update(part);
     return crc.state_;
   }
-  // Has the same effect as calling update() with a part whose remainder is `remainder`.
+  // Equivalent to calling update() with a part whose remainder is `remainder`.
   void add_remainder(std::uint32_t remainder) { state_ = after_zeros(state_, 0) ^ remainder; }
-  // Has the same effect as calling update() with `before` and then with a part whose remainder is
-  // `remainder`.
+  // Equivalent to update(before), followed by update() with a part whose remainder is `remainder`.
   template <std::size_t kBefore>
   void add_remainder(std::span<const std::byte, kBefore> before, std::uint32_t remainder) {
     static_assert(kBefore <= kMostBefore);

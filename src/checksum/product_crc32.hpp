@@ -1,9 +1,9 @@
 // Implements checksum/crc32.hpp on machines that can perform carry-less multiplication of bytes.
 //
 // A CRC is linear. If a byte is followed by d other bytes, it contributes the product of the byte
-// and x^(32 + 8d), modulo the polynomial. The contributions of the bytes in a block are therefore
-// independent of each other. The products of all bytes are summed, and only the sum is reduced.
-// Both halves of a block use the same factors, so each factor is loaded only once.
+// and x^(32 + 8 * d), modulo the polynomial. The contributions of the bytes in a block are
+// therefore independent of each other. The products of all bytes are summed, and only the sum is
+// reduced. Both halves of a block use the same factors, so each factor is loaded only once.
 //
 // All polynomials are bit-reflected. Bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
 // of the product of a state and a byte is x^38.

@@ -29,8 +29,8 @@ struct alignas(32) Factors {
 // Computes carry-less sums of products of bytes and factors. Each sum has 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
-  // The carry-less sums of two halves that use the same factors. Each group of factors is applied
-  // to eight bytes of each half.
+  // The carry-less sums for the first and the second half of the data. Each group of factors is
+  // applied to eight bytes of each half.
   struct Sums {
     std::uint64_t first = 0;
     std::uint64_t second = 0;

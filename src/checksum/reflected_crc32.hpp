@@ -6,7 +6,7 @@
 // computed at compile time. On the Cortex-A9, checksum/product_crc32.hpp is faster. With 4, 8 or 16
 // slices, slicing takes 4.2 to 4.3 instructions per byte (measured). For a tile of 1 KiB, slicing
 // takes 3.5 cycles per byte with 4 slices, 2.5 with 8 slices, and 2.7 with 16 slices. These cycles
-// are modelled as described in docs/a9_model.md. Between two CRCs, other tiles are encoded.
+// are modelled as described in docs/a9_model.md.
 #pragma once
 
 #include <array>

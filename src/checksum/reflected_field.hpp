@@ -30,7 +30,7 @@ class ReflectedField {
     return sum;
   }
 
-  // Returns x^(8 exponent). Multiplying a state by x^(8 exponent) gives the state after `exponent`
+  // Returns x^(8 * exponent). Multiplying a state by this value gives the state after `exponent`
   // zero bytes.
   static consteval std::uint32_t power_of_x8(std::size_t exponent) {
     std::uint32_t power = kOne;

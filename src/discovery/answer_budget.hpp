@@ -1,5 +1,5 @@
-// Uses a token bucket to limit the answers to unknown senders. Each answer costs one token, so a
-// flood of requests does not cause a flood of answers.
+// Rate-limits the answers to unknown senders using a token bucket. Each answer costs one token, so
+// a flood of requests does not cause a flood of answers.
 #pragma once
 
 #include <algorithm>

@@ -43,8 +43,8 @@ inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 // The time within which ARP must confirm a candidate.
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
-// If a subscriber has not answered ARP for kLeftUs, it is assumed to have left. The first ARP
-// request is sent after 30 s, and after that, one request is sent per second
+// If a subscriber has not answered ARP requests for kLeftUs, it is assumed to have left. The first
+// ARP request is sent after 30 s, and after that, one request is sent per second
 // (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 

@@ -36,7 +36,8 @@ struct alignas(32) Assignment {
 // compilation therefore fails with an error message that contains the function's name.
 void an_index_beyond_the_table_has_another_mass();
 
-// Returns floor(128 mass) for 0 <= mass <= 1. The result is at most 127, to exclude full certainty.
+// Returns floor(128 * mass) for 0 <= mass <= 1. The result is at most 127, to exclude full
+// certainty.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
@@ -54,9 +55,10 @@ consteval Assignment make_reinforced() {
 }
 inline constexpr Assignment kReinforced = make_reinforced();
 
-// The least committed mass with the pignistic probability p_n is |2 p_n - 1|, clamped to 0.95. This
-// assignment is for comparison only. A hit of +2 has less weight than a beam of -14, so it is lost.
-// The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of 0.95.
+// The least committed mass with the pignistic probability p_n is |2 * p_n - 1|, clamped to 0.95.
+// This assignment is for comparison only. A hit of +2 has less weight than a beam of -14, so the
+// hit is lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of
+// 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -1,12 +1,13 @@
 // Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file specifies the result in plain
 // integers. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
-// All values are in units of 2^-15. `a.b` is floor(ab / 2^15), and `~a` is 32767 - a. `o` and `f`
-// are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
+// All values are in units of 2^-15. `a.b` is floor(a * b / 2^15), and `~a` is 32767 - a. `o` and
+// `f` are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
 // ignorance W is 32767 - F - P.
 //
-// A cell is valid if F, O, M, K and the persistence are 0 ... 32767 and W >= 0. Factors and
-// evidence are 0 ... 32767, and o or f is 0. Under these conditions, the following bounds hold:
+// A cell is valid if F, O, M, K and the persistence are in the range 0 ... 32767 and W >= 0.
+// Factors and evidence are in the range 0 ... 32767, and at least one of o and f is 0. Under these
+// conditions, the following bounds hold:
 //
 //   products     ab <= 32767^2 < 2^30, and a.b <= a because b < 2^15; the rounded product is at
 //                most (32767^2 + 2^14) / 2^15 < 32767
@@ -73,7 +74,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains) 
   return {.occupied = index > 0 ? gains.hit_mass : 0, .free = index < 0 ? gains.free_mass : 0};
 }
 
-// `index` must be in -127 ... 127.
+// `index` must be in the range -127 ... 127.
 constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
                                const Assignment& assignment) {
   constexpr int kUnit = (kCertain + 1) / kMassFraction;
@@ -90,7 +91,7 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
 
 // Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
 // occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O. `x`
-// is the conflict of a cell that was occupied and is now free. It is added to ignorance.
+// is the conflict of a cell that was occupied and is now free, and is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -114,8 +115,8 @@ constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, c
   return std::clamp<std::int32_t>(next.persistence + gain - loss, 0, kCertain);
 }
 
-// Specialises a cell so that persistent cells become static (Kurdej 2015, equations 5.7 and 5.8).
-// Only occupied sets are specialised. The mass that {M} loses is added to ignorance.
+// Specialises a cell: a persistent cell becomes static (Kurdej 2015, equations 5.7 and 5.8). Only
+// occupied sets are specialised. The mass that {M} loses is added to ignorance.
 constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   const std::int32_t part = product(cell.persistence, gains.specialisation);
   const std::int32_t settled = product(cell.occupied, part);

@@ -10,7 +10,7 @@ namespace iog::evidence {
 // The ageing factor 1, which leaves a mass unchanged. An int16 stores the value 2^15 as -2^15.
 inline constexpr std::int16_t kWhole = -32768;
 
-// The ageing factors (Kurdej 2015, chapter 6). Each factor is 0 ... 32767, or kWhole.
+// The ageing factors (Kurdej 2015, chapter 6). Each factor is kWhole or in the range 0 ... 32767.
 struct alignas(16) Fading {
   std::int16_t free = kWhole;
   std::int16_t occupied = kWhole;
@@ -26,7 +26,7 @@ inline constexpr Fading kForgotten{0, 0, 0, 0, 0};
 // The mass of a hit is 0.87, so that a hit outlasts one free frame of 40 ms.
 inline constexpr std::int16_t kHitMass = 111 * 256;
 
-// The weights of a group's evidence in one frame. Each weight is 0 ... 32767.
+// The weights of a group's evidence in one frame. Each weight is in the range 0 ... 32767.
 struct alignas(16) Gains {
   std::int16_t free_mass = 0;        // f, free mass from crossing beams
   std::int16_t persistence = 0;      // d, the accumulator's increase while the cell is occupied

@@ -1,6 +1,5 @@
 // Ages a group's free masses and fuses a frame's evidence into them, with eight cells per register.
-// These functions are the building blocks of fusion_neon.cpp. Callers that process the result
-// further can also use these functions.
+// These functions are the building blocks of fusion_neon.cpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -14,7 +13,7 @@ namespace iog::evidence {
 
 inline int16x8_t product(int16x8_t a, int16x8_t b) { return vqdmulhq_s16(a, b); }
 
-// An XOR computes the complement because 32767 has all bits that occur in 0 ... 32767.
+// An XOR computes the complement because all bits that occur in 0 ... 32767 are set in 32767.
 inline int16x8_t complement(int16x8_t a) { return veorq_s16(a, vdupq_n_s16(kCertain)); }
 
 inline int16x8_t choose(uint16x8_t mask, int16x8_t yes, int16x8_t no) {
@@ -31,8 +30,8 @@ inline int16x8_t factors_of(const Fading& fading) {
   return factors;
 }
 
-// The product of a mass and kWhole is exactly -mass. If the factor is not kWhole, the product is
-// not negative.
+// kWhole represents -1, so the product of a mass and kWhole is exactly -mass. The product with any
+// other factor is not negative.
 template <int kLane>
 inline int16x8_t left_of(int16x8_t mass, int16x4_t factors) {
   return vabsq_s16(vqdmulhq_lane_s16(mass, factors, kLane));

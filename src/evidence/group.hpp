@@ -2,8 +2,8 @@
 // masses are stored separately from the other masses. Most cells that beams cross have only free
 // mass, so their other masses are neither read nor written.
 //
-// Masses are 0 ... 32767. The ignorance of a cell is 32767 minus the sum of its four masses. In an
-// unknown cell, all values are 0.
+// Masses are in the range 0 ... 32767. The ignorance of a cell is 32767 minus the sum of its four
+// masses. In an unknown cell, all values are 0.
 #pragma once
 
 #include <array>

@@ -1,9 +1,8 @@
 // Fuses the beams of one frame into a grid of occupancy indexes (docs/model.md section 3).
 //
-// The frame starts from a grid of zeros. The carvers, the pending marks and the grid are separate
-// objects. All beams carve before any mark is applied. Beams can be carved in any order, and marks
-// can be applied in any order. The grid is therefore byte-for-byte identical for any order of a
-// frame's packets.
+// The frame starts from a grid of zeros. All beams are carved before any mark is applied. Beams can
+// be carved in any order, and marks can be applied in any order. The grid is therefore
+// byte-for-byte identical for any order of a frame's packets.
 #pragma once
 
 #include <array>
@@ -96,7 +95,7 @@ class FrameFusion {
   // this function once per frame, after the last point.
   void finish();
 
-  // Returns the grid. The grid is complete from finish() until it is cleared.
+  // Returns the grid. The grid is complete after finish() and until it is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from the lowest y, and then clears the tile. Returns

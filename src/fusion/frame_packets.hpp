@@ -1,6 +1,6 @@
 // A buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
 // frame has classes, packets are buffered until the frame ends, because the slices are not known
-// earlier.
+// before then.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace iog::fusion {
 
 // The buffer has room for 40 ms of data from a sensor with 128 layers (OS1-128: 51 packets, 1.3
 // MB), from two sensors with 64 layers each, or from an HDL-64E S3 with two returns (232 packets,
-// 280 KB). Four LUX send about 30 KB in 40 ms.
+// 280 KB). Four LUX units send about 30 KB in 40 ms.
 inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 

@@ -23,12 +23,12 @@ struct FramePart {
 class FrameParts {
  public:
   // The maximum number of parts fused in one round. The maximum is close to the number of packets
-  // in a frame of four LUX, so that no core waits long for the last part.
+  // in a frame from four LUX units, so that no core waits long for the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
-  // Splits the packets into parts. Each packet's group must be 0 ... groups - 1 or kNowhere. The
-  // size of a part is about the total number of bytes divided by `parts`. The last part of a slice
-  // may be smaller. `parts` must be at most kMostOfARound.
+  // Splits the packets into parts. Each packet's group must be kNowhere or in the range 0 to
+  // `groups - 1`. The size of a part is about the total number of bytes divided by `parts`. The
+  // last part of a slice may be smaller. `parts` must be at most kMostOfARound.
   void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
   // Returns the parts of the next round. A round contains the parts of as many complete slices as
@@ -41,7 +41,7 @@ class FrameParts {
   }
 
  private:
-  // In each group, all parts except the last one have the full size.
+  // All parts of a group are full-sized, except for the last one.
   static constexpr std::size_t kMaxGroups = kMaxSlices + 1;
   static constexpr std::size_t kMaxParts = kMostOfARound + kMaxGroups;
 

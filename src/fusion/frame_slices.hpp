@@ -21,7 +21,7 @@
 
 namespace iog::fusion {
 
-// The maximum number of registered slices per frame. With 8 ms per slice, 32 slices take more than
+// The maximum number of registered slices per frame. Together, 32 slices of 8 ms are more than
 // twice as long as a turn of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
@@ -34,7 +34,8 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of all packets that are not registered. Packets of slice placed()[i] have group i.
+  // The group of all packets that are not registered. Packets of slice placed()[i] belong to group
+  // i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
   // Converts the packets' times to the clock of the poses and returns the end of the last slice.
@@ -47,7 +48,7 @@ class FrameSlices {
   // after measure(), with the same packets.
   void place(std::span<KeptPacket> packets, pose::Source& poses);
 
-  // Returns the registered slices in order of time.
+  // Returns the registered slices in chronological order.
   [[nodiscard]] std::span<const PlacedSlice> placed() const {
     return std::span(placed_).first(count_);
   }

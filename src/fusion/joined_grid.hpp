@@ -5,7 +5,8 @@
 // index is positive, the index of the cell is the saturating sum of the negative indexes
 // (docs/model.md section 3). A saturating sum of numbers with the same sign does not depend on
 // their order. A frame can therefore be split in any way. If each part is fused from zero with
-// hits_win and the parts are joined, the result is the same as that of fusing the entire frame.
+// hits_win and the parts are joined, the result is the same as if the entire frame were fused at
+// once.
 #pragma once
 
 #include <array>

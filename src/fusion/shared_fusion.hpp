@@ -36,10 +36,10 @@ namespace iog::fusion {
 // Number of points per outcome.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// The maximum number of parts that wait to be joined.
+// The maximum number of parts that can wait to be joined.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// The result of a part. The core that fuses the part writes its result.
+// The result of a part, which is written by the core that fuses the part.
 struct FusedPart {
   Fates fates{};
   FrameTiles tiles;
@@ -102,7 +102,7 @@ class SharedFusion {
   // Returns core 0's own fusion, which is empty whenever the crew fuses the parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
-  // Returns the ground models. The ground models change at the end of a frame.
+  // Returns the ground models, which change at the end of a frame.
   [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
 
   // Returns the outcomes of the frame's points.
@@ -131,7 +131,6 @@ class SharedFusion {
     fuse_alone(packets_.packets()[number].sensor, packets_.decoded(number));
   }
   // Fuses all buffered packets as one slice on the cores of the crew, and empties the buffer.
-  // `parts` is the number of parts.
   void fuse_kept(const work::Crew& crew, std::size_t parts);
   // `deal()`, `fuse_next()` and `join()` are the steps of fuse_kept(). `deal()` splits the buffered
   // packets in the same way as FrameParts::deal().
@@ -157,8 +156,8 @@ class SharedFusion {
   void end_frame(const intake::Intake& intake);
 
   // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined
-  // grid. If no parts were joined, the frame's grid is core 0's own grid, which must be finished.
-  // Calls visit(number, cells) for each tile with a known cell, in ascending order.
+  // grid or, if no parts were joined, core 0's own grid, which must be finished. Calls
+  // visit(number, cells) for each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {
     if (is_joined_) {

@@ -1,6 +1,6 @@
 // Carves the beams of tilted rotating sensors and of sensors that measure in the same directions in
-// every scan. The carver uses cached lines (beam_lines.hpp). The carver collects the beams of one
-// azimuth and carves them when the next azimuth begins.
+// every scan. The carver uses cached lines (beam_lines.hpp). The beams of one azimuth are collected
+// and then carved when the next azimuth begins.
 //
 // Beams that share a line, or whose lines cross the same cells, are carved together.
 #pragma once
@@ -115,7 +115,7 @@ class AzimuthCarver {
   const vehicle::Vehicle* vehicle_;
 
   // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
-  // contains the further lines that have been found. `lines_in_use_` contains the lines with
+  // contains those further lines that have been found. `lines_in_use_` contains the lines with
   // pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;

@@ -83,9 +83,9 @@ class BeamCarver {
   bool keeps_heights_;
 };
 
-// A cell before the point (marked * below) gets the index of the 1D cell in which the line leaves
-// the grid cell. If 1D cell k-1 is nearer, the cell gets the index of 1D cell k-1. The example
-// shows a beam of a LUX:
+// Each grid cell before the point (marked * below) gets the index of the 1D cell that contains the
+// point where the line leaves the grid cell. If 1D cell k-1 is nearer to the sensor, the grid cell
+// gets the index of 1D cell k-1 instead. The example shows a beam of a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -94,9 +94,9 @@ class BeamCarver {
 //    steps     +14       -7 at b         -7 at d
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
-// distance (j + 1) Delta or less. `through` is the number of borders that the line crosses up to a
-// distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the point at (k
-// - 2) Delta. In this example, the point is in cell b.
+// distance (j + 1) * Delta or less. `through` is the number of borders that the line crosses within
+// a given distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the
+// point at (k - 2) * Delta. In this example, the point is in cell b.
 //
 // This function is inline because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
@@ -111,7 +111,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // The zone begins at the start of 1D cell k - back, at distance (k - back) Delta.
+    // The zone begins at the start of 1D cell k - back, at distance (k - back) * Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);

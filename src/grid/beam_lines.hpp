@@ -3,8 +3,8 @@
 // For example, a lidar whose mirror stops at fixed azimuths needs the same lines in every scan. The
 // course of a line, its length in the grid, and the blocks that it crosses depend only on the
 // mount. Each line is therefore computed once and cached by its azimuth. The azimuths of a sensor
-// need not be known in advance. A line that is not in the cache is computed again. This takes time
-// but does not change the result.
+// do not have to be known in advance. A line that is not in the cache is computed again, which
+// takes time but does not change the result.
 #pragma once
 
 #include <algorithm>
@@ -90,8 +90,8 @@ class alignas(kCacheLineBytes) KeptLine {
   [[nodiscard]] std::uint32_t number() const { return number_; }  // Layer::line
 
   // Returns the number of borders that the line crosses up to this distance. The distance should be
-  // at most Sensor::range. For greater distances, the result may be too small, but it is never
-  // before the line's end.
+  // at most Sensor::range. For greater distances, the result may be too small, but it is never less
+  // than the number of borders up to the line's end.
   [[nodiscard]] traversal::Position through(const vehicle::Sensor& sensor,
                                             std::uint32_t distance_mm) const {
     return ruler_.through(distance_mm, line_, sensor.range);
@@ -131,7 +131,7 @@ class alignas(kCacheLineBytes) KeptLine {
   }
 
   // Returns true if the line has a block path. A line has a block path if it begins in the grid and
-  // meets no corner.
+  // does not pass through a corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
   BlockPath& path() {
     if (!path_begun_) {
@@ -225,8 +225,8 @@ class KeptAzimuth {
   }
   void begin(const vehicle::Sensor& sensor, std::uint32_t step);
 
-  // Returns true if another azimuth may evict this azimuth. This is the case if this azimuth has
-  // not been used since another azimuth last requested the same slot.
+  // Returns true if another azimuth may evict this azimuth. This is the case if another azimuth has
+  // requested the same slot since this azimuth was last used.
   [[nodiscard]] bool gives_way() { return !std::exchange(is_asked_for_, false); }
   void stay() { is_asked_for_ = true; }
 
@@ -277,9 +277,9 @@ class KeptAzimuth {
 };
 
 // A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. In the
-// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots with
-// up to three sensors, and nearly all with four.
+// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With the
+// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots for up
+// to three sensors, and nearly all do for four sensors.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

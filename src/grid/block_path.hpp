@@ -1,9 +1,10 @@
 // The blocks that a line crosses, in order. The path stores one byte per block, and each block is
 // computed only once. Block 0 contains the line's start.
 //
-// The line meets no corner after its start, so consecutive blocks share a border. The number of a
-// block is therefore the number of block borders that the line crosses between block 0 and this
-// block. If a line starts at a corner where blocks meet, it crosses no cells of block 1.
+// The line does not pass through a corner after its start, so consecutive blocks share a border.
+// The number of a block is therefore the number of block borders that the line crosses between
+// block 0 and this block. If a line starts at a corner where blocks meet, it crosses no cells of
+// block 1.
 #pragma once
 
 #include <array>
@@ -29,8 +30,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // Returns the next block. Both candidates are computed first, so that the code only selects one
-  // of them.
+  // Returns the next block. Both candidates are computed first, so that the code only has to select
+  // one of them.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -51,8 +52,8 @@ struct Way {
 
 class BlockPath {
  public:
-  // Begins the path of a line that starts in the grid and meets no corner after its start
-  // (traversal/corner.hpp).
+  // Begins the path of a line that starts in the grid and does not pass through a corner after its
+  // start (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line);
 
   // Returns the position relative to the corner of the first block, in the line's own direction.
@@ -95,7 +96,7 @@ class BlockPath {
             &codes_[1]};
   }
 
-  // Calls visit(tile) once or more for each tile that the line enters up to this position. The
+  // Calls visit(tile) at least once for each tile that the line enters up to this position. The
   // line's heights at the tile borders determine where the line enters another row of tiles. The
   // line enters another row at most once per column of tiles, because the slope is at most 1.
   template <typename Visit>
@@ -127,9 +128,9 @@ class BlockPath {
   }
 
  private:
-  // A line is monotone on each axis. The number of blocks that a line enters is therefore at most
-  // the number of block columns plus the number of block rows. The search always stores two codes
-  // per column of blocks, even if only one of them is valid.
+  // A line is monotonic along each axis. The number of blocks that a line enters is therefore at
+  // most the number of block columns plus the number of block rows. The search always stores two
+  // codes per column of blocks, even if only one of them is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);

@@ -1,9 +1,9 @@
 // Defines a one-byte code for the cells of a 4 by 4 block that a line crosses.
 //
-// A line that meets no corner is mirrored and transposed, so that it runs in the positive direction
-// of both axes and rises by at most one cell per column. `u` is the column number along the line's
-// longer axis, and `v` is the row number along the other axis. Such a line can enter a block in the
-// seven numbered cells:
+// A line that does not pass through a corner is mirrored and transposed, so that it runs in the
+// positive direction of both axes and rises by at most one cell per column. `u` is the column
+// number along the line's longer axis, and `v` is the row number along the other axis. Such a line
+// can enter a block in the seven numbered cells:
 //
 //     v
 //     3 | 3  .  .  . |
@@ -14,7 +14,7 @@
 //
 // Entry 7 is one column beyond entry 6, outside the block.
 //
-// In each column, the line crosses at most one border of v. Seven bits, called the block's *shape*,
+// In each column, the line crosses at most one row border. Seven bits, called the block's *shape*,
 // are therefore enough to determine the cells that the line crosses and the border through which it
 // leaves the block. Three bits contain the entry, and each of the other four bits represents one
 // column.
@@ -35,15 +35,15 @@ using BlockEntry = std::uint32_t;
   return u == 0 ? 0 : u + 3;
 }
 
-// A shape consists of the entry and four bits. Bit j is set if the line crosses a border of v in
-// the column that is j columns after the entry's column.
+// A shape consists of the entry and four bits. Bit j is set if the line crosses a row border in the
+// column that is j columns after the entry's column.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;
 }
 
 // The code of a block on a line is twice the block's shape, plus 1 if the line leaves the block
-// through a border of v. The bits of columns that the line does not enter in this block are 0. Two
+// through a row border. The bits of columns that the line does not enter in this block are 0. Two
 // lines therefore have the same code if and only if they cross the same cells of the block and
 // leave the block through the same border.
 using BlockCode = std::uint8_t;
@@ -56,7 +56,7 @@ struct BlockColumn {
 };
 
 // The orientation of u and v in the grid. `u` corresponds to y if `is_steep`, and otherwise to x.
-// Both u and v can run in the negative direction.
+// Either u or v, or both, can run in the negative direction.
 struct Orientation {
   bool is_steep = false;
   bool x_is_negative = false;
@@ -76,8 +76,8 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // Returns the position of a cell in its block, 4 y + x. The arguments are the cell's coordinates
-  // along each axis, in the line's direction.
+  // Returns the position of a cell in its block, which is `4 * y + x`. The arguments are the cell's
+  // coordinates on each axis, counted in the direction in which the line runs.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
     const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);
@@ -99,9 +99,10 @@ struct BlockMasks {
   std::array<LaneBytes, kLaneCount> after{};
 };
 
-// This table is indexed by 16 v plus four bits. `v` is the row in which the line enters the column
-// of blocks from the left. Each bit represents one column of cells, with the first column in the
-// highest bit. A bit is set if the line crosses a border of v in the bit's column.
+// The index into this table is `16 * v + mask`. `v` is the row in which the line enters the column
+// of blocks from the left. Each of the four bits of `mask` represents one column of cells, with the
+// first column in the highest bit. A bit is set if the line crosses a row border within the bit's
+// column.
 extern const std::array<BlockColumn, 64> kBlockColumns;
 
 // Indexed by Orientation::number().

@@ -8,7 +8,7 @@
 // order (docs/model.md, section 3), so each cone is carved as soon as its echo arrives.
 //
 // If the unit is tilted, the cone's two outermost directions and its middle direction have
-// different lengths on the grid. The carved cone is as long as the shortest of these lengths.
+// different lengths on the grid. The length of the carved cone is the shortest of these lengths.
 #pragma once
 
 #include "grid/block_grid.hpp"

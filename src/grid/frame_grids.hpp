@@ -4,9 +4,9 @@
 //
 // A beam is low where it is at most `low_m` above the ground. A tall return lies at least `tall_m`
 // above the ground (docs/ground.md). A cell of `heights` is negative if a low beam freed it, and 1
-// if a tall return hit it. Low beams carve `heights` in the same way as all beams carve `indexes`.
-// Hits are applied after all beams, and overwrite negative values in their cells. The result
-// therefore does not depend on the order of the beams.
+// if a tall return hit it. Low beams carve `heights` just as all beams carve `indexes`. Hits are
+// applied after all beams, and overwrite negative values in their cells. The result therefore does
+// not depend on the order of the beams.
 #pragma once
 
 #include <array>

@@ -5,8 +5,8 @@
 // negative index to a cell. Saturating additions of negative indexes commute (docs/model.md section
 // 3). Adding x and then y, with each sum clamped at -127, has the same result as adding x + y and
 // clamping once. The sum of the beams can therefore be carved in one pass. The example shows two
-// beams of a LUX. The point of the nearer beam is at `a`, and the point of the farther beam is at
-// `b`:
+// beams of a LUX. The nearer beam ends at `a`, and the farther beam ends at `b`. Each number is the
+// amount by which the indexes of the cells are lowered:
 //
 //     freer by  28 ----------+
 //                            +- 21 -+
@@ -48,7 +48,7 @@ class FreeSteps {
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
   // To add a beam, call begin_beam() with the first amount, then add() for each later change, and
-  // then end_beam(). Add a beam only if has_room() returns true. All points must be fewer than 2
+  // then end_beam(). Add a beam only if has_room() returns true. All points must be fewer than 2 *
   // kCellsPerSide borders beyond the point where the line enters the grid.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
@@ -130,8 +130,8 @@ class LowSteps : public FreeSteps {};
 // cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which at least one
 // beam is low. A beam adds at most one entry to each of these members.
 struct LineSteps {
-  // The amount by which a low beam lowers cells in `low`. Cells saturate, so several overlapping
-  // low beams have the same effect as one low beam.
+  // The amount by which a low beam lowers cells in `low`. Cell values saturate, so several
+  // overlapping low beams have the same effect as one low beam.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

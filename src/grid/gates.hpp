@@ -1,9 +1,8 @@
-// Defines the height limits for the beams and returns of level rotating lidars. Beams free cells,
-// and returns mark cells, only within these limits. The limits are either the vehicle's height band
-// or heights relative to the ground (docs/ground.md). A judge applies the limits to the points of a
-// packet, and a gate applies them to the beams of a line. The judge is selected once per packet,
-// and the gate is selected once per line. The judge and the gate are template arguments, so callers
-// work with both kinds of limits.
+// Defines the height limits for the beams and returns of level rotating lidars. Only within these
+// limits can a beam free cells or a return mark a cell. The limits are either the vehicle's height
+// band or heights relative to the ground (docs/ground.md). A judge applies the limits to the points
+// of a packet, and a gate applies them to the beams of a line. The judge is selected once per
+// packet, and the gate is selected once per line.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // The lines of level rotating sensors. All layers share one line per azimuth step (docs/model.md
-// section 5). The lines are cached in the same way as in beam_lines.hpp, but each azimuth step has
-// its own slot.
+// section 5). The lines are cached as in beam_lines.hpp, but each azimuth step has its own slot.
 #pragma once
 
 #include <array>
@@ -37,7 +36,7 @@ struct TurnLayers {
   // within the band over its whole length. Each layer's part within the band is then contained in
   // the parts of all layers with lower ranks.
   bool start_in_band = false;
-  // The number of beams that saturate a cell.
+  // The number of beams that it takes to saturate a cell.
   std::uint32_t enough_beams = 0;
   // A hit at this distance or beyond frees every cell in the band that can be freed by layers of
   // rank near_rank or higher.
@@ -77,9 +76,10 @@ class TurnLines {
   }
 
  private:
-  // A turn visits all lines, so each line has to be fetched from memory again in each turn. The
-  // first point of a line needs the ranges on the car, but the line itself is needed only for
-  // carving. The ranges are therefore stored separately, next to the ranges of neighbouring lines.
+  // A turn visits all lines, and the caches cannot hold them all, so each line is fetched from
+  // memory again in each turn. The first point of a line needs the ranges on the car, but the line
+  // itself is needed only for carving. The ranges are therefore stored separately, next to the
+  // ranges of neighbouring lines.
   struct OnCar {
     vehicle::Ranges ranges;
     bool is_known = false;

@@ -122,8 +122,8 @@ class WaitingLines {
     ++lines_[place].count;
   }
 
-  // If the slot of this step contains a line, calls carve(azimuth_step, points, behind) for it and
-  // empties the slot.
+  // If the slot of this step contains a line, calls carve(azimuth_step, points, behind) for this
+  // line and empties the slot.
   template <typename Carve>
   void take(std::uint32_t azimuth_step, Carve&& carve) {
     const std::uint32_t place = azimuth_step % kPlaces;

@@ -38,7 +38,7 @@ class Beams {
   }
 
   // Returns the slope of a beam along its line, rounded down. `end_z` is the height of the beam's
-  // end in subcells. The beam's end is at the sensor's range along the line.
+  // end in subcells. The beam ends at the sensor's range along the line.
   [[nodiscard]] Slope slope_to(std::int32_t end_z) const;
   // Returns the height above the car's plane at a distance along a beam's line, rounded down.
   // Requires |rise| < 2^30.
@@ -67,12 +67,12 @@ class Beams {
     return std::span(from_below_).first(layer_count_);
   }
   // Returns which points of a packet are used to estimate the car's tilt. These points are in every
-  // second layer of the lower two thirds. The number of firings is chosen so that there are
-  // kSamples points.
+  // second layer of the lower two thirds of the layers. The number of firings is chosen so that
+  // there are kSamples points.
   [[nodiscard]] lidar::Sampling sampling() const {
     return {.layers = std::span(sampled_).first(sampled_count_), .log2_firings = log2_firings_};
   }
-  // Returns the minimum number of samples that a packet must have for an estimate of the tilt.
+  // Returns the minimum number of samples that a packet must have for the tilt to be estimated.
   [[nodiscard]] std::int32_t fewest_samples() const { return fewest_samples_; }
 
  private:

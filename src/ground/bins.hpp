@@ -1,7 +1,7 @@
-// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, which are
-// counted in the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64 bins
-// (docs/model.md section 5). A bin is 1,024 mm long. If the line is longer than 64 of these bins, a
-// bin is 2,048 mm long.
+// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, whose
+// widths are counted in the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64
+// bins (docs/model.md section 5). A bin is 1,024 mm long. If the line is longer than 64 of these
+// bins, a bin is 2,048 mm long.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class Bins {
   explicit constexpr Bins(std::uint32_t range_mm)
       : shift_(range_mm > kBins << kShortShift ? kShortShift + 1 : kShortShift) {}
 
-  // Returns log2 of a bin's length in mm.
+  // Returns the base-2 logarithm of a bin's length in mm.
   [[nodiscard]] constexpr int shift() const { return shift_; }
   [[nodiscard]] constexpr std::uint32_t length_mm() const { return std::uint32_t{1} << shift_; }
   // Returns the bin at a distance along a line. If the result is kBins or more, the distance is

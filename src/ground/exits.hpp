@@ -4,10 +4,10 @@
 //
 // A beam that starts between the limits leaves them on one of two sides: below, where it comes too
 // close to the ground, or above, where it is too high above the ground. If two beams leave below,
-// the beam with the higher elevation leaves farther from the sensor. If two beams leave above, the
-// beam with the higher elevation leaves nearer to the sensor. One outward sweep on each side is
-// therefore enough to find the exit ranges of all layers of a sector. Each sweep produces a sorted
-// list. The two lists are merged to sort the layers by exit range.
+// the beam with the higher elevation leaves at the longer distance from the sensor. If two beams
+// leave above, the beam with the higher elevation leaves at the shorter distance. One outward sweep
+// on each side is therefore enough to find the exit ranges of all layers of a sector. Each sweep
+// produces a sorted list. The two lists are merged to sort the layers by exit range.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@ namespace iog::ground {
 
 class Exits {
  public:
-  // Requires a level sensor whose lines are at most 131,070 mm long.
+  // The sensor must be level, and its lines must be at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
   // Returns the exit range of a beam. The exit range is the distance along the beam's line at which
-  // the beam leaves the limits. The exit range is rounded down to a multiple of 2 mm and is at most
+  // the beam leaves the limits. This distance is rounded down to a multiple of 2 mm and is at most
   // the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;

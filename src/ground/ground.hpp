@@ -1,10 +1,10 @@
-// The ground around each of a vehicle's ground-following sensors. The ground is constant while the
+// The ground around each ground-following sensor of a vehicle. The ground is constant while the
 // packets of a frame are processed, and it is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
 // ticks swept since the last update add up to at least one complete scan. The time of the update
-// therefore depends only on the set of packets in each frame. The time of the update does not
-// depend on the order of the packets or on the cores that fuse them.
+// therefore depends only on the set of packets in each frame, and not on the order of the packets
+// or on the cores that fuse them.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The slope of a beam, and the ranges at which it ends on the car itself. A sample needs both of
-// these properties.
+// The slope of a beam, and the ranges at which it hits the car itself. Both properties are needed
+// for a sample.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -114,7 +114,7 @@ class Ground {
 
 // A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
 // return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
-// degrees, the projection of a return beyond these heights moves by more than one cell, and a
+// degrees, the projection of a return outside these heights moves by more than one cell, and a
 // static object would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
@@ -202,8 +202,8 @@ class Grounds {
   }
 
  private:
-  // If a sensor is silent for kForgottenUs, the car may have moved to a different place. The time
-  // is counted in frame periods.
+  // If a sensor has been silent for kForgottenUs, the car may have moved to a different place. This
+  // time is counted in frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

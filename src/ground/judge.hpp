@@ -6,7 +6,7 @@
 namespace iog::ground {
 
 // A return at a height from low_mm to top_mm above the ground is an obstacle. Both limits are
-// included.
+// inclusive.
 struct Limits {
   std::int32_t low_mm = 220;
   std::int32_t top_mm = 2'200;

@@ -1,14 +1,13 @@
-// Computes the part of each beam that is close to the ground. Only low beams make a cell eligible
-// for motion detection. A hit counts as moving only if a low beam freed its cell earlier
-// (docs/perception.md, section 4).
+// Computes the part of each beam that is close to the ground. A hit counts as moving only if a low
+// beam freed its cell earlier (docs/perception.md, section 4).
 //
 // The height of the ground below a beam is known only per bin. If a bank rises from one bin to the
 // next, a beam would appear low over both the foot and the top of the bank. A hit between the foot
-// and the top would then appear to be motion. Therefore, the height of a beam is measured from the
-// lowest ground nearby, and the height of a tall return from the highest ground nearby.
+// and the top would then appear to be motion. The height of a beam is therefore measured from the
+// lowest ground nearby, and the height of a tall return is measured from the highest ground nearby.
 //
-// A beam opens no cells where it is less than MovedLimits::kUnderCarsMm above the ground. At such a
-// height, the beam may pass under a parked car, and the next beam may hit the body of this car. If
+// A beam does not open cells where it is less than MovedLimits::kUnderCarsMm above the ground. At
+// such a height, the beam may pass under a parked car, and the next beam may hit the car's body. If
 // the sensor is mounted at most kUnderCarsMm above the car's plane, it has no higher beams, so all
 // its low beams open cells.
 #pragma once
@@ -34,8 +33,8 @@ class LowBeams {
     std::uint32_t to_mm = 0;
   };
 
-  // Requires that the sensor's lines are at most 131,070 mm long. For a tilted sensor, the beams in
-  // the middle of a sector represent all beams of the sector.
+  // The sensor's lines must be at most 131,070 mm long. For a tilted sensor, the beams in the
+  // middle of a sector represent all beams of the sector.
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 

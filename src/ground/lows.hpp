@@ -1,7 +1,7 @@
-// The lowest return of each bin in one turn of a sensor. Only returns that can be ground are
+// The lowest return in each bin during one turn of a sensor. Only returns that can be ground are
 // included.
 //
-// A minimum depends neither on the order of its inputs nor on duplicates. The lows therefore do not
+// A minimum does not depend on the order of its inputs or on duplicates. The lows therefore do not
 // depend on the order of packets, on duplicates, or on which core processes a packet. A forged
 // return can only lower the value of its bin, and only to a plausible height, because returns below
 // this height are ignored.
@@ -18,8 +18,7 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // The value kNothing means that a bin has no return. The value kNothing is higher than every
-  // valid return.
+  // The value kNothing, which is higher than every valid return, means that a bin has no return.
   static constexpr std::int16_t kNothing = 32767;
   // A ring contains one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;

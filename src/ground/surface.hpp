@@ -1,5 +1,5 @@
-// The height of the ground around a spinning sensor. The returns of one turn are classified by
-// using the heights of this surface.
+// The height of the ground around a spinning sensor. The returns of a turn are classified by their
+// heights above this surface.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ class Surface {
   // Converts a return's height above the car's plane to its height above the ground. For kBeyondMm
   // beyond the last bin, the ground continues with the slope of this bin.
   //
-  // Ranges: the heights at two starts differ by at most 2^16, and the fraction of a bin is at most
-  // 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
+  // Ranges: the heights at two bin starts differ by at most 2^16, and the fraction of a bin is at
+  // most 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -42,8 +42,9 @@ class Surface {
     return z_mm - between(bins, start[0], start[1], at.part_mm);
   }
 
-  // Returns the height of a return above the highest ground nearby. To compute the highest ground
-  // nearby, each start is raised to the highest start within kNearBins on either side.
+  // Returns the height of a return above the highest ground nearby. To find the highest ground
+  // nearby, the height at each bin start is raised to the greatest height within kNearBins bins on
+  // either side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -57,10 +58,10 @@ class Surface {
                           std::max(near_both, height(at.bin + 3)), at.part_mm);
   }
 
-  // Returns the lowest ground nearby. To compute the lowest ground nearby, each start is lowered to
-  // the lowest start within kNearBins, except for height differences that are due to a constant
-  // slope. Ground with a constant slope is therefore not lowered. A start is never lowered below
-  // the lowest start within kNearBins.
+  // Returns the lowest ground nearby. To find the lowest ground nearby, the height at each bin
+  // start is lowered to the smallest height within kNearBins bins, except for height differences
+  // that are due to a constant slope. Ground with a constant slope is therefore not lowered. A
+  // height is never lowered below the smallest height within kNearBins bins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }

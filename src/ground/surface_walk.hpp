@@ -1,4 +1,4 @@
-// Computes the surface from the lowest returns of one turn. The surface is used to classify the
+// Computes the surface from the lowest returns of one turn. This surface is used to classify the
 // returns of the next turn.
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
@@ -8,8 +8,8 @@
 // height steps that follow must be small. A lowest return far below the prediction is always
 // ground, because the supposed ground before it must have been an object. A lowest return is also
 // ground if it is not much higher than the lowest return in the nearest adjacent sectors. A bin
-// without ground of its own uses the ground of the adjacent sectors if their heights fit.
-// Otherwise, its ground is interpolated between the nearest bins with ground.
+// without its own ground uses the ground of the adjacent sectors if their heights fit. Otherwise,
+// its ground is interpolated between the nearest bins with ground.
 //
 // Each height is the median of three sectors, which suppresses a mirror image below the road. In
 // addition, the surface is at most 150 mm above the lowest return of each bin. A return whose
@@ -17,8 +17,7 @@
 // classified as ground. Other returns, real or forged, can never prevent such a return from being
 // classified correctly.
 //
-// All sectors are processed in parallel, with eight sectors per register. A ring contains one bin
-// of each sector.
+// Eight sectors are processed in parallel in each register. A ring contains one bin of each sector.
 #pragma once
 
 #include <array>
@@ -56,9 +55,9 @@ class SurfaceWalk {
   void keep_low(Bins bins, const Lows& lows);
   void renew(const Lows& lows, Surface& surface) const;
 
-  // The ground of each bin. Until the walk reaches a bin, its entry contains the surface of the
-  // last turn. `find_starts()` converts the ground to heights at the start of each bin and at the
-  // end of the last bin.
+  // The ground of each bin. Until the walk reaches a bin, its entry holds the surface from the
+  // previous turn. `find_starts()` converts the ground to heights at the start of each bin and at
+  // the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
   // The current state of each sector's walk. The state consists of the height, the slope in mm per
   // bin, and the bin. The bin is -1 before the first ground.

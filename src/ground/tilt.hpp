@@ -1,11 +1,11 @@
-// Estimates, from one packet, how far the car has tilted and lifted since the last turn. The
-// surface comes from the last turn.
+// Estimates, from one packet, how far the car has tilted and lifted since the last turn. The tilt
+// is relative to the surface from the last turn.
 //
-// Braking and bumps tilt the car by up to one degree per turn of the lidar, which is 0.35 m at a
-// distance of 20 m. A straight line is therefore fitted to the returns of the packet that are near
-// the sensor and near the ground. The line gives the height above the surface as a function of
-// distance. A packet covers a narrow sector, in which pitch and roll appear as a single slope. The
-// result depends only on the returns of the packet and on the surface.
+// Braking and bumps tilt the car by up to one degree per turn of the lidar, which corresponds to
+// 0.35 m at a distance of 20 m. A straight line is therefore fitted to the returns of the packet
+// that are near the sensor and near the ground. The line gives the height above the surface as a
+// function of distance. A packet covers a narrow sector, in which pitch and roll appear as a single
+// slope. The result depends only on the returns of the packet and on the surface.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct Sample {
 inline constexpr std::uint32_t kFirstSampleMm = 3'000;
 inline constexpr std::uint32_t kEndOfSamplesMm = 30'000;
 
-// The samples of one packet. If a packet has more than kMost samples, the rest are ignored.
+// The samples of one packet. Any samples beyond the first kMost are ignored.
 class Samples {
  public:
   static constexpr std::size_t kMost = 128;
@@ -51,9 +51,9 @@ class Samples {
   std::size_t count_ = 0;
 };
 
-// Fits the tilt. Returns no tilt in three cases: fewer samples than `fewest` lie near a line, these
-// samples are too close together, or the line is not clearly better than no tilt. Requires fewest >
-// 0.
+// Fits the tilt. Returns zero tilt if fewer than `fewest` samples lie near a line, if these samples
+// are too close together, or if the line does not fit clearly better than zero tilt. Requires
+// fewest > 0.
 [[nodiscard]] Tilt tilt_of(std::span<const Sample> samples, std::int32_t fewest);
 
 }  // namespace iog::ground

@@ -16,8 +16,7 @@ namespace iog::index {
 // The index as stored in a grid. The value -128 never occurs, so the range is symmetric.
 using OccupancyIndex = std::int8_t;
 
-// The range of an index in a cell of type Cell. A smaller epsilon needs a wider cell type, but the
-// code stays the same.
+// The range of an index in a cell of type Cell.
 template <std::signed_integral Cell>
 inline constexpr Cell kIndexMax = std::numeric_limits<Cell>::max();
 template <std::signed_integral Cell>
@@ -25,16 +24,16 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 
 inline constexpr OccupancyIndex kUnknown = 0;
 
-// Fuses two indexes (docs/model.md section 2). The result is the sum of both indexes. For int8, the
-// sum saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up to
-// int32, the sum fits into 64 bits.
+// Fuses two indexes (docs/model.md section 2). The result is the sum of the two indexes. For int8,
+// the sum saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up
+// to int32, the sum fits into 64 bits.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
   return static_cast<Cell>(std::clamp<Wide>(Wide{a} + Wide{b}, kIndexMin<Cell>, kIndexMax<Cell>));
 }
 
-// Same as above, for a second argument that is not positive. Carving uses this function. The sum
+// Same as above, but the second argument must not be positive. Carving uses this function. The sum
 // can saturate only at the lower end, which saves one comparison in the innermost loop. The second
 // argument may be a sum of many indexes, but must be above -2^30.
 template <std::signed_integral Cell>

@@ -1,16 +1,17 @@
 // Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
 // are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
-// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore judged only
-// by those beams for which a return is expected. There are ground, sky, level and open sectors.
+// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore evaluated
+// using only those beams for which a return is expected. There are ground, sky, level and open
+// sectors.
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
 // plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
-// turn in which less than one sixteenth of its ground beams have a return, if one of two conditions
-// holds: less than one sixteenth of all its beams have a return, or at least one quarter of its
-// ground beams previously had a return. The previous fraction is a running mean that is updated by
-// 1/32 per turn. A ground sector is unblocked after three turns in which one eighth of its ground
-// beams have a return. If less than one quarter of its ground beams previously had a return, one
-// eighth of all its beams is also enough.
+// turn in which fewer than one sixteenth of its ground beams have a return, provided that fewer
+// than one sixteenth of all its beams have a return or at least one quarter of its ground beams
+// previously had a return. The previous fraction is a running mean that is updated by 1/32 per
+// turn. A ground sector is unblocked after three turns in which one eighth of its ground beams have
+// a return. If fewer than one quarter of its ground beams previously had a return, one eighth of
+// all its beams is also enough.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
@@ -20,14 +21,14 @@
 // 32 scans without a return, and is unblocked after two scans with a return. After three scans
 // without any return, all sectors of the unit are reported as blocked.
 //
-// Open sectors are all sectors of a unit whose beams never meet the car's plane within the unit's
-// range, such as a level 2D scanner. Only beams that have an echo are judged. An open sector
+// Open sectors are all sectors of a unit, such as a level 2D scanner, whose beams never meet the
+// car's plane within the unit's range. Only beams that have an echo are evaluated. An open sector
 // becomes blocked after 32 scans in which fewer than 1/16 of the echoes count as returns. An open
 // sector is unblocked after two scans in which at least 1/16 of the echoes count as returns.
 //
 // Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
-// them as dirt or rain. Only whole turns and scans are judged, as sums over their packets, so the
-// order of packets does not matter.
+// them as dirt or rain. Only whole turns and scans are evaluated, as sums over their packets, so
+// the order of packets does not matter.
 #pragma once
 
 #include <array>
@@ -96,9 +97,9 @@ class BlockedSectors {
   // Ends the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // Returns the azimuths of a packet at which a missing return is no evidence of free space. At
-  // such an azimuth, either the sector was blocked in earlier frames, or less than one sixteenth of
-  // the judged beams in the packet have a return. The result also includes the azimuth parts
+  // Returns the azimuths of a packet at which a missing return is not evidence of free space. At
+  // such an azimuth, either the sector was blocked in earlier frames, or fewer than one sixteenth
+  // of the evaluated beams in the packet have a return. The result also includes the azimuth parts
   // adjacent to these azimuths.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
@@ -137,7 +138,7 @@ class BlockedSectors {
   std::array<std::uint8_t, kMaxSampled> sampled_{};
   std::uint8_t sampled_count_ = 0;
 
-  std::array<Sums, kSectors> sums_{};  // judged beams of the current turn
+  std::array<Sums, kSectors> sums_{};  // evaluated beams of the current turn
   std::array<Sums, kSectors> all_{};   // all beams of the current turn
   std::uint32_t turn_ticks_ = 0;       // ticks swept in this turn before the current frame
   std::uint32_t turn_returns_ = 0;
@@ -145,8 +146,8 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet that the fusion code uses. At silent azimuths, a missing return is no evidence
-// of free space.
+// A view of a packet that the fusion code uses. At silent azimuths, a missing return is not
+// evidence of free space.
 class EvidentPacket {
  public:
   EvidentPacket(const Packet& packet, const AzimuthParts& silent)

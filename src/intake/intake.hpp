@@ -1,8 +1,7 @@
 // Converts datagrams to packets and assigns them to frames.
 //
-// A datagram is decoded only once. The result contains the sensor and the decoded contents of the
-// datagram. If the caller closes a frame, it can therefore classify the same packet again for the
-// next frame. Dropped datagrams are counted by cause.
+// A datagram is decoded only once. After closing a frame, the caller can therefore classify the
+// same packet again for the next frame. Dropped datagrams are counted by cause.
 #pragma once
 
 #include <array>
@@ -40,8 +39,8 @@ class Intake {
     kNextFrame,  // close the frame, then call classify() again
   };
 
-  // `sensors` must outlive the intake. `replayer_ipv4` may send on behalf of any sensor.
-  // `replayer_ipv4` is 0 if there is no replayer.
+  // `sensors` must outlive the intake. The replayer at `replayer_ipv4` may send on behalf of any
+  // sensor. The address is 0 if there is no replayer.
   Intake(std::span<const vehicle::Sensor> sensors, std::uint32_t replayer_ipv4);
 
   // Returns true if the datagram was sent to a sensor's port by a source that may send on behalf of

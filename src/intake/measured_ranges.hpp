@@ -1,5 +1,5 @@
-// Detects stuck sensors. A stuck sensor no longer measures. A stuck sensor sends earlier ranges
-// again with new timestamps and sequence numbers.
+// Detects stuck sensors. A stuck sensor no longer measures, but repeats earlier ranges with new
+// timestamps and sequence numbers.
 //
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. If
@@ -33,7 +33,7 @@ class RangeDigest {
   RangeDigest() = default;
 
   // Returns the hash of a valid packet of this sensor. Returns kNone if the packet has fewer than
-  // 32 returns or, for a spinning unit, if less than half of the sampled points have a return.
+  // 32 returns or, for a spinning unit, if fewer than half of the sampled points have a return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
@@ -49,8 +49,8 @@ class RangeMemory {
  public:
   static constexpr std::size_t kMaxPackets = 1024;
 
-  // Sets the number of previous packets to search. It must be below kMaxPackets. Initially, it is
-  // 0.
+  // Sets the number of previous packets to search. The number must be below kMaxPackets. It is 0
+  // initially.
   void look_back(std::size_t packets) { packets_ = static_cast<std::uint32_t>(packets); }
 
   // Returns true if one of the previous packets had this hash. Returns false for kNone. The search
@@ -74,11 +74,11 @@ class RangeMemory {
   std::uint32_t number_ = kMaxPackets;  // number of the latest packet; at the start, 0 is too old
 };
 
-// Determines whether a sensor still measures. The order of the packets of a frame matters only if
-// two packets have equal ranges. In this case, the later packet is reported as frozen.
+// Determines whether a sensor is still measuring. The order of the packets of a frame matters only
+// if two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
-  // Sets the number of previous packets to search for a repetition. It must be below
+  // Sets the number of previous packets to search for a repetition. The number must be below
   // RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 

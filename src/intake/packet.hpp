@@ -24,7 +24,7 @@ concept TakesCorrections = requires(Decoder& decoder, const lidar::Unit& unit) {
   decoder.decode(std::span<const std::byte>(), unit.corrections);
 };
 
-// Decodes the payload. The decoder gets only the unit properties that it needs.
+// Decodes the payload.
 template <typename Decoder>
 [[nodiscard]] lidar::DecodeStatus decode_with(Decoder& decoder, std::span<const std::byte> payload,
                                               const lidar::Unit& unit) {

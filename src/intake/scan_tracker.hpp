@@ -5,10 +5,10 @@
 // file. The order of the packets does not matter.
 //
 // A LUX numbers its scans, and a frame contains at most one scan of each LUX. A new number starts
-// the next scan. A packet is late if the frame with its scan has already been closed. The scan of a
-// spinning lidar has no beginning or end, and a frame may be shorter than a turn. The next turn
-// therefore begins when a packet sweeps only azimuths that the frame has already swept. If turns
-// are numbered, a packet of an older turn does not start a new frame.
+// the next scan. A packet is late if the frame that its scan belongs to has already been closed.
+// The scan of a spinning lidar has no beginning or end, and a frame may be shorter than a turn. The
+// next turn therefore begins when a packet sweeps only azimuths that the frame has already swept.
+// If turns are numbered, a packet of an older turn does not start a new frame.
 //
 // The frame ends when the next scan begins. Scans that begin too soon are dropped. Otherwise, a
 // unit whose timestamps imply impossibly fast scans would end frames at an unbounded rate.
@@ -36,7 +36,7 @@ class ScanTracker {
 
   // `turns` is true if the scans are turns of a spinning lidar. `scan_width_ticks` is the width of
   // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers the
-  // last `packets` packets, but at least kRemembered.
+  // last `packets` packets, and at least the last kRemembered packets.
   ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)
       : swept_(ticks_per_turn),
@@ -66,7 +66,7 @@ class ScanTracker {
   [[nodiscard]] std::uint16_t packets() const { return packets_; }  // packets in this frame
   [[nodiscard]] std::uint32_t points() const { return points_; }    // points in these packets
   [[nodiscard]] std::uint32_t scan_number() const { return scan_number_; }
-  // Returns the number of previous packets among which duplicates are detected.
+  // Returns the number of previous packets that are searched for duplicates.
   [[nodiscard]] std::size_t remembered_packets() const { return remembered_; }
   [[nodiscard]] bool was_ever_seen() const { return fingerprint_count_ > 0; }
   [[nodiscard]] std::uint16_t age_frames() const { return age_frames_; }
@@ -80,12 +80,12 @@ class ScanTracker {
   // units turn up to 20 times per second.
   static constexpr std::uint64_t kShortestScanUs = 10'000;
   static constexpr std::uint64_t kShortestTurnUs = 25'000;
-  // A packet is late if its scan is at most kLateScans scans before the newest scan. If the
-  // packet's scan is older, the sensor has restarted.
+  // A packet of an earlier scan counts as late if its scan is at most kLateScans scans older than
+  // the newest scan. If the packet's scan is even older, the sensor has restarted.
   static constexpr std::uint16_t kLateScans = 8;
 
   [[nodiscard]] bool is_known(std::uint64_t fingerprint) const;
-  // Returns true if the scan of the packet is at most kLateScans before the newest scan.
+  // Returns true if the scan of the packet is at most kLateScans scans older than the newest scan.
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;

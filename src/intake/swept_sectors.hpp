@@ -1,5 +1,5 @@
 // The azimuths of a turn that have been swept, stored as one bit per tick. Even a narrow sector is
-// therefore counted completely, and ticks in the overlap of two sectors are counted only once.
+// therefore counted in full, and ticks where two sectors overlap are counted only once.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// Determines the directions around the vehicle that no sensor watches. For a planner, these
-// directions are the most important information.
+// Determines the directions around the vehicle that no sensor watches.
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle
@@ -56,7 +55,8 @@ class WatchedSectors {
   // Returns the surroundings at the end of the frame whose packets `intake` has received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
-  // Returns the silent azimuths of a packet of this sensor. They depend on earlier frames.
+  // Returns the silent azimuths of a packet of this sensor. These azimuths depend on earlier
+  // frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
     return blocked_[sensor].silent_azimuths(packet);
   }

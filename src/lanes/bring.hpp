@@ -14,7 +14,7 @@ inline constexpr std::size_t kLineBytes = 32;
 inline void bring_line(const void* byte) { asm("" : : "r"(*static_cast<const std::byte*>(byte))); }
 
 // Prefetches consecutive cache lines. Reading consecutive lines is faster than alternating between
-// these and other lines.
+// them and other lines.
 inline void bring(std::span<const std::byte> bytes) {
   for (std::size_t at = 0; at < bytes.size(); at += kLineBytes) {
     bring_line(&bytes[at]);
@@ -22,7 +22,7 @@ inline void bring(std::span<const std::byte> bytes) {
 }
 
 // Requests the cache line that lies `bytes_ahead` beyond an address (PLD), without waiting for the
-// line. It may lie outside the object.
+// line. The line may lie outside the object.
 inline void preload(const void* address, std::size_t bytes_ahead = 0) {
   __builtin_prefetch(static_cast<const std::byte*>(address) + bytes_ahead);
 }

@@ -1,4 +1,4 @@
-// Eight adjacent indexes in one word. All eight indexes are tested at once.
+// Eight adjacent indexes in one word, which are all tested at once.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@ class EightBytes {
 
   [[nodiscard]] static EightBytes none() { return EightBytes(0); }
 
-  // Returns a word of eight equal bytes.
+  // Returns a word with the byte repeated eight times.
   [[nodiscard]] static constexpr EightBytes all(std::int8_t byte) {
     return EightBytes(static_cast<std::uint8_t>(byte) * std::uint64_t{0x0101010101010101U});
   }
@@ -43,9 +43,9 @@ class EightBytes {
 
   // Returns a mask in which bit i is set if byte i is above 0.
   //
-  // The multiplication gathers the bits at positions 8 i. The product is the sum of eight copies of
-  // the word, shifted by 7 k bits for k = 1 ... 8. Bit i arrives at position 56 + i only if k + i =
-  // 8. The 64 sums 8 i + 7 k are all different, so no carry occurs.
+  // The multiplication gathers the bits at positions `8 * i`. The product is the sum of eight
+  // copies of the word, shifted by `7 * k` bits for k = 1 ... 8. Bit i arrives at position 56 + i
+  // only if k + i = 8. The 64 sums `8 * i + 7 * k` are all different, so no carry occurs.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
  private:

@@ -55,8 +55,8 @@ class PlainLanes {
                 [](std::int8_t a, std::int8_t b) { return static_cast<std::int8_t>(a | b); });
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
-  // The arguments are four rows, each split into two halves. The result has one bit per lane. A bit
-  // is set if the value of its lane is negative. Bit 0 is the leftmost lane.
+  // The arguments are four rows, each split into two halves. The result has one bit per lane, which
+  // is set if the value of the lane is negative. Bit 0 is the leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};
@@ -69,7 +69,7 @@ class PlainLanes {
     return rows;
   }
 
-  // Transposes four blocks to rows. Row i contains quarter i of each block, for i = 0 ... 3.
+  // Transposes four blocks into rows. Row i contains quarter i of each block, for i = 0 ... 3.
   static std::array<PlainLanes, 4> rows_of(const LaneBytes* four) {
     std::array<LaneBytes, 4> rows;
     for (std::size_t i = 0; i < 4 * kLaneCount; ++i) {
@@ -119,7 +119,7 @@ class PlainRowPair {
     return {first_ & ~other.first_, second_ & ~other.second_};
   }
 
-  // `up()` shifts towards the higher bits, and down() shifts towards the lower bits. Both fill with
+  // `up()` shifts towards the higher bits, and down() shifts towards the lower bits. Both shift in
   // zeros.
   template <int kBits>
   [[nodiscard]] PlainRowPair up() const {

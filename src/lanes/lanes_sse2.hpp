@@ -1,4 +1,4 @@
-// The SSE2 implementation of operations on sixteen indexes at once. Every PC has SSE2.
+// The SSE2 implementation of operations on sixteen indexes at once.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class Sse2Lanes {
   [[nodiscard]] Sse2Lanes above_zero() const {
     return Sse2Lanes(_mm_cmpgt_epi8(lanes_, _mm_setzero_si128()));
   }
-  // SSE2 has no maximum for signed bytes, so this function compares and selects.
+  // SSE2 has no maximum instruction for signed bytes, so this function compares and selects.
   [[nodiscard]] Sse2Lanes max(Sse2Lanes least) const {
     const __m128i below = _mm_cmplt_epi8(lanes_, least.lanes_);
     return Sse2Lanes(

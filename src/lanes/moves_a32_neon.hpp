@@ -1,4 +1,4 @@
-// Defines NEON loads and stores of ARM state that advance their own pointer. Also defines other
+// Defines ARM-state NEON loads and stores that post-increment their pointer. Also defines other
 // single instructions that the compiler would replace with two or three instructions. CMake
 // generates lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
 #pragma once
@@ -65,7 +65,7 @@ inline uint8x16_t replaced(uint8x16_t cells, uint8x16_t others, uint8x16_t is_ot
   return cells;
 }
 
-// Adds two numbers of 1024 bits: sum := a + b. The flags hold the carry, so no other instruction
+// Adds two 1024-bit numbers: sum := a + b. The carry is held in the flags, so no other instruction
 // here may change the flags.
 inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::uint32_t, 32>& b,
                 std::array<std::uint32_t, 32>& sum) {
@@ -87,7 +87,7 @@ inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::ui
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// Copies 16 bytes from each of two rows, first from one and then from the other. All pointers
+// Copies 16 bytes from each of two rows, first from one row and then from the other. All pointers
 // advance by the length of a row, 32 bytes. All pointers are aligned to 16 bytes.
 inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right,
                              std::int8_t*& to) {

@@ -1,5 +1,5 @@
 // The A64 version of moves_a32_neon.hpp. This version uses intrinsics, which gcc compiles to loads
-// and stores that advance their own pointer.
+// and stores that post-increment their pointer.
 #pragma once
 
 #include <arm_neon.h>

@@ -1,15 +1,15 @@
 // Decodes the detection lists of a Continental ARS548 RDI radar into scan points.
 //
-// One datagram contains a whole list. The list has a header of 101 bytes, 800 slots of 44 bytes for
-// detections, and a tail of 35 bytes. The tail contains the number of slots in use. The slots in
-// use are the first ones. All numbers are big-endian. Angles are in radians and distances in
-// metres, both as binary32 (docs/spec.md, section 1.2.4). The manufacturer's document is not
-// public, so the layout is taken from two drivers, tier4/nebula and robotics-upo/ars548_ros.
+// One datagram contains an entire list. The list has a header of 101 bytes, 800 slots of 44 bytes
+// for detections, and a tail of 35 bytes. The detections occupy the first slots, and the tail
+// contains the number of these slots. All numbers are big-endian. Angles are in radians and
+// distances in metres, both as binary32 (docs/spec.md, section 1.2.4). The manufacturer's document
+// is not public, so the layout is taken from two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
 // A detection is a reflection with its own direction. The elevation of a detection is far less
 // accurate than its azimuth. The radar reports the standard deviation of the elevation. The decoder
-// rounds the elevation to a layer after moving it towards the horizon by one standard deviation,
-// but not past the horizon. The height band therefore drops a detection only if it is outside the
+// moves the elevation towards the horizon by one standard deviation, but not past the horizon, and
+// then rounds it to a layer. The height band therefore drops a detection only if it is outside the
 // band by more than one standard deviation. The decoder ignores speeds.
 #pragma once
 
@@ -67,7 +67,7 @@ class ContinentalArs548 {
   }
 
   // Checks the whole list, including every detection, and keeps a view of the datagram. The view is
-  // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
+  // valid while the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
   // `kWrongType` means that the radar sent a different type of message, such as an object list or a
   // status message. `kWrongPoint` means that the list has more than 800 detections, or that a valid
   // detection has an impossible position.

@@ -1,4 +1,4 @@
-// The values from a scanner's data sheet. Car files need not repeat these values.
+// The values from a scanner's data sheet. Car files do not have to repeat these values.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct DataSheet {
   double sigma_m = 0.03;
   std::uint16_t scan_width_ticks = 0;  // width of a whole scan; 0 means a turn
   // The maximum number of points per turn, with a small margin. The value is 0 if the maximum
-  // depends on the unit's settings. In this case, the car file must specify it.
+  // depends on the unit's settings. In this case, the car file must specify the maximum.
   std::uint32_t max_points_per_scan = 0;
   // The standard deviation of a radar's azimuth, or of an ultrasonic sensor's cone.
   double azimuth_sigma_deg = 0;

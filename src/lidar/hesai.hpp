@@ -1,5 +1,4 @@
-// Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars. All Hesai units
-// share one decoder.
+// Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars.
 //
 // A datagram is little-endian and contains a header with the numbers of lasers and blocks, the
 // blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
@@ -7,7 +6,7 @@
 // Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
 // return mode, the blocks form pairs with the same azimuth. The order of the nearer and the farther
 // return in a pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all
-// other differences between units. The compiler generates a decoder from each HesaiUnit.
+// other differences between units.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
 // rotates by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own

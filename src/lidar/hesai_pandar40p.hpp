@@ -11,8 +11,8 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 10
-// fires 28.58 us before the timestamp. Each block fires 55.56 us before the following block. The
-// lasers of a block fire 3.62 to 54.67 us before the block's firing time.
+// fires 28.58 us before the timestamp. Consecutive blocks fire 55.56 us apart. The lasers of a
+// block fire 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar40pUnit{.flag_bytes = 2,
                                           .blocks = 10,
                                           .lasers = 40,

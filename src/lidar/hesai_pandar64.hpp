@@ -10,8 +10,8 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 6 fires
-// 42.58 us before the timestamp. Each block fires 55.56 us before the following block. The lasers
-// of a block fire 3.62 to 54.67 us before the block's firing time.
+// 42.58 us before the timestamp. Consecutive blocks fire 55.56 us apart. The lasers of a block fire
+// 3.62 to 54.67 us before the block's firing time.
 inline constexpr HesaiUnit kPandar64Unit{.model = {0x40, 0x06},
                                          .header_bytes = 8,
                                          .counts_at = 2,

@@ -1,6 +1,6 @@
 // Decodes the data packets of the Hesai QT128, also called QT128C2X (QT128C2X User Manual, "Point
-// Cloud Data Packet"). The lasers point up to 53 degrees up and down and up to 11 degrees to the
-// sides. The angles differ between units, so the car file contains the angles from the
+// Cloud Data Packet"). The lasers point up to 53 degrees up or down and up to 11 degrees to either
+// side. The angles differ between units, so the car file contains the angles from the
 // manufacturer's calibration file.
 #pragma once
 
@@ -15,9 +15,8 @@ namespace iog::lidar {
 // 128 in the next. The 32 lasers that do not fire have no range. In dual return mode, a packet
 // contains one firing. The decoder does not verify checksums, and it cannot verify the 32-byte
 // signature. The manual's appendix "Absolute time of point cloud data" defines the firing times.
-// Block 1 fires 9 us after the timestamp. Each block fires 111.11 us before the following block.
-// The lasers of a block fire 0.6 to 100.52 us after the block's firing time. In tier4/nebula, block
-// 2 fires first.
+// Block 1 fires 9 us after the timestamp. Consecutive blocks fire 111.11 us apart. The lasers of a
+// block fire 0.6 to 100.52 us after the block's firing time. In tier4/nebula, block 2 fires first.
 inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
                                       .flags = 0x1D,
                                       .header_bytes = 12,

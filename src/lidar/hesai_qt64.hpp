@@ -1,5 +1,5 @@
 // Decodes the data packets of the Hesai PandarQT-64 (PandarQT User Manual, "Point Cloud Data
-// Packet"). The lasers point up to 52 degrees up and down and up to 9 degrees to the sides. The
+// Packet"). The lasers point up to 52 degrees up or down and up to 9 degrees to either side. The
 // angles differ between units, so the car file contains the angles from the manufacturer's
 // calibration file.
 #pragma once
@@ -12,9 +12,9 @@
 namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 1 fires
-// 25.71 us after the timestamp. Each block fires 166.67 us before the following block. The lasers
-// of a block fire 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to
-// 136.45 us for these times.
+// 25.71 us after the timestamp. Consecutive blocks fire 166.67 us apart. The lasers of a block fire
+// 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to 136.45 us for
+// these times.
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .flags = 0x01,
                                      .header_bytes = 12,

@@ -21,9 +21,9 @@ struct HesaiXtLayout {
 };
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. The last
-// block fires 5.632 us after the timestamp. Each block fires 50 us before the following block. The
-// first laser of a block fires 0.368 us after the block's firing time. Each of the other lasers
-// fires laser_ns after the previous one.
+// block fires 5.632 us after the timestamp. Consecutive blocks fire 50 us apart. The first laser of
+// a block fires 0.368 us after the block's firing time. Each of the other lasers fires laser_ns
+// after the previous one.
 consteval HesaiUnit make_hesai_xt(const HesaiXtLayout& layout) {
   HesaiUnit unit{.model = {0x06, 0x01},
                  .header_bytes = 12,

@@ -40,14 +40,14 @@ class IbeoLux {
   static constexpr std::size_t kPointBytes = 10;
   static constexpr std::uint8_t kMaxEchoes = 3;
 
-  // Returns the number of points in one direction. The number of directions in a message depends on
-  // the unit.
+  // Returns the number of points per azimuth. The number of azimuths in a message depends on the
+  // unit.
   [[nodiscard]] static constexpr std::size_t points_of_packet(std::size_t /*layers*/) {
     return kElevationsDeg.size() * kMaxEchoes;
   }
 
   // Checks the whole message, including every point, and keeps a view of the datagram. The view is
-  // valid as long as the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
+  // valid while the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
   // kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 

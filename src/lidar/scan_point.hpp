@@ -35,7 +35,8 @@ enum class DecodeStatus : std::uint8_t {
 inline constexpr std::size_t kDecodeStatusCount = 6;
 
 // The azimuths that a packet has swept, counter-clockwise from `first_ticks`. Consecutive packets
-// of a scan have adjacent sectors. The sectors of all packets show whether the scan is complete.
+// of a scan cover adjacent sectors. Together, the sectors of all packets show whether the scan is
+// complete.
 struct Sector {
   std::uint16_t first_ticks = 0;  // 0 to ticks_per_turn - 1
   std::uint16_t width_ticks = 0;  // 0 to ticks_per_turn
@@ -54,8 +55,7 @@ struct Sweep {
   bool is_of_packet = false;  // the times refer to the packet, otherwise to the whole scan
 };
 
-// The contents of a packet's header. The header's contents are available before any point is
-// checked.
+// The contents of a packet's header, which are available before any point is checked.
 struct PacketInfo {
   std::uint64_t fingerprint = 0;  // two packets have the same value only if they are identical
   std::uint32_t scan_number = 0;  // scan counter of the sensor; 0 if the format has none

@@ -20,7 +20,7 @@ struct ScannerFacts {
   bool is_radar = false;        // it reports objects but no free space
   bool is_ultrasonic = false;   // it reports the distance of the nearest object in a cone
 
-  // Returns true if the sensor's detections have no sharp direction.
+  // Returns true if the sensor's detections have no precise direction.
   [[nodiscard]] constexpr bool marks_arcs() const { return is_radar || is_ultrasonic; }
 };
 
@@ -97,7 +97,7 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
 }
 
 // Returns the number of points in a packet of a unit with this many layers. For a LUX, returns the
-// number of points in one direction.
+// number of points per azimuth.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;
   with_decoder(format, [&]<typename Decoder>(std::type_identity<Decoder> /*which*/) {

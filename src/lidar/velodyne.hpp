@@ -1,10 +1,9 @@
-// Decodes the data packets of Velodyne lidars. All Velodyne units share one decoder.
+// Decodes the data packets of Velodyne lidars.
 //
 // A datagram is 1206 bytes long and little-endian. The datagram contains 12 blocks, followed by the
 // time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
 // 32 ranges. Units differ in the lasers of a block, in the firing time of each laser and in the
-// unit of range. VelodyneUnit describes these differences, and the compiler generates a decoder
-// from each VelodyneUnit.
+// unit of range. VelodyneUnit describes these differences.
 #pragma once
 
 #include <array>

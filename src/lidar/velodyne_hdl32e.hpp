@@ -12,8 +12,8 @@
 
 namespace iog::lidar {
 
-// A block takes 46.08 us. Channel k fires 1.152 k us after the start of the block, that is, at k /
-// 40 of the block's duration. The unit pauses after the 32nd channel.
+// A block takes 46.08 us. Channel k fires 1.152 us * k after the start of the block, that is, after
+// k / 40 of the block's duration. The unit pauses after the 32nd channel.
 consteval VelodyneUnit make_hdl32e() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductHdl32e,

@@ -1,6 +1,5 @@
 // The properties of a unit that can be found in a single data packet: the bytes that identify the
-// unit, and the rotation of the head during the packet. `lidar/velodyne.hpp` decodes the points of
-// the packet.
+// unit, and the rotation of the head during the packet.
 #pragma once
 
 #include <cstddef>

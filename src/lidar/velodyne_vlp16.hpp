@@ -11,8 +11,8 @@
 
 namespace iog::lidar {
 
-// A block takes 110.592 us. Laser j of firing s fires (2.304 j + 55.296 s) us after the start of
-// the block, that is, at (j + 24 s) / 48 of the block's duration.
+// A block takes 110.592 us. Laser j of firing s fires 2.304 us * j + 55.296 us * s after the start
+// of the block, that is, after (j + 24 * s) / 48 of the block's duration.
 consteval VelodyneUnit make_vlp16() {
   VelodyneUnit unit{.layers = 16,
                     .product = velodyne::kProductVlp16,

@@ -2,10 +2,10 @@
 // buildings indicate a wrong map.
 //
 // The detector counts free cells deep inside buildings, where only the class `building` is possible
-// even after the blur. The blur covers the errors of the map and the poses. In simulated drives,
-// there are no free cells inside buildings if the map is correct or if its houses are offset by 25
-// cm. If the map is offset by 7 m, up to 8 % of the free cells are inside buildings (figures in
-// docs/map.md). Standing cells on roads are no evidence against a map because cars park on roads.
+// even after the blur. The blur covers the errors of the map and the poses. In simulated drives, no
+// free cells are inside buildings if the map is correct or if its houses are offset by 25 cm. If
+// the map is offset by 7 m, up to 8 % of the free cells are inside buildings (figures in
+// docs/map.md). Standing cells on roads are not evidence against a map, because cars park on roads.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ class Agreement {
   // buildings.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  // The minimum areas, as numbers of cells of 0.1 m. A round with fewer than kFewestFree free cells
-  // (50 m2) is ignored. The minimum kFewestInside (5 m2) is needed because the map may place a wall
-  // too far out.
+  // The minimum areas, expressed as numbers of cells of 0.1 m. A round with fewer than kFewestFree
+  // free cells (50 m2) is ignored. The minimum kFewestInside (5 m2) is needed because a wall may be
+  // too far out on the map.
   static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;
@@ -42,8 +42,8 @@ class Agreement {
   void add(const window::Plane& free, const window::Plane& inside);
   void end_round(std::int32_t cell_mm = geometry::kCellMm);
 
-  // Returns true after kContradictingRounds contradicting rounds in a row, and false again after
-  // kAgreeingRounds agreeing rounds in a row.
+  // Returns true after kContradictingRounds consecutive contradicting rounds, and false again after
+  // kAgreeingRounds consecutive agreeing rounds.
   [[nodiscard]] bool is_contradicted() const { return is_contradicted_; }
 
  private:

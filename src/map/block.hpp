@@ -1,8 +1,8 @@
 // A map block contains buildings and roads as polygons, with an index of buckets. `docs/spec.md`,
 // section 6, describes each byte.
 //
-// A block is untrusted until check() has accepted all of it. A Block then reads its bytes without
-// further checks. The bytes must not change after check().
+// A block is untrusted until check() has accepted the entire block. A Block then reads its bytes
+// without further checks. The bytes must not change after check().
 #pragma once
 
 #include <algorithm>
@@ -73,10 +73,11 @@ class Check {
   explicit Check(std::span<const std::uint8_t> bytes);
 
   // Continues the check until it has processed about `budget` bytes. Features and buckets are not
-  // split, so a single one of them may exceed the budget. Returns true if the check has ended.
+  // split, so a single feature or bucket may exceed the budget. Returns true when the check is
+  // complete.
   bool advance(std::size_t budget);
 
-  // The result is valid after the check has ended.
+  // The result is valid after the check is complete.
   [[nodiscard]] Refusal verdict() const { return verdict_; }
 
  private:
@@ -118,8 +119,8 @@ class Block {
   [[nodiscard]] std::uint8_t belief() const { return words_.u8(7); }  // of 256
   // Returns the date in seconds since 1970 (UTC), or 0 if the date is unknown.
   [[nodiscard]] std::uint32_t date_s() const { return words_.u32(48); }
-  // Returns the map's accuracy. On average, 95 of 100 vertices are closer to their true positions
-  // than this distance.
+  // Returns the map's accuracy. On average, 95 of 100 vertices lie within this distance of their
+  // true positions.
   [[nodiscard]] std::uint32_t accuracy_mm() const { return words_.u32(52); }
   [[nodiscard]] std::uint32_t crc() const { return words_.u32(12); }  // identifies the map
   [[nodiscard]] std::uint32_t size_bytes() const { return words_.u32(8); }

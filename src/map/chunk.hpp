@@ -1,8 +1,6 @@
 // Defines the messages that transmit chunks of a map block. Each message consists of SOME/IP and
 // E2E headers (protection/protected_message.hpp), a header of 20 bytes, and up to 1280 bytes of the
 // block, in big-endian byte order. `docs/spec.md`, section 7.1, describes each byte.
-//
-// The sender and the target both use this file, so they use the same format.
 #pragma once
 
 #include <array>
@@ -32,8 +30,7 @@ inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Two blocks are different if their CRCs or their numbers of bytes
-// differ.
+// Identifies the block of a chunk. Two blocks are different if their CRCs or their lengths differ.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
@@ -52,7 +49,7 @@ struct Chunk {
 };
 
 // Returns the chunk with this number. The number must be below chunk_count(). `block` contains all
-// bytes of the block. The size of `block` must be 1 ... kMaxBlockBytes.
+// bytes of the block. The size of `block` must be in the range 1 ... kMaxBlockBytes.
 [[nodiscard]] Chunk chunk_of(std::uint32_t crc, std::span<const std::byte> block,
                              std::size_t number);
 

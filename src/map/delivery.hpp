@@ -3,8 +3,8 @@
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
-// valid block is used as soon as its check has ended. An invalid block is dropped, and the previous
-// block stays in use.
+// valid block is used as soon as its check is complete. An invalid block is dropped, and the
+// previous block stays in use.
 //
 // Only one block is delivered at a time, so a late or forged chunk cannot interrupt a delivery. The
 // delivery of another block may start if no new chunk of the current block has arrived for
@@ -52,8 +52,8 @@ struct DeliveryReport {
 // A Delivery uses 8.4 MB, so it must be in static memory.
 class Delivery {
  public:
-  // `description.is_valid()` must be true. `replayer_ipv4` may also send on behalf of the source.
-  // `replayer_ipv4` is 0 if there is no replayer.
+  // `description.is_valid()` must be true. The replayer at `replayer_ipv4` may also send on behalf
+  // of the source. The address is 0 if there is no replayer.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
@@ -69,8 +69,8 @@ class Delivery {
                std::uint64_t arrival_us);
 
   // Sets a block that is available from the start, such as a block in the firmware image. Call this
-  // function before the first frame. The block must outlive this object. Checks the block
-  // immediately, and counts a rejection like any other rejection.
+  // function before the first frame. The block must outlive this object. The block is checked
+  // immediately, and a rejection is counted like any other.
   void begin_with(std::span<const std::uint8_t> block);
 
   // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the

@@ -14,11 +14,12 @@ inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
 inline constexpr std::size_t kFeatureHeaderBytes = 24;
 inline constexpr std::size_t kRingHeaderBytes = 12;
 
-// The bits of the map's classes (decision/decision.hpp). Space without these bits is intermediate.
+// The bits of the map's classes (decision/decision.hpp). Cells with neither of these bits are
+// intermediate.
 enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
 
-// A building or a part of a road. By the even-odd rule, the area of a feature is the inside of its
-// rings.
+// A building or a part of a road. The area of a feature is the inside of its rings according to the
+// even-odd rule.
 class Feature {
  public:
   explicit Feature(std::span<const std::byte> checked) : words_{checked} {}

@@ -1,5 +1,5 @@
-// The map layer of the window. The layer schedules the drawing of tiles. That is, it determines
-// which tiles are drawn, which tiles are pending, and which tiles must be drawn again.
+// The map layer of the window. The layer schedules the drawing of tiles: it determines which tiles
+// are drawn, which are pending, and which must be drawn again.
 //
 // A tile becomes pending when it enters the window or when the map changes. A drawn tile also
 // becomes pending in two cases: the transform has moved one of its corners by more than a cell
@@ -34,8 +34,9 @@
 
 namespace iog::map {
 
-// Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing, and an
-// entry in the block's index costs 1. The constants below define the costs of other work on a tile.
+// Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing units,
+// and each entry in the block's index costs 1 unit. The constants below define the costs of other
+// work on a tile.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
@@ -64,8 +65,8 @@ class Layer {
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
-  // Call this function instead of work() if the window has no frame. The function updates only the
-  // report, so a pause without data does not affect the drawing of tiles.
+  // Call this function instead of work() if there is no frame for the window. The function updates
+  // only the report, so a pause without data does not affect the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 

@@ -29,8 +29,8 @@ inline constexpr std::uint16_t kMaxSigmaMm = 300;
 
 struct LayerReport {
   Cause cause = Cause::kNoMap;
-  // The number of times that each cause has begun since start-up. The count of kNone is the number
-  // of times that the map has begun to have an effect.
+  // The number of times that each cause has begun since start-up. The entry for kNone is the number
+  // of times that the map has taken effect.
   std::array<std::uint32_t, kCauseCount> begun{};
 
   std::uint32_t crc = 0;                          // identifies the map; 0 if there is none

@@ -27,9 +27,9 @@ struct BoxCm {
   friend constexpr bool operator==(const BoxCm&, const BoxCm&) = default;
 };
 
-// The largest coordinate of a map, 84 km from the map's origin. At this distance, positions in the
-// plane differ from positions on the earth by several metres. Signed differences of coordinates fit
-// into 25 bits, and products of two such differences fit into 49 bits.
+// The largest coordinate of a map, which is 84 km from the map's origin. At this distance,
+// positions in the plane differ from positions on the earth by several metres. Signed differences
+// of coordinates fit into 25 bits, and products of two such differences fit into 49 bits.
 inline constexpr std::int32_t kMaxCoordinateCm = 1 << 23;
 
 }  // namespace iog::map

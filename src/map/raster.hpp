@@ -2,11 +2,11 @@
 // polygon.
 //
 // Each row is stored in a word, starting with the lowest y. Bit i represents the cell in column i.
-// By the even-odd rule, a centre is inside if the edges cross its row an odd number of times at or
-// left of the centre. An edge crosses the rows from its lower end (inclusive) to its upper end
-// (exclusive). Borders are therefore half open. Polygons that share an edge have no cell in common
-// and leave no gap. The only inexact step is the rounding of vertices to fine units
-// (map/tile_place.hpp).
+// According to the even-odd rule, a centre is inside the polygon if the edges cross its row an odd
+// number of times at or to the left of the centre. An edge crosses the rows from its lower end
+// (inclusive) to its upper end (exclusive). Row intervals are therefore half-open. Polygons that
+// share an edge have no cell in common and leave no gap. The only inexact step is the rounding of
+// vertices to fine units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -40,14 +40,14 @@ class Raster {
   // the same numbers.
   void clear(RowRange rows);
 
-  // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row need
-  // not be added.
+  // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row do
+  // not have to be added.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
   }
 
-  // Returns true if a polygon in this box can contain a cell of the valid range.
+  // Returns true if a polygon within this box can contain a cell in the valid range.
   [[nodiscard]] bool reaches(const FineBox& box) const {
     return !crossed(box.low.y, box.high.y).is_empty() && first_from(box.low.x) < wanted_.end &&
            first_from(box.high.x) > wanted_.first;
@@ -61,7 +61,7 @@ class Raster {
   void add_to(FrameBits& bits);
 
  private:
-  // Returns the first row or column whose centre is not below `fine`.
+  // Returns the first row or column whose centre is at or above `fine`.
   [[nodiscard]] static std::int32_t first_from(std::int32_t fine) {
     return (fine + kFine / 2 - 1) >> kFineBits;
   }

@@ -18,7 +18,7 @@ class SlotSet {
     word = is_in ? word | bit : word & ~bit;
   }
 
-  // Returns the lowest slot of the set that is not below `slot`. If there is no such slot, returns
+  // Returns the lowest slot in the set that is at least `slot`. If there is no such slot, returns
   // kSlotCount.
   [[nodiscard]] std::size_t first_from(std::size_t slot) const {
     if (slot >= window::kSlotCount) {

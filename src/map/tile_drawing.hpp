@@ -1,9 +1,9 @@
-// Draws one tile of the window from a block. That is, it determines which classes each cell of the
+// Draws one tile of the window from a block, that is, determines which classes each cell of the
 // tile may have.
 //
 // A cell's own classes are the classes of all features that contain its centre. If no feature
 // contains the centre, the cell's own class is `intermediate`. Outside the extent of the block, any
-// class is possible. A cell may have any of the own classes of the cells within the radius. A
+// class is possible. Each cell may have its own classes and those of all cells within the radius. A
 // drawing can be suspended. The result is available only when the drawing is complete.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace iog::map {
 
-// The cost of an edge that crosses a row of the frame. An edge that crosses no row costs 1.
+// The cost of an edge that crosses a row of the frame. An edge that crosses no row costs 1 unit.
 inline constexpr std::uint32_t kWorkPerCrossing = 8;
 
 class TileDrawing {
@@ -34,9 +34,9 @@ class TileDrawing {
   }
 
   // Continues until the budget is used up or the drawing is complete. Returns true if the drawing
-  // is complete. An entry of the block's index costs 1. An edge also costs 1 if the box of its
-  // feature reaches the tile's rows and columns. If the edge crosses a row, it costs
-  // kWorkPerCrossing instead, but at most the remaining budget.
+  // is complete. Each entry in the block's index costs 1 unit. An edge also costs 1 unit if the box
+  // of its feature reaches the tile's rows and columns. If the edge crosses a row, it costs
+  // kWorkPerCrossing units instead, but at most the remaining budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
   // Returns the mask. The mask is valid only when the drawing is complete.

@@ -1,10 +1,10 @@
 // Transforms between a tile of the window and the plane of a map.
 //
-// Vertices are rounded to fine units. A cell has kFine units per side, so a unit is 0.4 mm if cells
-// are 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower corner of
-// the tile's frame. The frame is the tile with kHalo additional cells on each side. The rounding
-// depends only on the position in the local frame. A vertex therefore has the same position for all
-// tiles and features. Operations on rounded vertices are exact (map/raster.hpp).
+// Vertices are rounded to fine units. Each side of a cell is kFine units long, so a unit is 0.4 mm
+// if cells are 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower
+// corner of the tile's frame. The frame is the tile with kHalo additional cells on each side. The
+// rounding depends only on the position in the local frame. A vertex therefore has the same
+// position for all tiles and features.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ class TilePlace {
   [[nodiscard]] FinePoint fine(PointCm point) const;
 
   // Returns the smallest box in the tile's frame that contains the corners of the given box, and
-  // therefore all of it.
+  // therefore the entire box.
   [[nodiscard]] FineBox fine_box(const BoxCm& box) const;
 
   // Returns a box in the plane that contains the tile and `cells_around` cells on each side of it.

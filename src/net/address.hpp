@@ -61,9 +61,9 @@ inline constexpr Ipv4Address kLimitedBroadcast = ipv4(255, 255, 255, 255);
            static_cast<std::uint8_t>(group.value >> 8), static_cast<std::uint8_t>(group.value)}};
 }
 
-// Returns true if the address can belong to a single host. The ranges 0/8 ("this network"), 127/8
-// (loopback) and 224/3 (multicast, reserved, limited broadcast) are excluded. See RFC 1122, section
-// 3.2.1.3.
+// Returns true if the address can be the unicast address of a host. The ranges 0/8 ("this
+// network"), 127/8 (loopback) and 224/3 (multicast, reserved, limited broadcast) are excluded. See
+// RFC 1122, section 3.2.1.3.
 [[nodiscard]] constexpr bool is_host_address(Ipv4Address address) {
   const std::uint32_t network = address.value >> 24;
   return network != 0 && network != 127 && network < 224;

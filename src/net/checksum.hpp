@@ -2,7 +2,7 @@
 // words.
 //
 // Ranges: 2^16 = 1 modulo 2^16 - 1, so the carries can be added back at the end. A sum of n words
-// is below 2^16 n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
+// is below 2^16 * n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
 // 2^15 words.
 #pragma once
 
@@ -28,7 +28,8 @@ class Checksum {
   // uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
 
-  // Returns the value for the checksum field. That field must have been summed as 0.
+  // Returns the value for the checksum field. That field must have been 0 when the sum was
+  // computed.
   [[nodiscard]] constexpr std::uint16_t value() const {
     return static_cast<std::uint16_t>(~fold(sum_));
   }
@@ -38,8 +39,8 @@ class Checksum {
     return static_cast<std::uint16_t>(word << 8 | word >> 8);
   }
 
-  // The first addition leaves at most 2 (2^16 - 1), consisting of a carry of 1 and a lower half of
-  // at most 2^16 - 2. The second addition therefore leaves at most 2^16 - 1.
+  // The first addition leaves at most 2 * (2^16 - 1), which consists of a carry of 1 and a lower
+  // half of at most 2^16 - 2. The second addition therefore leaves at most 2^16 - 1.
   static constexpr std::uint16_t fold(std::uint32_t sum) {
     const std::uint32_t once = (sum >> 16) + (sum & 0xFFFFU);
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));

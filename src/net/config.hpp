@@ -8,7 +8,7 @@
 namespace iog::net {
 
 // The multicast group and port of service discovery. AUTOSAR PRS_SOMEIPServiceDiscoveryProtocol
-// calls the group SD_MULTICAST_IP and the port SD_PORT. Both have their usual values.
+// calls the group SD_MULTICAST_IP and the port SD_PORT.
 inline constexpr Ipv4Address kDiscoveryGroup = ipv4(224, 244, 224, 245);
 inline constexpr MacAddress kDiscoveryGroupMac = group_mac(kDiscoveryGroup);
 inline constexpr std::uint16_t kDiscoveryPort = 30490;

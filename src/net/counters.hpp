@@ -1,4 +1,4 @@
-// Counts the outcome of every received frame and of every outgoing message.
+// Counts the outcomes of all received frames and all outgoing messages.
 //
 // Two equations always hold modulo 2^32, because every counter wraps around:
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops

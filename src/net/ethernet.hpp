@@ -1,5 +1,5 @@
 // Ethernet II framing. A frame consists of a destination, a source, a type and a payload, without
-// preamble and FCS.
+// the preamble and the FCS.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ void write_ethernet_header(std::span<std::byte, kEthernetHeaderBytes> target,
                            const MacAddress& destination, const MacAddress& source,
                            std::uint16_t type);
 
-// Returns the all-zero address if the reader reaches the end.
+// Returns the all-zero address if the reader reaches the end of its data.
 [[nodiscard]] MacAddress read_mac(wire::ByteReader& reader);
 
 void write_mac(wire::ByteWriter& writer, const MacAddress& mac);

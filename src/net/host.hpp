@@ -1,14 +1,13 @@
 // A small network host on one Ethernet port. The host receives datagrams and sends messages to one
-// peer. The host answers pings only from the peer, but ARP requests from every host in its subnet,
-// so that sensors can reach it.
+// peer. The host answers pings only from the peer. The host answers ARP requests from every host in
+// its subnet, so that sensors can reach it.
 //
 // `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
 // can also use ARP to resolve one more address, called the neighbour.
 //
-// The host reads no clock. The host owns no memory except the port's buffers. The caller provides
-// the memory for reassembly. Received data is copied only during reassembly. Sent data is copied
-// once, and its checksum is computed during the copy. The port's memory is uncached, so it would be
-// slow to read the data back.
+// The host reads no clock and owns no memory except the port's buffers. Received data is copied
+// only for reassembly. Sent data is copied once, and its checksum is computed during the copy. The
+// port's memory is uncached, so it would be slow to read the data back.
 //
 // In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
 // then calls the port's pump().
@@ -264,9 +263,9 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// According to RFC 826, "Packet Reception", the address of the sender is learnt first, and then the
-// request is answered. A request from the peer is both learnt and answered, but is counted only as
-// answered.
+// According to RFC 826, "Packet Reception", the address of the sender is learned first, and then
+// the request is answered. A request from the peer is both learned and answered, but is counted
+// only as answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {
@@ -291,7 +290,7 @@ void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   ++counters_.arp_answered;
 }
 
-// The reply is sent to the address that was learnt by ARP, not to the source address of the
+// The reply is sent to the address that was learned through ARP, not to the source address of the
 // request.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_ping(std::span<const std::byte> request) {

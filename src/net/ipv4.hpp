@@ -36,8 +36,8 @@ struct [[nodiscard]] Ipv4Result {
 };
 
 // Returns kBadHeader if the version, header length or total length is inconsistent with the other
-// fields or with the number of bytes. Returns kBadChecksum if the header checksum is wrong. Returns
-// kFragment if the packet is valid and contains only a part of a datagram.
+// fields or with the length of the packet. Returns kBadChecksum if the header checksum is wrong.
+// Returns kFragment if the packet is valid and contains only a part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
 // The header fields that differ between sent packets.

@@ -9,7 +9,7 @@
 
 namespace iog::net {
 
-// At most one ARP request per second is sent to the same destination (RFC 1122, section 2.3.2.1).
+// At most one ARP request per second is sent to any one destination (RFC 1122, section 2.3.2.1).
 inline constexpr std::uint64_t kArpRequestIntervalUs = 1'000'000;
 
 // If an address has not been confirmed for kArpRefreshUs, it is requested again (RFC 1122, section
@@ -27,8 +27,9 @@ class PeerResolver {
  public:
   [[nodiscard]] bool known() const { return mac_.has_value(); }
 
-  // Requires known(). An address can be replaced, but it is never deleted. No message is therefore
-  // lost if the peer is silent for a while. If the peer has left, one request per second is sent.
+  // Requires known(). An address can be replaced, but it is never deleted. Messages are therefore
+  // not lost if the peer is silent for a while. If the peer is gone, one request per second is
+  // sent.
   [[nodiscard]] const MacAddress& mac() const { return *mac_; }
 
   // Returns the address and the time at which ARP last confirmed it, or nothing if no address is
@@ -38,21 +39,21 @@ class PeerResolver {
   }
 
   // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
-  // unsolicited ARP packet. An address of a different station is therefore accepted only if the
-  // known station has not answered for one interval. Until then, the known station is treated as
+  // unsolicited ARP packet. Another station's address is therefore accepted only if the known
+  // station has not answered for one interval. Until then, the known station is treated as
   // unconfirmed, as it is after a call to hear().
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of
   // the frame. If `mac` is not the known MAC address, the known station is soon asked to confirm
-  // its address. Traffic alone never replaces the address, because a router also forwards packets
+  // that address. Traffic alone never replaces the address, because a router also forwards packets
   // with a forged source.
   void hear(const MacAddress& mac);
 
   // If an ARP request is due now, returns its destination and counts it as sent. If the known
   // station is unconfirmed, the request is sent directly to it (RFC 1122, section 2.3.2.1, "Unicast
-  // Poll"). The request is a broadcast in three cases: no station is known, the address is due for
-  // a refresh, or the known station has not answered.
+  // Poll"). The request is broadcast if no station is known, if the address is due for a refresh,
+  // or if the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:

@@ -8,12 +8,11 @@
 // that repeats another fragment byte for byte is ignored as a duplicate.
 //
 // Only fragments from listed senders are stored. Each listed sender may have as many incomplete
-// datagrams as it has streams. Slots are reserved for the incomplete datagrams of listed senders.
-// If a sender starts too many datagrams, its own oldest datagram is evicted. If unlisted senders
-// are allowed, they share the remaining slots. If all shared slots are in use, the unlisted sender
-// with the most datagrams loses one of them. This sender loses the datagram with the fewest
-// fragments or, in a tie, the oldest one. Orphaned fragments in a flood are therefore evicted
-// before the datagram of a sensor.
+// datagrams as it has streams. Slots are reserved for these datagrams. If a sender starts too many
+// datagrams, its own oldest datagram is evicted. If unlisted senders are allowed, they share the
+// remaining slots. If all shared slots are in use, the unlisted sender with the most datagrams
+// loses one of them. This sender loses the datagram with the fewest fragments or, in a tie, the
+// oldest one. In a flood, orphaned fragments are therefore evicted before the datagram of a sensor.
 #pragma once
 
 #include <array>
@@ -96,7 +95,7 @@ class Reassembly {
 
   // `piece` must be a packet with Ipv4Status::kFragment. `now_us` must not decrease. Each call
   // increments one of the counters `joined`, `completed`, `duplicates`, `overlaps`, `bad` and
-  // `refused`. Each call also counts displaced and expired datagrams.
+  // `refused`, and also counts displaced and expired datagrams.
   Result add(const Ipv4Packet& piece, std::uint64_t now_us, FragmentCounters& counters);
 
  private:

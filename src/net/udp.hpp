@@ -29,7 +29,7 @@ struct [[nodiscard]] UdpResult {
   Datagram datagram{};  // valid only for kOk
 };
 
-// Returns kBadLength if the UDP length is less than that of a header or extends beyond the packet's
+// Returns kBadLength if the UDP length is shorter than a header or extends beyond the packet's
 // payload. Returns kBadChecksum if a checksum is present (not 0) but wrong. Bytes after the UDP
 // length are ignored.
 UdpResult parse_udp(const Ipv4Packet& packet);
@@ -43,8 +43,8 @@ struct UdpHeader {
 
 // Writes the header and a copy of the payload to the front of `target`. The payload must be at most
 // kMaxUdpPayloadBytes long. `target` must be large enough for the header and the payload. The
-// function never reads it. The checksum is always computed and is never 0. Returns the number of
-// bytes written.
+// function never reads from `target`. The checksum is always computed and is never 0. Returns the
+// number of bytes written.
 std::size_t write_udp(std::span<std::byte> target, const UdpHeader& header,
                       std::span<const std::byte> payload);
 

@@ -4,7 +4,7 @@
 // has a lower bound. The result is the largest angle whose lower bound is not beyond the direction.
 // The sign of a cross product shows whether the bound is beyond the direction. The result is the
 // angle nearest to the direction, except that the sine error of 2^-21 can shift the lower bound by
-// up to 0.005 steps. The computation takes 15 steps with one sine and one cosine each.
+// up to 0.005 steps. The computation takes 15 steps, each with one sine and one cosine.
 #pragma once
 
 #include <cstdint>

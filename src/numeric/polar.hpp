@@ -1,4 +1,4 @@
-// Converts a position to a direction and a distance with CORDIC (Volder, 1959), which needs no
+// Converts a position to a direction and a distance using CORDIC (Volder, 1959), which needs no
 // multiplication per bit. CORDIC runs twice, first about z and then about the remaining horizontal
 // axis.
 #pragma once
@@ -13,7 +13,7 @@ struct Polar {
   std::uint32_t range = 0;     // in the unit of x, y and z, rounded to the nearest integer
 };
 
-// Requires |x|, |y|, |z| <= 2^20. The range error is at most 0.55. If the elevation is within 89
+// Requires |x|, |y|, |z| <= 2^20. The range error is at most 0.55. If the elevation is within +-89
 // degrees, the angle errors are at most 2^-21 turns. For (0, 0, 0), all results are 0. For a
 // position straight up or down, the azimuth is 0.
 [[nodiscard]] Polar polar_of(std::int32_t x, std::int32_t y, std::int32_t z);

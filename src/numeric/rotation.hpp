@@ -2,10 +2,10 @@
 // integer type.
 //
 // Sine and cosine are interpolated linearly in a table of 4096 values per turn. Each table value is
-// rounded to the nearest 2^-30. With h = 2 pi / 4096, the interpolation error is at most h^2 / 8 <
-// 2.95e-7. Rounding of the table and of the result adds at most 2^-30. The total error is therefore
-// below 2^-21, or 0.03 mm at a distance of 50 m. At the angles of the table, the result equals the
-// table value.
+// rounded to the nearest 2^-30. With h = 2 * pi / 4096, the interpolation error is at most h^2 / 8
+// < 2.95e-7. Rounding of the table and of the result adds at most 2^-30. The total error is
+// therefore below 2^-21, or 0.03 mm at a distance of 50 m. At the angles in the table, the result
+// equals the table value.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Rotation {
   std::int32_t sin_q30 = 0;
 };
 
-// Returns the sine of angle / 2^32 turns. The result is from -2^30 to 2^30.
+// Returns the sine of angle / 2^32 turns. The result is in the range -2^30 to 2^30.
 [[nodiscard]] std::int32_t sine_of(std::uint32_t angle);
 
 [[nodiscard]] Rotation rotation_of(std::uint32_t angle);

@@ -1,7 +1,7 @@
 // Computes the square root of an integer, rounded down, without a divide instruction.
 //
-// The root is computed bit by bit, starting with the highest bit. Each bit takes one comparison and
-// one subtraction. If the argument fits into 32 bits, both operations use 32-bit words.
+// The root is computed bit by bit, starting with the highest bit. Each bit requires one comparison
+// and one subtraction. If the argument fits into 32 bits, both operations use 32-bit words.
 #pragma once
 
 #include <bit>

@@ -11,12 +11,12 @@
 namespace iog::objects {
 
 // Attaches each cluster next to a box to the nearest track whose box can grow to include it. Such a
-// cluster is a part of the object that was hidden before. Only tracks that may claim hits are
-// considered.
+// cluster is a previously hidden part of the object. Only tracks that are old enough to claim hits
+// are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
-// Associates clusters with the tracks that are too young to claim hits. Each of these tracks gets
-// the cluster whose edges are nearest to the track's edges.
+// Associates clusters with tracks that are too young to claim hits. Each of these tracks gets the
+// cluster whose edges are nearest to the track's edges.
 void associate(std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
 // Assigns all hits of a cluster to a track.

@@ -1,4 +1,4 @@
-// Assigns hits to tracks whose boxes contain them or are near them.
+// Assigns hits to the tracks whose boxes contain the hits or are near them.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ class Claim {
   // Sets the owner of each hit. The owner is a track whose gate contains the hit. If several gates
   // contain the hit, the owner is the track with the nearest box. In a tie, the owner is the track
   // with the lower slot. Hits on standing cells are assigned only to two kinds of tracks: moving
-  // tracks, and receding tracks whose visible face may cover standing cells. Hits that contradict a
-  // track are rejected and counted. Returns the result of TileTracks::list().
+  // tracks, and receding tracks whose visible face may lie on standing cells. Hits that contradict
+  // a track are rejected and counted. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 
@@ -28,8 +28,8 @@ class Claim {
   TileTracks near_{};
 };
 
-// Assigns a hit to `track`. Predicts the hit's position at the end of the frame with the velocity
-// of the track.
+// Assigns a hit to `track`. Uses the track's velocity to predict the hit's position at the end of
+// the frame.
 void own(const Track& track, std::size_t slot, FrameHit& hit);
 
 }  // namespace iog::objects

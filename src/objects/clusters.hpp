@@ -1,10 +1,10 @@
-// Clusters the hits of a frame that have no owner. Each hit of a cluster is near another hit of the
+// Clusters the hits of a frame that have no owner. Each hit in a cluster is near another hit in the
 // same cluster.
 //
-// Two hits are near each other if, on both axes, their distance is at most the gap of either hit.
-// The gap is 0.4 m plus an amount that grows with range, because beams diverge. Old hits are
-// ignored. Cells are stored as bits in a plane that covers the window. A cluster grows by the set
-// bits around each of its cells, and each bit is found only once.
+// Two hits are near each other if, along both axes, the distance between them is at most the gap of
+// either hit. The gap is 0.4 m plus an amount that grows with range, because beams diverge. Old
+// hits are ignored. Cells are stored as bits in a plane that covers the window. A cluster grows by
+// adding the set bits around each of its cells. Each bit is visited only once.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct Cluster {
 
 class Clusters {
  public:
-  // Assigns a cluster to each hit that is not old, in the order of the hits. Returns the number of
+  // Assigns each hit that is not old to a cluster, in the order of the hits. Returns the number of
   // hits that have no cluster because all kMostClusters clusters were in use.
   std::uint32_t find(const window::Area& area, Point car, FrameHits& hits);
 

@@ -1,5 +1,5 @@
 // The covariance of position and speed along one axis. In the motion model of the Kalman filter,
-// the speed changes randomly (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to
+// the speed is a random walk (Bar-Shalom, Li, Kirubarajan, "Estimation with applications to
 // tracking and navigation", 2001, section 6.2).
 #pragma once
 
@@ -16,8 +16,8 @@ class Covariance {
  public:
   static constexpr std::int32_t kMost = 2'000'000'000;
 
-  // Kalman gains in units of 2^-16. The speed gain is per second. The gain `place` is between 0 and
-  // 2^16.
+  // The Kalman gains in units of 2^-16. The gain for the speed is per second. The gain `place` is
+  // between 0 and 2^16.
   struct Gain {
     std::int32_t place = 0;
     std::int32_t speed = 0;

@@ -1,4 +1,4 @@
-// Computes the extent of a track's hits along and across its box.
+// Computes the extent of a track's hits along and across the track's box.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace iog::objects {
 
-// The mean position of the hits within kSlabMm of the outermost hit, and the number of these hits.
+// The mean position and the number of the hits within kSlabMm of the outermost hit.
 struct Edge {
   std::int32_t mm = 0;  // from the reference point of the box
   std::int32_t hits = 1;
@@ -26,7 +26,7 @@ using Edges = std::array<Ends, 2>;  // indexed by Side
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// Returns the limits of a box with the given edges. The box is at least kThinnestMm thick.
+// Returns the side positions of a box with the given edges. The box is at least kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

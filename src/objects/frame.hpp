@@ -18,8 +18,8 @@ struct Frame {
   std::uint64_t end_us = 0;  // the middle of the last slice, on the clock of the poses
   Point car{};               // position of the car at that time
   window::Area area{};       // position of the window
-  // The time from the middle of each slice to the end of the frame, in ms from 0 to 255. The span
-  // has at most kMostSlices entries.
+  // For each slice, the time from its middle to the end of the frame, in the range 0 to 255 ms. The
+  // span has at most kMostSlices entries.
   std::span<const std::uint8_t> ages_ms{};
   // The hits of the frame, in any order. Duplicate hits are counted only once.
   std::span<const Hit> hits{};

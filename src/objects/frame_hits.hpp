@@ -1,10 +1,10 @@
 // Sorts the hits of a frame by ring of tiles around the car, then by window slot, cell and slice,
 // so that the result does not depend on the order of arrival.
 //
-// The nearest hits come first, so they are kept if a frame has too many hits. If a frame has more
-// than kMostSeen hits, complete rings are dropped, starting with the farthest one. If more than
-// kMostHits hits remain, the last hits of the sorted list are dropped. Hits outside the window or
-// without a slice are rejected. All dropped and rejected hits are counted.
+// The nearest hits come first, so the farthest hits are dropped if a frame has too many. If a frame
+// has more than kMostSeen hits, complete rings are dropped, starting with the farthest one. If more
+// than kMostHits hits remain, hits at the end of the sorted list are dropped. Hits outside the
+// window or without a slice are rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>

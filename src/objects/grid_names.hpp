@@ -1,6 +1,5 @@
 // The tracker's interface to the perception grid. GridNames is a non-owning, type-erased reference
-// to any type that provides the class labels of cells. `work::Crew` is a similar reference for
-// workers.
+// to any type that provides the class labels of cells.
 #pragma once
 
 #include <concepts>

@@ -15,7 +15,7 @@ using placing::Hit;
 // The value kNobody means that a hit has no track or no cluster.
 inline constexpr std::int16_t kNobody = -1;
 
-// A FrameHit fits into one line of the L1 cache.
+// A FrameHit fits into one L1 cache line.
 struct alignas(32) FrameHit {
   geometry::Cell cell{};
   Point moved{};  // position at the end of the frame, predicted with the velocity of its owner

@@ -11,9 +11,9 @@
 
 namespace iog::objects {
 
-// Counts the hits of the track. If at least one hit is not standing, measures the track. If all
-// hits are standing, they lose their owner unless the track is small. `step` is the time since the
-// previous frame.
+// Counts the hits of the track. If at least one hit is not standing, updates the track with a
+// measurement. If all hits are standing and the track is not small, the hits lose their owner.
+// `step` is the time since the previous frame.
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
              std::span<FrameHit> hits, Track& track);
 

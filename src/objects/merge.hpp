@@ -1,4 +1,4 @@
-// Merges tracks of the same object.
+// Merges tracks that belong to the same object.
 #pragma once
 
 #include <span>

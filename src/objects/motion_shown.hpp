@@ -2,7 +2,7 @@
 // places that the track has left are now free and the places that it has reached were open.
 //
 // A filter alone cannot confirm motion. For example, rails and walls appear to move because their
-// visible part moves with the car. The grid, however, stores the previous state of each place.
+// visible part moves with the car. The grid, however, remembers the previous state of each place.
 #pragma once
 
 #include <cstdint>

@@ -48,7 +48,7 @@ class MovingBoxes {
   }
 
  private:
-  // A point that is kTailMm outside both sides of a box is at most 3/2 kTailMm outside the bounds
+  // A point that is kTailMm outside both sides of a box is at most 3/2 * kTailMm outside the bounds
   // of the box.
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 

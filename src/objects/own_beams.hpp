@@ -1,6 +1,6 @@
-// The beams from the car to the hits of a track. All places that these beams pass are now free. A
-// receding object has only just left some of these places, so no other beam reaches them for a
-// while.
+// The beams from the car to the hits of a track. All places that these beams pass are now free.
+// Some of these places have only just been left by a receding object, so no other beam reaches them
+// for a while.
 #pragma once
 
 #include <array>
@@ -31,8 +31,8 @@ class OwnBeams {
     }
   }
 
-  // Returns true if beams pass close to the place on both sides and end beyond it. Beams that graze
-  // a wall pass a place on only one side.
+  // Returns true if beams pass close to the place on both sides of it and end beyond it. Beams that
+  // graze a wall pass a place on only one side.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);
     const std::int32_t close =

@@ -32,14 +32,15 @@ struct Velocity {
   friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
 };
 
-// Returns the position of a point that has moved with a velocity for `ms`, which may be negative.
-// The absolute value of `ms` must be at most 1024, so that products stay below 2^27.
+// Returns the position of a point after it has moved with the given velocity for `ms` milliseconds.
+// `ms` may be negative. The absolute value of `ms` must be at most 1024, so that products stay
+// below 2^27.
 [[nodiscard]] constexpr Point moved(Point from, Velocity by, std::int32_t ms) {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// Returns the approximate distance, max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is at most
-// 1/16 of the distance.
+// Returns the approximate distance, which is max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is
+// at most 1/16 of the distance.
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
@@ -55,7 +56,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// The two axes of a box. The axis kAcross is the axis kAlong, rotated by 90 degrees to the left.
+// The two axes of a box. The axis kAcross is the axis kAlong rotated by 90 degrees to the left.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -87,7 +88,7 @@ struct Box {
   Sides sides{};  // mm from the reference point
 
   // Returns the coordinate of a point along one axis of the box, relative to the reference point
-  // and rounded down. Products are computed with 64 bits.
+  // and rounded down. Products are computed in 64 bits.
   [[nodiscard]] constexpr std::int32_t place(Point point, Side side) const {
     const std::int64_t dx = point.x_mm - at.x_mm;
     const std::int64_t dy = point.y_mm - at.y_mm;
@@ -134,8 +135,8 @@ struct Box {
     }
     return enters * leaves_of <= leaves * enters_of;
   }
-  // Returns a corner of the box. `number` is from 0 to 3. Bit 0 selects the high end along the box,
-  // and bit 1 selects the high end across the box.
+  // Returns a corner of the box. `number` is in the range 0 to 3. Bit 0 selects the high end along
+  // the box, and bit 1 selects the high end across the box.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
     const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;

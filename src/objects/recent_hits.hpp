@@ -29,7 +29,7 @@ class RecentHits {
   // epoch.
   [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
-  // Call this function at the end of a frame to add its hits. Time may run backwards only after a
+  // Call this function at the end of a frame to add its hits. Time may go backwards only after a
   // call to forget().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
 

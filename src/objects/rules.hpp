@@ -1,6 +1,6 @@
 // Defines all parameters of tracking (docs/objects.md).
 //
-// Unless a name says otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
+// Unless a name indicates otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
 // belong to the algorithm and are the same for all cars.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace iog::objects {
 
-// Capacities that limit the cost of a frame. Elements beyond these capacities are dropped and
+// Capacities that limit the cost of a frame. Elements that exceed a capacity are dropped and
 // counted.
 inline constexpr std::size_t kMostHits = 4096;
 inline constexpr std::size_t kMostTracks = 256;
@@ -18,9 +18,9 @@ inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take h
 inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
 // All tracks end if the time between two frames exceeds kLongestStepMs or is not positive. For
-// example, a gap of 400 ms occurs if a spinning lidar loses three turns of 100 ms.
+// example, a gap of 400 ms occurs if three turns of 100 ms are lost from a spinning lidar.
 inline constexpr std::int32_t kLongestStepMs = 450;
-// If the last measurement is older than kLongestToldMs, no object is published or labelled.
+// If the last measurement is older than kLongestToldMs, no objects are published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
 
 // Recent hits are recorded in epochs of 80 ms.
@@ -31,7 +31,7 @@ inline constexpr int kOldEpochs = 4;  // a place that was first hit this many ep
 // The process noise of the speed, in mm/s per root second.
 inline constexpr std::int32_t kWanderAlong = 1500;
 inline constexpr std::int32_t kWanderAcross = 700;
-// kWanderAcrossFast is used at speeds of kWheelsSpeed and above, because the direction of the
+// kWanderAcrossFast applies at speeds of kWheelsSpeed and above, because the direction of the
 // velocity changes in bends.
 inline constexpr std::int32_t kWanderAcrossFast = 1200;
 inline constexpr std::int32_t kWanderSmall = 700;
@@ -39,8 +39,9 @@ inline constexpr std::int32_t kSmallMm = 1200;     // a pedestrian is at most th
 inline constexpr std::int32_t kSmallSpeed = 3000;  // and this fast
 inline constexpr std::int32_t kMostSpeed = 100'000;
 
-// Tyres and legs limit the acceleration. After kGripFrom updates, the speed of a moving track
-// changes by at most kGrip mm/s per second along each axis. Braking and cornering reach 10 m/s^2.
+// The acceleration of road users is limited by their tyres or legs. After kGripFrom updates, the
+// speed of a moving track changes by at most kGrip mm/s per second along each axis. Braking and
+// cornering reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
@@ -54,7 +55,8 @@ inline constexpr std::int32_t kGateStandingMm = 250;
 inline constexpr std::int32_t kMostGateDeviationMm = 600;
 inline constexpr std::int32_t kMostGateDeviationSettledMm = 300;
 
-// A hit contradicts a track if its place was hit before the track could have reached it.
+// A hit contradicts a track if the same place was already hit before the track could have reached
+// it.
 inline constexpr std::uint32_t kContradictedFrom = 6;  // updates
 inline constexpr int kContradictingEpochs = 3;
 inline constexpr std::int32_t kStandingAgeMs = 800;
@@ -103,7 +105,7 @@ inline constexpr std::int32_t kLeastVariance = 100;
 inline constexpr std::int32_t kThinnestMm = 50;
 
 // In each update, a measured edge of the box moves towards its new position by 1/16 of the
-// difference. Any other edge moves by 1/2 of the difference outwards or by 1/32 of it inwards.
+// difference. Any other edge moves outwards by 1/2 of the difference or inwards by 1/32 of it.
 inline constexpr std::int32_t kFollowMeasured = 16;
 inline constexpr std::int32_t kFollowOutward = 2;
 inline constexpr std::int32_t kFollowInward = 32;
@@ -112,19 +114,20 @@ inline constexpr std::int32_t kFollowInward = 32;
 inline constexpr std::uint32_t kTurnFrom = 6;  // updates
 inline constexpr std::int32_t kTurnSpeed = 1500;
 inline constexpr std::int32_t kTurnDeviations = 4;
-// kTurnMovingDeviations applies to moving tracks because their standard deviation is 0.7 m/s with a
-// 10 Hz scanner.
+// kTurnMovingDeviations applies to moving tracks because the standard deviation of their speed is
+// 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// kTurnSureSpeed applies to a track that is certainly a car. The speed must also exceed one
+// kTurnSureSpeed applies to a track that is certainly a car. The speed must also exceed its
 // standard deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
-// In each frame, the speed across the box is reduced by 1/8, because wheels do not slide sideways.
+// In each frame, the lateral speed of the box is reduced by 1/8, because wheels do not slide
+// sideways.
 inline constexpr std::int32_t kWheelsShare = 8;
 inline constexpr std::int32_t kWheelsSpeed = 15'000;
 
-// These values determine which tracks are merged because they belong to the same object.
+// These limits determine which tracks are merged because they belong to the same object.
 inline constexpr std::uint32_t kMergeFrom = 6;  // updates
 inline constexpr std::int32_t kMergeMm = 500;
 inline constexpr std::int32_t kMergeSpeed = 1500;
@@ -133,7 +136,7 @@ inline constexpr std::int32_t kMergeMovingSpeed = 4000;  // if both are moving a
 inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
-// Parameters for confirming the motion of a track with the grid.
+// Parameters for using the grid to confirm the motion of a track.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
 // This interval between snapshots is shorter than an epoch because frames do not end at regular
@@ -147,13 +150,13 @@ inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that
 inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // Parameters of the trail of a receding track. The trail consists of the places that the track has
-// left. A frame supports the trail under the following two conditions. The track's own beams must
-// pass at least kTrailPlaces of the places that the track has left. There must be at least
-// kGoodOverBad times as many passed places as places that were hit again. A beam passes a place if
-// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
-// kLayersMs, even if the sensor scans its layers one after the other. If a track is slower than
-// kLayersSpeed, hits on such a place count. Hits behind a faster track may belong to the track
-// itself, because its speed is not known well enough.
+// left. A frame supports the trail if the track's own beams pass at least kTrailPlaces of these
+// places, and if the number of passed places is at least kGoodOverBad times the number of places
+// that are hit again. A beam passes a place if it misses the place by at most kBesideMm. A place
+// that is still occupied is hit again within kLayersMs, even if the sensor scans its layers one
+// after the other. Recent hits on a place therefore also count if the track is slower than
+// kLayersSpeed. Hits behind a faster track may belong to the track itself, because its speed is not
+// known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -170,12 +173,12 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// At speeds of kClearSpeed and above, kClearHits good places increase the confidence by more,
-// because the car will soon have passed the object.
+// At speeds of kClearSpeed and above, kClearHits good places increase the confidence by a larger
+// amount than at lower speeds, because the car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// If the box of a track has had the size of a car for kSteadyFrom updates, the track needs only
-// kSteadyHits good places.
+// If a track's box has been car-sized for kSteadyFrom updates, the track needs only kSteadyHits
+// good places.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
@@ -187,11 +190,11 @@ inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
 // hits, is longer than a pedestrian and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
-// A shorter row of a few cells is also a streak.
+// A shorter row, of only a few cells, also counts as a streak.
 inline constexpr std::int32_t kRowHits = 4;
 inline constexpr std::int32_t kRowMm = 100;
 inline constexpr std::int32_t kShortestRowMm = 500;
-// A wider object with less than one hit per kSparseMm of length is also a streak.
+// A wider object with less than one hit per kSparseMm of length also counts as a streak.
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
 inline constexpr std::int32_t kStreakSpeed = 15'000;  // streaks never seem to move faster
@@ -199,12 +202,11 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // pedestrian groups are s
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// Standing hits in the box of a car belong to the car under two conditions. First, the confidence
-// of the track must be at least kSureConfidence. Second, at least kSureUnopposed frames must have
-// supported the motion of the car. A frame opposes the motion if it has fewer than kGoodOverBad
-// good or neutral places for each bad place. Each frame that opposes the motion cancels kOpposed
-// frames that support it. A frame that does not oppose the motion supports it if the frame has at
-// least kSteadyHits good places.
+// Standing hits in the box of a car belong to the car if the track's confidence is at least
+// kSureConfidence and at least kSureUnopposed frames have supported the car's motion. A frame
+// opposes the motion if it has fewer than kGoodOverBad good or neutral places for each bad place.
+// Each frame that opposes the motion cancels kOpposed frames that support it. A frame that does not
+// oppose the motion and has at least kSteadyHits good places supports it.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;
@@ -222,7 +224,7 @@ inline constexpr std::uint64_t kUnseenYoungUs = 100'000;  // all other tracks
 inline constexpr std::int32_t kNoThingMm = 20'000;
 inline constexpr std::int32_t kNoThingAcrossMm = 4000;  // no road user is wider than this
 
-// Parameters of the reported standard deviation of a velocity (objects/stated.hpp).
+// Parameters for the reported standard deviation of a velocity (objects/stated.hpp).
 inline constexpr std::uint64_t kStatedAgeMs = 5000;
 inline constexpr std::int32_t kStatedNearMm = 10'000;
 inline constexpr std::uint64_t kStatedNear = 4;

@@ -1,5 +1,4 @@
-// Stores recent boxes of a track. Each box is stored with some of the cells that were hit at that
-// time.
+// Stores recent boxes of a track, each with some of the cells that were hit at the time.
 #pragma once
 
 #include <array>
@@ -29,8 +28,8 @@ class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }
 
-  // Begins the next snapshot, which replaces the oldest one. The caller fills in the cells of the
-  // new snapshot.
+  // Begins a new snapshot, which replaces the oldest one. The caller fills in the cells of the new
+  // snapshot.
   [[nodiscard]] Snapshot& begin(std::uint64_t now_us, const Box& box) {
     last_us_ = now_us;
     Snapshot& next = all_[next_];

@@ -1,7 +1,7 @@
 // Computes the reported standard deviation of a velocity. The filter's own standard deviation
 // covers only measurement errors. The filter does not take into account that the visible part of a
-// young object changes, and that both ends of a near object may be hidden. For cars nearer than 8
-// m, half of the errors exceed twice the filter's standard deviation.
+// young object changes or that both ends of a near object may be hidden. For cars within 8 m, half
+// of the errors exceed twice the filter's standard deviation.
 #pragma once
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 namespace iog::objects {
 
-// A step is between 1 ms and kLongestStepMs.
+// A step lasts from 1 ms to kLongestStepMs.
 class Step {
  public:
   explicit constexpr Step(std::int32_t ms) : ms_(ms), seconds_((ms << 16) / 1000) {}

@@ -1,4 +1,4 @@
-// Performs coarse overlap tests of rectangles before exact distances are computed.
+// Performs coarse tests of whether rectangles overlap, before exact distances are computed.
 #pragma once
 
 #include <algorithm>
@@ -69,8 +69,8 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // Returns the first number, starting at `from`, of a track whose strips may overlap the given
-  // strips. If there is none, returns count().
+  // Returns the first number, at or above `from`, of a track whose strips may overlap the given
+  // strips. If there is no such track, returns count().
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

@@ -2,8 +2,8 @@
 // with only a few tracks.
 //
 // Each tile can list up to kMostTracksOfATile tracks, in the order of their slots. If too many
-// tracks overlap a tile, moving tracks have priority. A track that is not listed is counted and
-// claims no hits in this tile.
+// tracks overlap a tile, moving tracks have priority. A track that does not fit in the list is
+// counted and claims no hits in this tile.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// A track represents one object. A track has a box, a velocity and a state, and hits are assigned
-// to it.
+// A track represents one object by a box, a velocity and a state. Hits are assigned to tracks.
 #pragma once
 
 #include <array>
@@ -46,23 +45,23 @@ class Track {
 
   [[nodiscard]] bool is_there() const { return state != State::kNone; }
   [[nodiscard]] bool moves() const { return state == State::kMoves; }
-  // Returns true if the track is moving, or was moving and has stopped.
+  // Returns true if the track is moving or has moved and then stopped.
   [[nodiscard]] bool has_moved() const { return moves() || state == State::kStopped; }
 
   // Predicts the position and covariance for the next frame.
   void predict(Step step);
-  // Applies an innovation of the position along one side. Requires |innovation| < 2^17 mm. The
-  // speed along `side` changes by at most `most_change` mm/s.
+  // Applies a position innovation along one side. Requires |innovation| < 2^17 mm. The speed along
+  // `side` changes by at most `most_change` mm/s.
   void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
                std::int32_t most_change = kMostSpeed);
-  // Reduces the speed across the box by 1/kWheelsShare.
+  // Reduces the lateral speed of the box by 1/kWheelsShare.
   void fade_across();
   void rest();  // sets the speed to 0
   // Turns the box without changing the velocity. The direction of the box is arbitrary until the
   // first turn.
   void turn(Direction along) { box_.along = along; }
-  // Replaces the sides, and sets the covariance of both axes to their mean. Call begin_heading()
-  // after the first turn.
+  // Replaces the sides, and replaces the covariances of the two axes with their mean. Call
+  // begin_heading() after the first turn.
   void begin_heading(const Sides& sides);
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -75,7 +74,7 @@ class Track {
   // Returns the velocity estimated by the filter. The velocity is unreliable if the track is not
   // moving, because four out of five stationary tracks have a spurious speed.
   [[nodiscard]] Velocity velocity() const { return {vx_ >> kFine, vy_ >> kFine}; }
-  // Returns the velocity of a moving track, or 0 for any other track.
+  // Returns the velocity if the track is moving, and 0 otherwise.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
   // Returns the standard deviation of the speed, computed from both axes, in mm/s.
@@ -83,18 +82,19 @@ class Track {
   // Returns true if the track is slow and larger than a pedestrian, and most of its hits are
   // standing hits. These hits may belong to an object that is parked next to the track.
   [[nodiscard]] bool is_mostly_standing() const;
-  // Returns true if the track has a heading and the size of a car.
+  // Returns true if the track has a heading and is the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
-  // Returns true if the track has the size of a car and a high confidence, and if recent frames
-  // support its motion. Standing hits in the box of such a track belong to the car. A slow car
-  // covers each place for so long that the grid classifies the place as standing. Pedestrians
-  // beside a parked car may form a track of the same size, but the cells that the pedestrians leave
-  // are classified as standing.
+  // Returns true if the track is car-sized and has a high confidence, and if recent frames support
+  // its motion. Standing hits in the box of such a track belong to the car. A slow car covers each
+  // place for so long that the grid classifies the place as standing. Pedestrians beside a parked
+  // car may form a track of the same size, but the cells that they leave are classified as
+  // standing.
   [[nodiscard]] bool is_sure_car() const;
   // Updates is_receding from the track's velocity and its position relative to the car.
   void look_from(Point car);
   // Returns true if the track is receding and is larger than a pedestrian. The rear of such an
-  // object has covered its places for a long time, so hits on it may be standing hits.
+  // object is in places that the object has already covered for a long time, so hits there may look
+  // stationary.
   [[nodiscard]] bool may_have_a_standing_face() const;
   // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();

@@ -1,6 +1,6 @@
-// Tracks moving objects with the hits of each frame and the classes of the perception grid.
+// Tracks moving objects, using the hits of each frame and the classes of the perception grid.
 //
-// A track is a moving box, and hits are assigned to it. A track counts as moving only if the grid
+// A track is a moving box to which hits are assigned. A track counts as moving only if the grid
 // confirms its motion (docs/objects.md). The tracker never changes the grid. The tracker performs
 // the following steps for each frame:
 //
@@ -8,8 +8,8 @@
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
 // Every step processes slots, hits (objects/frame_hits.hpp) and clusters in their order, so the
-// result does not depend on the order in which hits arrive. The Tracker object contains all memory
-// of the tracker and takes up 2 MB.
+// result does not depend on the order in which hits arrive. The Tracker object contains all of the
+// tracker's memory and takes up 2 MB.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@
 
 namespace iog::objects {
 
-// The numbers of elements of a frame that were dropped because a capacity was exceeded.
+// The numbers of elements in a frame that were dropped because a capacity was exceeded.
 struct FrameCounts {
   FrameHits::Left hits{};                // hits that were dropped
   std::uint32_t hits_not_clustered = 0;  // hits without a cluster, because all clusters were in use
@@ -47,11 +47,11 @@ class Tracker {
   Tracker& operator=(const Tracker&) = delete;
 
   // Processes a frame. If a frame has the same end time as the previous frame, it has no effect. If
-  // time runs backwards or advances by more than kLongestStepMs, all tracks end first. `grid` must
+  // time goes backwards or advances by more than kLongestStepMs, all tracks end first. `grid` must
   // return the classes after the frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
-  // The steps of add(), for callers that split the work. `begin()` gathers the hits. It needs no
+  // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
   // classes. If begin() returns false, the frame has no effect, and the other steps must not be
   // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
   // look_at_hits(), and the same hits may be looked up twice. `end()` performs the remaining work.
@@ -61,7 +61,7 @@ class Tracker {
   FrameCounts end(const GridNames& grid);
 
   // Reports a frame without measurements that ends at `end_us`. If the time without measurements
-  // exceeds kLongestToldMs, no object is published or labelled until the next frame with
+  // exceeds kLongestToldMs, no objects are published or labelled until the next frame with
   // measurements. If the time without measurements exceeds kLongestStepMs, all tracks end. A
   // shorter pause has no effect.
   void pass(std::uint64_t end_us);
@@ -87,9 +87,9 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Returns the cells of the given set in a row that a moving object may cover, including cells
-  // without a hit. All returned cells are at most kTailMm outside the object's box. See
-  // MovingBoxes::hold().
+  // Returns those of the given cells that a moving object may cover, including cells without a hit.
+  // The given cells are in one row. All returned cells are at most kTailMm outside the object's
+  // box. See MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }

@@ -5,14 +5,14 @@
 // metres (Rules::around), and the required numbers of new hits stay the same.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
-// beam has freed its cell and a tall return lies within Rules::tall_within cells. An object is
-// therefore never classified as moving if it is so low that beams pass over it.
+// beam has freed its cell and a tall return lies within Rules::tall_within cells of the hit. An
+// object is therefore never classified as moving if it is so low that beams pass over it.
 //
 // All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
-// the 3 by 3 cells around it is standing. A hit is *new* if its cell was open and freed, and if it
-// is not beside a standing object. A hit beside a standing object does not count as moving. Any
-// other hit counts as moving in two cases: its cell was dense, or its cell was open and the 7 by 7
-// cells around the hit contain enough new hits. If the ground in the cell was found open three
+// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and
+// if it is not beside a standing object. A hit beside a standing object does not count as moving.
+// Any other hit counts as moving in two cases: its cell was dense, or its cell was open and the 7
+// by 7 cells around the hit contain enough new hits. If the ground in the cell was found open three
 // times, two new hits are enough. Otherwise, seven new hits are needed.
 #pragma once
 
@@ -53,7 +53,7 @@ class Arrivals {
     }
   }
 
-  // Returns the moved hits in the tile of this slot.
+  // Returns the hits classified as moved in the tile in this slot.
   [[nodiscard]] const window::Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:

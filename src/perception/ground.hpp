@@ -1,12 +1,12 @@
 // Updates the ground memory after a frame.
 //
 // The update clears the memory of the 3 by 3 cells around each standing cell. Any other cell
-// becomes dense if all 5 by 5 cells around it are seen, and open if all 7 by 7 cells around it are
-// free space. The free space is computed from the freed cells in two steps. First, a 5 by 5
-// dilation followed by a 5 by 5 erosion closes gaps of up to four cells between beams. Then
-// occupied cells are removed. If a cell is open again in a later period of 480 ms, its tick count
-// increases by one, up to 3. Cells outside the window are never free space, even though the
-// dilation extends beyond the window.
+// becomes dense if all cells in the 5 by 5 square around it have been seen, and open if all cells
+// in the 7 by 7 square around it are free space. The free space is computed from the freed cells in
+// two steps. First, a 5 by 5 dilation followed by a 5 by 5 erosion closes gaps of up to four cells
+// between beams. Then occupied cells are removed. If a cell is open again in a later period of 480
+// ms, its tick count increases by one, up to a maximum of 3. Cells outside the window never count
+// as free space, even though the dilation extends beyond the window.
 #pragma once
 
 #include <array>
@@ -23,12 +23,13 @@
 
 namespace iog::perception {
 
-// Updates the ground of a known tile. `is_new_period` is true if a new period has begun since the
-// slot was last updated.
+// Updates the ground memory of a known tile. `is_new_period` is true if a new period has begun
+// since the slot was last updated.
 void remember(window::Window& window, std::size_t slot, bool is_new_period,
               const Around& around = {});
 
-// The length of a period. If a cell is open again in a period, it gets one tick for this period.
+// The length of a period. If a cell is found open again in a period, its tick count increases by
+// one for this period.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
 // Updates half of the tiles at the end of a frame. A tile is updated if the sum of its slot and the
@@ -40,8 +41,8 @@ class GroundMemory {
   // Resets the periods of the last updates.
   void forget() { last_turns_ = {}; }
 
-  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` counts
-  // the frames with a registered slice, including this frame.
+  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` is the
+  // number of frames so far with a registered slice, including this frame.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;

@@ -1,10 +1,9 @@
-// Relabels cells according to tracks (docs/objects.md). Cells hit by moving tracks become moving. A
-// moving cell loses the class `moving` if it was not hit and is outside the boxes of all moving
-// tracks.
+// Relabels cells according to tracks (docs/objects.md). Cells that contain hits of moving tracks
+// become moving. A moving cell loses the class `moving` if it was not hit and is outside the boxes
+// of all moving tracks.
 //
-// Relabelling changes only class bytes. Relabelling never changes masses or the ground memory. All
-// changes are undone when the next frame begins, so the masses in the grid are the same with and
-// without tracks.
+// Relabelling changes only class bytes, never masses or the ground memory. All changes are undone
+// when the next frame begins, so the masses in the grid are the same with and without tracks.
 #pragma once
 
 #include <array>
@@ -25,8 +24,8 @@ class MovingNames {
   // Restores all class labels from the masses.
   void take_back(window::Window& window);
 
-  // Relabels a cell of the window as moving, with at least the confidence `sureness` from 0 to 7.
-  // The call has no effect if the cell's group is unknown.
+  // Relabels a cell of the window as moving, with a confidence of at least `sureness`, which is
+  // between 0 and 7. The call has no effect if the cell's group is unknown.
   void give(geometry::Cell cell, std::uint8_t sureness, window::Window& window);
 
   // Call note_tile() after the masses of a tile, or the labels computed from them, have changed.

@@ -7,7 +7,7 @@
 // cells (low_mm), and the minimum height of a return from a moving object (tall_mm). The following
 // rules apply:
 //
-//   * A hit can indicate motion only on ground that a low beam has freed before, and only near a
+//   * A hit can indicate motion only on ground that a low beam has already freed, and only near a
 //     tall return (arrivals.hpp).
 //   * If sensors look over objects, only low beams can free occupied cells. Other beams have no
 //     effect on these cells.
@@ -15,7 +15,8 @@
 //
 // Tile::from_below stores whether a low beam has freed a cell. The bit is set when a low beam frees
 // the cell, and cleared when a standing object is hit there. All conditions refer to the state
-// before the frame and are set operations, so the order of slices, tiles and cores does not matter.
+// before the frame and are evaluated as set operations, so the order of slices, tiles and cores
+// does not matter.
 #pragma once
 
 #include <array>

@@ -39,7 +39,7 @@ inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellM
 inline constexpr int kTallOverGroundWithin =
     cells_of(kTallOverGroundWithinMm, geometry::kUsualCellMm);
 
-// The distances, in cells, that define the surroundings of a cell in the rules of motion onset and
+// The distances, in cells, that define the surroundings of a cell in the rules for motion onset and
 // open ground. The default values correspond to 0.1, 0.2 and 0.3 m.
 struct Around {
   // A hit belongs to a standing object if a standing cell is within this distance.
@@ -62,8 +62,8 @@ static_assert(around_with(geometry::kUsualCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // The tables, in static storage, of a car with its own evidential constants. If the pointer is
-  // null, the default constants are used.
+  // The tables, in static storage, of a car that defines its own evidential constants. If the
+  // pointer is null, the default constants are used.
   const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If the pointer is null, all hits have the same
   // mass.

@@ -23,8 +23,7 @@ struct GroupBudget {
   std::uint32_t with_hits = 0;
   std::uint32_t without_hits = 0;
 
-  // Takes one group from the budget. Takes one group from the budget. Returns false if the budget
-  // is used up.
+  // Takes one group from the budget. Returns false if the budget is used up.
   bool take(bool has_hit) {
     std::uint32_t& left = has_hit ? with_hits : without_hits;
     if (left == 0) {
@@ -63,7 +62,7 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
 // The remaining budget, or an empty optional if the number of groups is unlimited.
 using Budget = std::optional<GroupBudget>;
 
-// The number of groups for which data is prefetched in advance.
+// The number of groups by which prefetching runs ahead.
 inline constexpr std::size_t kGroupsAhead = 4;
 
 // Lists the groups of a tile that will be fused, in ascending order, and counts the groups with
@@ -132,7 +131,7 @@ inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileInd
 
 // Fuses at least one group of a tile. `moved` contains the cells whose hits are classified as
 // moved. If `moved` is null, all hits are classified as moved. If a TileBefore is passed, a core
-// that repeats the work can restore the tile.
+// that repeats the work can use it to restore the tile.
 template <typename... Before>
 void fuse_groups(const TileUpdate& update, window::Tile& tile,
                  const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,
@@ -145,7 +144,8 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   const auto is_hit = [&](std::size_t group) {
     return has_hit && eight_at(indexes, group).has_positive();
   };
-  // Crosses consecutive groups from the list's entry i on, if they may be crossed at once.
+  // Crosses kGroups consecutive groups at once, starting at entry i of the list. Returns false if
+  // this is not possible.
   const auto cross = [&](auto at_once, std::size_t i) {
     constexpr std::size_t kGroups = at_once();
     const std::size_t group = groups[i];

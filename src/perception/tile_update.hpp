@@ -19,8 +19,8 @@ namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
 // at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
-// evidence therefore has no effect. Groups are refreshed often enough that old evidence is recorded
-// as too old before the clock reuses its slot.
+// evidence therefore has no effect. Groups are refreshed often enough that evidence is recorded as
+// too old before the clock reuses the slot of its frame.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a plane that belong to a group's cells.
@@ -36,7 +36,8 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
 template <std::size_t kGroups>
 using Joint = std::conditional_t<kGroups == 4, std::uint32_t, std::uint16_t>;
 
-// `bytes` has one byte per group of a tile. The first group is a multiple of kGroups.
+// `bytes` has one byte per group of a tile. The number of the first group must be a multiple of
+// kGroups.
 template <std::size_t kGroups, typename Bytes>
 [[nodiscard]] inline Joint<kGroups> joint(const Bytes& bytes, std::size_t group) {
   Joint<kGroups> word = 0;
@@ -87,7 +88,7 @@ class TileUpdate {
     return tile.is_free_alone[group] && assignment_ == nullptr;
   }
 
-  // Has the same effect as fuse() if needs_no_taken() is true and no cell of the group is hit.
+  // Equivalent to fuse() if needs_no_taken() is true and no cell of the group is hit.
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     evidence::fuse_free(tile.free[group], clock_->since(tile.aged_at[group]), indexes,
                         *gains_[tile.evidence_at[group]]);
@@ -106,8 +107,8 @@ class TileUpdate {
            are_equal(joint<kGroups>(tile.evidence_at, group)) && assignment_ == nullptr;
   }
 
-  // Same as the function above, but processes kGroups consecutive groups at once. may_be_joint()
-  // must be true. `indexes` are the indexes of the first group.
+  // Same as above, but processes kGroups consecutive groups at once. may_be_joint() must be true.
+  // `indexes` are the indexes of the first group.
   template <std::size_t kGroups>
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     cross_joint<kGroups>(tile, group, indexes);
@@ -119,7 +120,8 @@ class TileUpdate {
     return tile.is_known(group) && tile.aged_at[group] != now_;
   }
 
-  // Same as refresh() for an old row of groups if may_be_joint() is true.
+  // Same as calling refresh() for each group of a row. All groups must be old, and may_be_joint()
+  // must be true.
   void refresh_row(window::Tile& tile, std::size_t group) const {
     static constexpr std::array<evidence::Indexes, window::kGroupsPerRow> kNone{};
     const std::uint8_t evidence_at = tile.evidence_at[group];

@@ -2,11 +2,11 @@
 //
 // In each frame, the window first follows the vehicle, and then slices are added. Finally, the
 // frame is finished in five steps.
-//   Step 1: Neighbouring cells are looked up in the state before the frame. If only low beams open
+//   Step 1: Neighbouring cells are looked up as they were before the frame. If only low beams open
 //     cells (perception/opening.hpp), evidence without effect is removed.
 //   Step 2: Groups with evidence are aged, fused and classified.
-//   Step 3: A tile is refreshed if its slot plus the frame number is a multiple of 8. The other
-//     groups of the tile are then aged and classified without evidence. Only frames in which the
+//   Step 3: A tile is refreshed if its slot plus the frame number is a multiple of 8. The groups
+//     that were not fused are then aged and classified without evidence. Only frames in which the
 //     window has a position are counted.
 //   Step 4: Tracking relabels moving cells (perception/moving_names.hpp).
 //   Step 5: If a slice was registered, the frame counts as fused. The ground of a tile is updated
@@ -17,9 +17,9 @@
 // the same loop. No item of a step writes data that another item of the step reads from a
 // neighbouring tile.
 //
-// Each frame has a budget of groups. Groups with hits are fused first, and then the other groups.
-// Within each of these two kinds, groups are ordered by slot and group number. Groups that are over
-// budget are only aged.
+// Each frame has a budget of groups. Groups with hits are fused first, followed by the other
+// groups. Within each of these two kinds, groups are ordered by slot and group number. Groups that
+// are over budget are only aged.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@
 
 namespace iog::perception {
 
-// The period, in frames, in which every tile is refreshed once.
+// The number of frames in which every tile is refreshed once.
 inline constexpr std::uint32_t kRefreshFrames = 8;
 
 struct FrameCounts {
@@ -137,7 +137,7 @@ class WindowFusion {
     names_.withdraw(evidence_, window_, held);
   }
 
-  // Sets the classes that the map rules out in the tile of a slot (see Window). Only labels change,
+  // Sets the classes that the map rules out in the tile in a slot (see Window). Only labels change,
   // and they change immediately.
   void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
@@ -191,7 +191,7 @@ class WindowFusion {
     }
   };
 
-  // The counts of the tile of a slot in the current frame.
+  // The counts for the tile in a slot in the current frame.
   struct SlotCounts {
     // Groups are counted only if the evidence might exceed the budget. The groups of slots without
     // hits are counted only if several cores share the work.
@@ -228,7 +228,7 @@ class WindowFusion {
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);
-  // If a TileBefore is passed, a core that repeats the work can restore the tile.
+  // If a TileBefore is passed, a core that repeats the work can use it to restore the tile.
   template <typename... Before>
   void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
   template <typename... Before>

@@ -1,18 +1,18 @@
 // The evidence of a frame. All slices of the frame are joined in the cells of the window.
 //
-// Free space is gathered. That is, the negative index of a slice cell is added to each window cell
-// whose centre lies in the slice cell. Hits are scattered. That is, the positive index of a slice
-// cell is added to the window cell that contains the centre of the slice cell. If hits were
-// gathered, thin objects such as poles could be lost. The reason is that some slice cells contain
-// no centre of a window cell (17 % at 45 degrees). Hits outside the window are dropped.
+// Free space is gathered: the negative index of a slice cell is added to each window cell whose
+// centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
+// the window cell that contains the centre of the slice cell. If hits were gathered, thin objects
+// such as poles could be lost, because some slice cells (17 % at 45 degrees) do not contain the
+// centre of any window cell. Hits outside the window are dropped.
 //
 // The evidence of a cell is the saturating sum of its positive indexes. If the cell has no positive
 // index, the evidence is the saturating sum of its negative indexes. One byte per cell is enough
 // for both sums (placing/slice_byte.hpp). A positive byte contains only the sum of hits, because
 // the first hit overwrites the free index. Slices may be added in any order because a saturating
 // sum of numbers with the same sign does not depend on their order. The extra bit of a free cell is
-// set if any slice sets it. Another bit per cell is set if a hit is a tall return. The evidence
-// takes up 1.1 MB in total.
+// set if any slice sets it. A second bit per cell is set if a hit in the cell is a tall return. The
+// evidence takes up 1.1 MB in total.
 //
 // If several cores add slices, they work in parallel. Each core processes regions of the window.
 // The core that processes a region gathers free space into the region's tiles and searches the
@@ -46,8 +46,8 @@ class FrameEvidence {
  public:
   using TileIndexes = std::array<std::int8_t, geometry::kTileCells>;
 
-  // The maximum number of slices per call. A frame of 40 ms has at most this many slices, each of 8
-  // ms or less.
+  // The maximum number of slices per call. A frame of 40 ms has at most this many slices, each at
+  // most 8 ms long.
   static constexpr std::size_t kMostAtOnce = 6;
 
   // Adds at most kMostAtOnce slices. The vehicle must be inside the area, and the area must not
@@ -70,10 +70,11 @@ class FrameEvidence {
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
   // Returns the joined bytes of the tile in a slot, row by row from the lowest y. The result is
-  // valid only if the tile is touched.
+  // valid only if the tile has been touched.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
-  // Returns the tile's cells with a tall return. The result is valid only if the tile is touched.
+  // Returns the tile's cells with a tall return. The result is valid only if the tile has been
+  // touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
   // Removes the evidence from the given cells of the tile in a slot.
@@ -93,7 +94,7 @@ class FrameEvidence {
       const auto number = static_cast<std::int32_t>(i);
       return {low.a + number % extent.columns, low.b + number / extent.columns};
     }
-    // Returns true if any cell of the rectangle low_cell ... high_cell may lie in the region.
+    // Returns true if any cell of the rectangle from low_cell to high_cell may lie in the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
              (low_cell.x >> geometry::kTileSideLog2) < low.a + extent.columns &&
@@ -103,7 +104,7 @@ class FrameEvidence {
   };
   // The side length of a region, in tiles, if several cores are used. Regions are large enough that
   // few hits are examined for two regions, and small enough that no core waits long for the last
-  // region. Regions at the highest sides of the window may be smaller.
+  // region. Regions at the upper edges of the window may be smaller.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static constexpr std::int32_t regions_along(std::int32_t tiles) {
@@ -119,7 +120,7 @@ class FrameEvidence {
     std::array<window::Plane, kRegionTiles> tall{};
   };
 
-  // A slice that is being added, and its transforms.
+  // A slice that is being added, with its transforms.
   struct Adding {
     Adding(const PlacedCells& slice_of, const window::Area& its_area)
         : slice(slice_of.cells),

@@ -16,7 +16,7 @@ inline constexpr std::size_t kEightsPerBand = SliceCells::kBlockSide * kEightsPe
 static_assert(kEightsPerBand == 32, "a bit each");
 
 // `band` contains eight rows in the layout of SliceCells. Bit i of the result is set if any of the
-// eight cells that start at byte 8 i is hit.
+// eight cells that start at byte 8 * i is hit.
 [[nodiscard]] std::uint32_t hit_eights(const std::int8_t* band);
 
 }  // namespace iog::placing

@@ -1,9 +1,9 @@
 // Lists the hits of a frame's slices for tracking.
 //
 // The hits are ordered by slice, and then by tile, row and column of the slice grid, so their order
-// does not depend on the number of cores. If several slices, or several cells of one slice, hit a
-// window cell, the list contains this cell several times. Hits that exceed the capacity are
-// counted.
+// does not depend on the number of cores. If a window cell is hit in several slices, or by several
+// cells of one slice, the list contains this cell several times. Hits beyond the capacity are
+// dropped and counted.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Hit {
 
 class HitList {
  public:
-  // The capacity of the list. The capacity exceeds the number of cells that one turn of 128 layers
-  // hits (docs/objects.md).
+  // The capacity of the list. The capacity exceeds the number of cells hit in one turn of a sensor
+  // with 128 layers (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
   // The vehicle must be inside the area, and the area must not change within a frame.

@@ -16,8 +16,8 @@ namespace iog::placing {
 inline constexpr std::size_t kBandRows = SliceCells::kBlockSide;
 inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 
-// The centres of a block of 8 by 8 cells extend over at most 7 sqrt(2) cells along each axis of the
-// grid. The block's image therefore fits into a square of 11 by 11 cells.
+// The cell centres of a block of 8 by 8 cells extend over at most 7 * sqrt(2) cells along each axis
+// of the grid. The block's image therefore fits into a square of 11 by 11 cells.
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 

@@ -17,9 +17,9 @@ namespace iog::placing {
 // all runs of a slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
-// 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell are
+// 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell span
 // less than eight cells, so a run covers at most eight columns of the grid. Perpendicular to the
-// run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps are less than five cells,
+// run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps span less than five cells,
 // so a run covers at most six rows.
 //
 // A cell's offset from the lowest column or row of its run is the integer part of its step value.

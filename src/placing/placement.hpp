@@ -3,8 +3,8 @@
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
 // other cells of the tile are computed by adding steps that are rounded to the nearest 2^-16 cells.
 // Compared with the exact image, the image of a cell is therefore less than 32 * 2^-16 cells lower
-// and at most 31 * 2^-16 cells higher. For cells of 0.1 m, 32 * 2^-16 cells are 0.05 mm. The window
-// and the slice grid have cells of the same size.
+// and at most 31 * 2^-16 cells higher. For cells of 0.1 m, 32 * 2^-16 cells correspond to 0.05 mm.
+// The window and the slice grid have cells of the same size.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace iog::placing {
 
-// The transform of a slice. The transform consists of the pose of the vehicle while the slice was
+// The transform of a slice. The transform consists of the pose of the vehicle when the slice was
 // measured, and the position of the vehicle in the grid.
 struct Placement {
   pose::Pose pose{};

@@ -1,15 +1,16 @@
 // The byte of a cell in a slice or in a frame's evidence. The byte contains an occupancy index and
 // an extra bit.
 //
-//     0             unknown
-//     n, 1 ... 31   hit, with index n
-//     n + 32        the same, and the return is at least as high as the sensor's tall_mm
-//     -n            free, with index -n
-//     -(n + 32)     the same, and a beam that freed it was at most as high as the sensor's low_mm
+//     `0`          The cell is unknown.
+//     `n`          The cell is hit, with an index n from 1 to 31.
+//     `n + 32`     The same as n, and the return is at least as high as the sensor's tall_mm.
+//     `-n`         The cell is free, with index -n.
+//     `-(n + 32)`  The same as -n, and a beam that freed the cell was at most as high as the
+//                  sensor's low_mm.
 //
 // Indexes above 31 are clamped to 31 because masses do not increase beyond this index
-// (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, so the byte has room
-// for the extra bit.
+// (evidence/assignment.hpp). Sums can therefore saturate at 31 instead of 127, which leaves room in
+// the byte for the extra bit.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,7 @@ inline constexpr std::int32_t kMostIndex = evidence::kGradedIndexes - 1;
 inline constexpr std::int32_t kBeside = 32;
 static_assert(kMostIndex == kBeside - 1);
 
-// Returns the index of a byte, without the extra bit.
+// Returns the index stored in a byte, without the extra bit.
 [[nodiscard]] constexpr std::int32_t index_of(std::int8_t byte) {
   return byte < 0 ? -(-byte & kMostIndex) : byte & kMostIndex;
 }

@@ -20,7 +20,7 @@ static_assert(kSquaresOfTile == 8, "a byte a row of squares of a tile");
 
 struct TileNotes {
   std::array<std::uint8_t, kSquaresOfTile> known{};  // by row of squares; bit i is square i
-  std::uint8_t hit_bands = 0;  // bit i: a cell in the rows 8 i ... 8 i + 7 is hit
+  std::uint8_t hit_bands = 0;  // bit i: a cell in rows 8 * i ... 8 * i + 7 is hit
   friend bool operator==(const TileNotes&, const TileNotes&) = default;
 };
 

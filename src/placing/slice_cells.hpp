@@ -3,7 +3,7 @@
 //
 // The cells are a copy. Copying saves time because each cell is looked up four times on average.
 // Known tiles are stored consecutively, so successive slices use the same part of the L2 cache. The
-// cells of unknown tiles are not stored, so they need not be cleared.
+// cells of unknown tiles are not stored, so they do not have to be cleared.
 #pragma once
 
 #include <array>
@@ -73,8 +73,8 @@ class SliceCells {
   [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
 
   // Returns the cells of the tile in a column and row of the grid, row by row from the lowest y.
-  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read an
-  // equal number of bytes after these cells, but the values of these bytes are meaningless.
+  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read the
+  // same number of bytes after these cells, but the values of these bytes are meaningless.
   [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
     const std::size_t number = number_of(tile);
     return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])

@@ -1,14 +1,14 @@
 // Stores the poses of the last second and interpolates the pose at any time within this second.
 //
-// Times are in us on the clock of the pose source unless the target's clock is stated. Messages
+// Times are in us on the clock of the pose source unless the target's clock is mentioned. Messages
 // must arrive in the order of the source's clock. A message that is not newer than the newest
 // message so far is dropped. A sequence of poses ends with a break. A break is one of the
 // following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by
-// the sensors, or a growing delay. Data registered before a break no longer has a known position,
-// so the window becomes unknown.
+// the sensors, or a growing delay. After a break, the position of data registered earlier is no
+// longer known, so the window is reset to unknown.
 //
-// A forged message must not disable the pose input permanently. Therefore, if the run or the time
-// of a message does not continue the current sequence, the message is accepted only after
+// A forged message must not disable the pose input permanently. If the run or the time of a message
+// does not continue the current sequence, the message is therefore accepted only after
 // kConfirmations consecutive messages of this kind. If the message is not newer than the newest
 // message or belongs to an earlier run, the current sequence must also have been silent for
 // kLostUs.
@@ -47,11 +47,11 @@ struct Tally {
 
 class History {
  public:
-  // `depends_on_arrival` is true if packets get their times from the offset of the clocks. In this
-  // case, the offset must not grow faster than clocks drift.
+  // `depends_on_arrival` is true if packet times are derived from the clock offset. In this case,
+  // the offset must not grow faster than clocks drift.
   explicit History(bool depends_on_arrival = false) : depends_on_arrival_(depends_on_arrival) {}
 
-  // Adds a valid message with its arrival time on the target's clock. Returns kUsed if the message
+  // Adds a valid message and its arrival time on the target's clock. Returns kUsed if the message
   // becomes the newest pose. Otherwise, returns kUnconfirmed, kNotNewer, kFlood or kPastRun without
   // changing any pose.
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
@@ -74,8 +74,8 @@ class History {
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. After the
   // newest message, the pose is predicted from the speed and the yaw rate for up to kLateUs. If the
   // time is before the first message after a break, the result contains the cause of the break:
-  // kLost, kJump, kRestart, kContradicted or kDrifting. If no break has occurred, the returned
-  // cause is kLost. Other possible causes are kLate and kImprecise.
+  // kLost, kJump, kRestart, kContradicted or kDrifting. If no break has occurred yet, the cause is
+  // kLost. Other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
   // Converts a time on the target's clock to the clock of the source, using the message with the
@@ -83,8 +83,8 @@ class History {
   // this message. Returns nothing if no message arrived in the last second.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
-  // Returns the number of breaks so far. Data registered in an earlier epoch no longer has a known
-  // position.
+  // Returns the number of breaks so far. The position of data registered in an earlier epoch is no
+  // longer known.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
   // Returns true if, in this run, the position or heading of a message has differed from that of
@@ -94,7 +94,7 @@ class History {
   // Returns how often each break occurred, and when it last occurred. The times of `kLost` and
   // `kContradicted` are those of the last message before the break. The times of `kJump`,
   // `kRestart` and `kDrifting` are those of the first message after the break. All other causes
-  // concern slices, not breaks.
+  // apply to slices, not to breaks.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }

@@ -1,5 +1,5 @@
-// Defines the valid values of poses, the time for which a pose is used, and the conditions under
-// which a pose is rejected (docs/spec.md, section 5).
+// Defines the valid ranges of pose values, the time for which a pose is used, and the conditions
+// under which a pose is rejected (docs/spec.md, section 5).
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@ namespace iog::pose {
 // Angles are converted to lengths at this distance, which equals the range of the sensors.
 inline constexpr std::int32_t kReachMm = 50'000;
 
-// The valid values of a message. The integer widths of all computations with poses follow from
-// these bounds.
+// The valid ranges of the values in a message. The integer widths of all computations with poses
+// follow from these bounds.
 inline constexpr std::int32_t kMaxCoordinateMm = 1'000'000'000;
 inline constexpr std::int32_t kMaxSpeedMmPerS = 100'000;
 inline constexpr std::int32_t kMaxYawRateUradPerS = 10'000'000;
@@ -23,14 +23,15 @@ inline constexpr std::uint64_t kMaxClockUs = (std::uint64_t{1} << 62) - 1;
 // The maximum time between a slice and a message. A pose is predicted for at most kLateUs after a
 // message.
 inline constexpr std::uint64_t kLateUs = 100'000;
-// A gap of kLostUs without messages breaks the history.
+// A gap of kLostUs without messages causes a break.
 inline constexpr std::uint64_t kLostUs = 1'000'000;
-// A clock has jumped if its lead over the target's clock has increased by kMaxLeapUs.
+// A clock is considered to have jumped if its lead over the target's clock has increased by
+// kMaxLeapUs.
 inline constexpr std::uint64_t kMaxLeapUs = 2 * kLostUs;
 // Messages of one run must be at least kMinSpacingUs apart on the sender's clock. Messages that are
 // closer together are dropped.
 inline constexpr std::uint64_t kMinSpacingUs = 8'000;
-// A history of kHistoryMessages messages always covers more than the required second.
+// A history of kHistoryMessages messages always covers more than the required one second.
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
@@ -55,8 +56,8 @@ inline constexpr std::int64_t kMaxDelayGrowthUs = 30'000;
 // time span over which the minimum offset is computed.
 inline constexpr std::uint64_t kSettledUs = 2 * kLostUs;
 
-// A residual larger than kMaxResidualMm is a jump. For the heading, the limit is the angle that
-// corresponds to 300 mm at kReachMm.
+// A residual larger than kMaxResidualMm counts as a jump. For the heading, the limit is the angle
+// that corresponds to 300 mm at kReachMm.
 inline constexpr std::int64_t kMaxResidualMm = 300;
 inline constexpr std::int64_t kAnglePerRadian = 683'565'276;  // 2^32 / (2 pi), rounded
 inline constexpr std::int64_t kMaxResidualAngle = kAnglePerRadian * kMaxResidualMm / kReachMm;

@@ -1,8 +1,6 @@
-// The pose message. The message consists of the SOME/IP and E2E headers that all messages have
+// The pose message, which consists of the SOME/IP and E2E headers that all messages have
 // (protection/protected_message.hpp), followed by 72 bytes of big-endian content. Each byte is
 // described in docs/spec.md, section 5.1.
-//
-// The sender and the target both use this file, so they use the same format.
 #pragma once
 
 #include <array>

@@ -15,14 +15,13 @@ struct Slice {
 
 class Slicing {
  public:
-  // `log2_ms` is from 0 to 6. A slice is 2^log2_ms milliseconds long.
+  // `log2_ms` is in the range 0 to 6. A slice is 2^log2_ms milliseconds long.
   explicit constexpr Slicing(std::uint8_t log2_ms = 3) : log2_ms_{log2_ms} {}
 
   [[nodiscard]] constexpr std::uint64_t slice_us() const { return std::uint64_t{1000} << log2_ms_; }
 
   // Returns the slice that contains a time. The start of a slice belongs to the slice, and its end
-  // belongs to the next one. If the middle or the end of a slice is beyond 2^64 us, it wraps
-  // around.
+  // belongs to the next one. If the middle or the end of a slice exceeds 2^64 us, it wraps around.
   [[nodiscard]] constexpr Slice slice_of(std::uint64_t time_us) const {
     const std::uint64_t number = time_us / slice_us();
     const std::uint64_t first_us = number * slice_us();

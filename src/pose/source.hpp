@@ -64,8 +64,8 @@ class Source {
   // See History. This function does not count causes.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // Returns the pose of a slice. If the slice has no pose, counts and returns the reason. Call
-  // place() once per slice.
+  // Returns the pose of a slice. If the slice has no pose, increments the counter for the reason
+  // and returns the reason. Call place() once per slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
   // Returns the number of datagrams with each outcome since start-up.
@@ -73,9 +73,9 @@ class Source {
   // Returns the number of slices since start-up for each reason why a slice has no pose. The entry
   // kNone counts the slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this is
-  // the middle of the first slice in a series of slices without a pose. For the other causes, see
-  // History.
+  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this time
+  // is the middle of the first slice in a series of slices without a pose. For the other causes,
+  // see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;
 

@@ -10,8 +10,8 @@
 
 namespace iog::pose {
 
-// Represents an unknown map transform. All values of this transform are zero, including the
-// standard deviations.
+// Represents an unknown map transform. All values of this transform, including its standard
+// deviations, are zero.
 inline constexpr MapTransform kNoMap{.sigma = {.position_mm = 0, .heading_10urad = 0}};
 
 void write(const Pose& pose, wire::ByteWriter& out);                        // 12 bytes

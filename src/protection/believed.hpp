@@ -9,8 +9,8 @@
 namespace iog::protection {
 
 // Returns true if the source address `ipv4` may send. `described_ipv4` is the sender's address in
-// the car file. `described_ipv4` is 0 if any address may send. The replayer may send on behalf of
-// any sender. If there is no replayer, replayer_ipv4 is 0.
+// the car file, or 0 if any address may send. The replayer may send on behalf of any sender. If
+// there is no replayer, replayer_ipv4 is 0.
 [[nodiscard]] constexpr bool may_send(std::uint32_t ipv4, std::uint32_t described_ipv4,
                                       std::uint32_t replayer_ipv4) {
   return described_ipv4 == 0 || described_ipv4 == ipv4 ||

@@ -25,7 +25,7 @@ namespace iog::protection {
 inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
 
 // The maximum length of a complete message. Automotive tools count the E2E header as part of the
-// SOME/IP payload. This payload stays below 1392 bytes, which is the maximum that SOME/IP
+// SOME/IP payload. This payload is less than 1392 bytes long, which is the maximum that SOME/IP
 // segmentation (TP) puts into one datagram.
 inline constexpr std::size_t kMaxMessageBytes = 1392;
 inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
@@ -71,7 +71,7 @@ class Receiver {
   constexpr explicit Receiver(const Channel& channel)
       : event_{channel.event}, checker_{channel.profile()} {}
 
-  // Processes a datagram, which may contain any bytes. If the header of the datagram is not for
+  // Processes a datagram, which may contain any bytes. If the datagram's header does not belong to
   // this channel, the state does not change.
   [[nodiscard]] Received receive(std::span<const std::byte> datagram);
 

@@ -1,5 +1,5 @@
 // The inverse sensor model across a wide beam, such as a radar beam. The model determines the
-// occupancy indexes that a detection gives to the cells on both sides of it.
+// occupancy indexes that a detection assigns to the cells on both sides of it.
 //
 // Along the beam, the model of single_target.hpp applies. If the target is in the direction of the
 // beam, its 1D cell k is occupied with probability P(o_k | z). The direction of the target has a
@@ -11,7 +11,7 @@
 //
 // With weight 1 - w_a, the target is elsewhere, and nothing is known about cell a:
 //
-//   P(o_a | z) = w_a P(o_k | z) + (1 - w_a) / 2.
+//   P(o_a | z) = w_a * P(o_k | z) + (1 - w_a) / 2.
 //
 // Cells in front of and behind the target get no index. A radar detects objects behind other
 // objects and around corners, and it does not report every object (docs/model.md, section 10).

@@ -1,8 +1,8 @@
 // The inverse sensor model of a single-target range sensor, according to Theorem 6 of the thesis
 // (page 91).
 //
-//   P(o_i | z) = ( sum_{h<i} p(z|d_h) 2^-h  +  p(z|d_i) 2^-(i-1) ) / alpha
-//   alpha      =   sum_h p(z|d_h) 2^-(h-1)
+//   P(o_i | z) = ( sum_{h<i} p(z|d_h) * 2^-h  +  p(z|d_i) * 2^-(i-1) ) / alpha
+//   alpha      =   sum_h p(z|d_h) * 2^-(h-1)
 //
 // p(z|d) is a Gaussian with standard deviation sigma around d, with the usual factor 1/2 in the
 // exponent. Equation 4.1 omits this factor, but Table 4.3 needs it (docs/model.md section 4).
@@ -36,7 +36,7 @@ struct SingleTarget {
 
  private:
   // Returns the number of cells to sum on each side. The powers of two shift the maximum term by
-  // sigma^2 ln 2 / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
+  // sigma^2 * ln(2) / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
   // maximum.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;

@@ -54,9 +54,9 @@ class GridSender {
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
 
-  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles. Each call
-  // protects and frames at most one message. Each call passes at most as many bytes to the port as
-  // the link transmits in 40 ms. `now_us` must not decrease.
+  // Call pump() once per loop iteration. Each call encodes at most kTilesPerPump tiles, protects
+  // and frames at most one message, and passes at most as many bytes to the port as the link
+  // transmits in 40 ms. `now_us` must not decrease.
   template <hal::SerialPort Port>
   void pump(std::uint64_t now_us, Port& port) {
     bucket_.refill(now_us, port.bytes_per_second());

@@ -13,7 +13,7 @@ inline constexpr std::uint8_t kInterfaceVersion = 5;
 inline constexpr std::uint16_t kServiceId = 0x4F47;  // "OG"
 
 // The event group that service discovery offers. The group contains all events of the network
-// channel. The minor version increases when fields are appended without a new major version.
+// channel. Appending fields increases only the minor version.
 inline constexpr std::uint16_t kEventGroup = 0x0001;
 inline constexpr std::uint32_t kMinorVersion = 0;
 
@@ -31,8 +31,8 @@ constexpr protection::Channel channel_of(std::uint16_t event_id, std::uint32_t d
 }
 inline constexpr protection::Channel kNetworkChannel = channel_of(0x8001, 0x494F4701);
 inline constexpr protection::Channel kSerialChannel = channel_of(0x8002, 0x494F4702);
-// The channel for the signatures of the messages on the network channel. This channel is used only
-// if the car has a key (authentication/stream_signer.hpp).
+// The channel that carries the signatures of messages sent on the network channel. This channel is
+// used only if the car has a key (authentication/stream_signer.hpp).
 inline constexpr protection::Channel kSignatureChannel = channel_of(0x8005, 0x494F4705);
 
 }  // namespace iog::stream

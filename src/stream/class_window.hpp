@@ -14,8 +14,8 @@
 
 namespace iog::stream {
 
-// The bits of ClassWindow::causes. Each bit reports an event since the previous frame. The values
-// are used on the wire. After a break, all cells of the window are unknown.
+// The bits of ClassWindow::causes. Each bit reports an event that occurred since the previous
+// frame. The values are used on the wire. After a break, all cells of the window are unknown.
 inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
 inline constexpr std::uint16_t kCauseLost = 0x0002;          // no pose for 1 s; break
 inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose too imprecise
@@ -28,7 +28,7 @@ inline constexpr std::uint16_t kCauseDrifting = 0x0080;      // poses arrive lat
 struct ClassWindow {
   std::uint16_t causes = 0;
   // The coordinates of the tile with the lowest x and y. In the local frame, tile (a, b) begins at
-  // x = a s and y = b s, where s is the side of a tile.
+  // `x = a * s` and `y = b * s`, where s is the side length of a tile.
   std::int32_t corner_a = 0;
   std::int32_t corner_b = 0;
   pose::Pose pose{};          // pose at the end of the last slice; zero if unknown
@@ -44,15 +44,14 @@ struct ClassWindow {
 };
 inline constexpr std::size_t kClassWindowBytes = 48;
 
-// Returns the area of the window. The number of a tile in messages does not change when the window
-// moves (window/area.hpp).
+// Returns the area of the window.
 [[nodiscard]] constexpr window::Area area_of(const ClassWindow& classes,
                                              window::Extent extent = {}) {
   return window::Area({.a = classes.corner_a, .b = classes.corner_b}, extent);
 }
 
 // A cell of a class tile contains a class and a confidence (docs/spec.md 3.9). A cell with the
-// value 0 is unknown and has the confidence 0.
+// value 0 is unknown and has a confidence of 0.
 inline constexpr std::uint8_t kClassCount = 9;
 inline constexpr std::uint8_t kSurenessCount = 8;
 

@@ -1,4 +1,4 @@
-// Selects the CRCs of the stream's content.
+// Selects the CRCs for the content of the stream.
 #pragma once
 
 #include "checksum/crc32.hpp"
@@ -9,7 +9,7 @@ namespace iog::stream {
 using checksum::Crc32;
 
 // GridCrc32 identifies a grid by its cells. The E2E protection uses the same CRC, so one pass over
-// a tile can serve both.
+// a tile can serve both purposes.
 using GridCrc32 = checksum::Crc32P4;
 
 }  // namespace iog::stream

@@ -11,7 +11,7 @@ namespace iog::stream {
 
 // A CRC-32 over the known tiles of the grid, sorted by tile y and then by tile x. For each tile,
 // the CRC covers its x and y as big-endian u16 and then its 1024 cells. A grid without known cells
-// has CRC 0.
+// has a CRC of 0.
 class GridHash {
  public:
   // `tile` is the tile's number in row-major order.

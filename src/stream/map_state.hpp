@@ -1,6 +1,6 @@
-// The map state at the end of a frame's classes (docs/spec.md 3.10). The map state describes the
-// block in use, the block's transform, the reasons why cells have no class from the map, and the
-// transfer of the next block.
+// The map state that is sent at the end of a frame's classes (docs/spec.md 3.10). The map state
+// describes the block in use, the block's transform, the reasons why cells have no class from the
+// map, and the transfer of the next block.
 #pragma once
 
 #include <array>

@@ -1,10 +1,9 @@
-// Defines the content of grid messages without the surrounding protection (stream/channel.hpp). All
-// values are big endian. The meaning of each byte is documented in docs/spec.md.
+// Defines the content of grid messages, excluding the surrounding protection (stream/channel.hpp).
+// All values are in big-endian order. The meaning of each byte is documented in docs/spec.md.
 //
 // Every message starts with the same header, which contains its own length and the message type. A
 // receiver skips header bytes that it does not know, and drops messages with unknown types,
-// encodings or storages. Later versions can therefore add fields and encodings. Tile messages are
-// defined in stream/tiles.hpp.
+// encodings or storage formats. Later versions can therefore add fields and encodings.
 #pragma once
 
 #include <array>
@@ -104,8 +103,8 @@ struct FrameEnd {
   std::int16_t temperature_dc = -0x8000;
 };
 
-// Looks up the counters of one component by name (stream/target_state.hpp). Returns nothing if the
-// sender is a PC, because a PC does not send these counters.
+// Looks up a component's counters by name (stream/target_state.hpp). Returns nothing if the sender
+// is a PC, because a PC does not send these counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);

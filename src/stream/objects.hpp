@@ -1,5 +1,5 @@
 // The messages that contain tracked objects (docs/spec.md 3.12). The object list of a frame is sent
-// in parts. Each part is one message.
+// in parts, with one message per part.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ inline constexpr std::uint16_t kNotBelieved = 65535;  // as a velocity's deviati
 inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
 // An object's box on the ground, and its motion. Positions and velocities are in the local frame.
-// The heading defines the direction "along", and "across" is to its left.
+// The heading defines the direction "along". The direction "across" is to the left of the heading.
 struct ObjectRecord {
   std::uint32_t id = 0;  // never 0 and never reused within a run
   ObjectState state = ObjectState::kYoung;
@@ -77,7 +77,7 @@ struct ObjectsHeader {
 // The objects of a frame, sorted by ascending ID.
 struct ObjectList {
   // The time of all positions, on the pose source's clock. If no slice was placed in this frame,
-  // the time is from an earlier frame. If the value is 0, the time is unknown and the list is
+  // the time comes from an earlier frame. If the value is 0, the time is unknown and the list is
   // empty.
   std::uint64_t time_us = 0;
   std::uint16_t tracks_refused = 0;
@@ -112,11 +112,12 @@ struct ObjectPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent in each of these cases:
-//   * The part number exceeds the number of parts, or the object count does not match the parts.
+// kInconsistent. A part is inconsistent in any of these cases:
+//   * The part number exceeds the number of parts, or the object count does not match the number of
+//     parts.
 //   * The part has objects but no time, or a record is truncated.
 //   * The IDs are not in ascending order.
-//   * A state is unknown, or the state excludes a velocity or standard deviation.
+//   * A state is unknown, or does not allow the record's velocity or standard deviation.
 [[nodiscard]] ReadStatus read_objects(std::span<const std::byte> body, ObjectPart& part);
 
 }  // namespace iog::stream

@@ -1,7 +1,7 @@
 // The messages that list the datagrams that a target received in a frame, with their times
 // (docs/spec.md 3.13). If the sensors and the pose source have different clocks, a PC needs the
-// reception times to reproduce the classes. The list of a frame is sent in parts. Each part is one
-// message.
+// reception times to reproduce the classes. The list of a frame is sent in parts, with one message
+// per part.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ struct Reception {
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload is shorter, the
-// CRC covers all of it. The datagrams of a sensor differ in their first or last bytes, which
-// contain a timestamp, a sequence number or measurements.
+// Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload is shorter than
+// that, the CRC covers all of it. The datagrams of a sensor differ in their first or last bytes,
+// which contain a timestamp, a sequence number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// The maximum number of receptions. This maximum exceeds the number of packets and poses stored for
-// a frame.
+// The maximum number of receptions, which exceeds the number of packets and poses stored for a
+// frame.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
 // The fields that are the same in all parts of a list.
@@ -64,7 +64,7 @@ struct ReceptionPart {
 };
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
-// kInconsistent. A part is inconsistent in each of these cases:
+// kInconsistent. A part is inconsistent in any of these cases:
 //   * The part number exceeds the number of parts.
 //   * The number of receptions is wrong for this part.
 //   * A record is truncated, or the times decrease.

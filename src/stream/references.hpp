@@ -1,4 +1,4 @@
-// Stores the reference tiles for difference encoding. The reference of a tile is its last
+// Stores the reference tiles for difference encoding. The reference of a tile is its latest
 // self-contained version. The sender and the receivers store the same tiles (docs/spec.md 3.4).
 #pragma once
 
@@ -30,19 +30,19 @@ class References {
             std::size_t payload_bytes);
 
   // Records the payload length of a tile that was sent as a difference from its reference. If this
-  // length exceeds seven eighths of the self-contained length, the tile is self-contained the next
-  // time it is sent. Sending it in this way makes the following frames shorter.
+  // length exceeds seven eighths of the self-contained length, the tile is sent in self-contained
+  // form the next time. The following frames are then shorter.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
   // Returns the stored reference of a tile. Returns nothing if no self-contained version of the
-  // tile was ever sent.
+  // tile has ever been sent.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
   // Returns the reference that a sender may use for a tile in a frame. Returns nothing if the
   // reference is too old, or if the tile has changed too much since the reference was sent. In
-  // addition, each tile is sent as a self-contained tile once every kMaxReferenceAge + 1 frames.
-  // The tile number determines in which frame this happens, so self-contained tiles are spread
-  // evenly over the frames.
+  // addition, each tile is sent in self-contained form once every kMaxReferenceAge + 1 frames. The
+  // tile number determines in which frame this happens, so self-contained tiles are spread evenly
+  // over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

@@ -25,7 +25,7 @@ struct Counter {
   return Group::kNet <= counter.group && counter.group <= Group::kCommand;
 }
 
-// Lists all counters of the table, in the order of the table.
+// Lists all counters in the table, in table order.
 inline constexpr auto kCounters = [] {
   constexpr std::string_view kBetween = ", ";
   constexpr std::size_t kCount = [=] {
@@ -79,7 +79,7 @@ using LinkCounters = std::array<std::uint32_t, kMaxLinkCounters>;
   return kPlaces[static_cast<std::size_t>(counter - kCounters.begin())];
 }
 
-// Returns the names of the counters in a group, in order.
+// Returns the names of a group's counters, in order.
 template <Group kGroup>
 [[nodiscard]] consteval auto names_of() {
   constexpr auto kCount = std::ranges::count(kCounters, kGroup, &Counter::group);
@@ -103,14 +103,14 @@ template <Group kGroup>
   return i;
 }
 
-// Returns the index of the first word of a link counter. If the name is not in the table, the code
-// does not compile.
+// Returns the index of the first word of a link counter. The code does not compile if the name is
+// not in the table.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
   return kPlaces[number_of(name)];
 }
 
-// Returns the index of each word of `Counts`. `Counts` is a struct that contains only 32-bit words.
-// `Counts::kNames` lists the names of its members in order.
+// Returns the indexes of all words of `Counts`. `Counts` is a struct that contains only 32-bit
+// words, and `Counts::kNames` lists the names of its members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -126,7 +126,7 @@ template <typename Counts>
 }
 
 // Returns true if each link counter belongs to exactly one of these structs and no spare word
-// belongs to any of them.
+// belongs to any struct.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. Returns nothing unless all counters in `Counts` are among the
-// first `sent` link counters.
+// Reads the counters in `Counts`. Returns nothing if any counter in `Counts` is not among the first
+// `sent` link counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

@@ -1,6 +1,6 @@
 // The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
-// covers, and the content of the known tiles in this range. If a covered tile has no content, the
-// tile is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
+// covers, and the content of the known tiles in this range. A tile in this range that has no
+// content is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// Returns the geometry of one quadtree level. The grid has the size of the firmware's grid memory.
+// Returns the geometry of one quadtree level. The grid is the size of the firmware's grid memory.
 // Level 0 contains the cells, and level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level,
                                                    const geometry::Grid& grid = {}) {
@@ -99,7 +99,7 @@ struct Geometry {
   return geometry;
 }
 
-// Returns the extent of the window with this geometry, or nothing if no car can have it.
+// Returns the extent of the window with this geometry, or nothing if no car can have such a window.
 [[nodiscard]] constexpr std::optional<window::Extent> extent_of(const Geometry& geometry) {
   const auto tiles = [](std::uint16_t cells) {
     return static_cast<std::uint8_t>(cells / geometry::kTileSide);
@@ -128,8 +128,8 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
 // Composes tile messages one at a time, with free space for the protection header at the start.
 class TilesWriter {
  public:
-  // Starts a grid and its first message at tile 0. `header` is the header of the frame. The type
-  // and sequence number of the frame header are ignored.
+  // Starts a grid and its first message at tile 0. `header` is the header of the frame, whose type
+  // and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered as in window/area.hpp.
   void begin_classes(const Header& header, const ClassWindow& window,
@@ -194,7 +194,7 @@ class TileRecords {
 };
 
 // Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. A message is
-// inconsistent in each of these cases:
+// inconsistent in any of these cases:
 //   * The message covers tiles outside its grid, or contains a tile that it does not cover.
 //   * The message repeats a tile, or contains a tile longer than a raw tile.
 //   * The number of tiles is wrong.

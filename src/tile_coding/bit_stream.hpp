@@ -9,8 +9,8 @@
 
 namespace iog::tile_coding {
 
-// The buffer must be large enough for all written bits. The caller computes the required size in
-// advance.
+// The buffer must be large enough to hold all the bits written. The caller computes the required
+// size in advance.
 class BitWriter {
  public:
   explicit constexpr BitWriter(std::span<std::byte> buffer)
@@ -48,8 +48,7 @@ class BitWriter {
   unsigned free_ = 32;      // number of free bits in word_
 };
 
-// If a read extends beyond the end, it returns bits with the value 0, and ok() is false from then
-// on.
+// A read beyond the end returns zero bits and makes ok() return false from then on.
 class BitReader {
  public:
   explicit constexpr BitReader(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -74,7 +73,7 @@ class BitReader {
     return value;
   }
 
-  // Returns true if only the zero padding of the last byte is left.
+  // Returns true if nothing but the zero padding of the last byte is left.
   [[nodiscard]] constexpr bool ends_here() {
     const std::size_t padding = bytes_.size() * 8 - position_;
     return ok_ && padding < 8 && bits(static_cast<unsigned>(padding)) == 0;

@@ -1,4 +1,4 @@
-// Combines the symbols of runs into large numbers.
+// Combines the symbols of several runs into one large number.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ inline constexpr std::uint8_t kLowestSymbol = 1;
 //
 // Symbols must not exceed kLowestSymbol + alternatives, and adjacent runs must have different
 // symbols. The last word may be padded with kLowestSymbol. `alternatives` must be between 2 and
-// kMostAlternatives. The size of the buffer must be a multiple of four words. Words after the span
-// may be overwritten.
+// kMostAlternatives. The buffer size must be a multiple of four words. Words after the span may be
+// overwritten.
 void make_numbers(std::span<std::uint32_t> fours, std::uint32_t alternatives);
 
 }  // namespace iog::tile_coding

@@ -1,7 +1,7 @@
 // Encodes the cells of a tile for sending.
 //
-// A payload never exceeds the 1024 bytes of the raw encoding. Encoding takes a few passes over the
-// cells and two passes over the runs, so its time is bounded for any content.
+// A payload is never longer than the 1024 bytes of the raw encoding. Encoding takes a few passes
+// over the cells and two passes over the runs, so its time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -35,13 +35,13 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Encodes tiles. The object contains the intermediate data of an encoding, which would take up too
-// much of the stack.
+// Encodes tiles. The object holds the intermediate data of an encoding, which would take up too
+// much stack space.
 class Encoder {
  public:
   // Encodes a tile. Writes kRunStartsSince if a reference is given, and kRunStarts otherwise. If
-  // the result could be longer than the raw encoding, writes kRaw instead. The reference is at most
-  // 255 frames old. No cell may have the value -128.
+  // the result could be longer than the raw encoding, writes kRaw instead. The reference must be at
+  // most 255 frames old. No cell may have the value -128.
   [[nodiscard]] EncodedTile encode(TileCells cells, std::uint32_t frame_number,
                                    const std::optional<Reference>& reference,
                                    MutableTileCells payload);

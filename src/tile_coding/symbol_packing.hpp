@@ -1,11 +1,11 @@
 // Packs symbols with n alternatives into large numbers.
 //
-// A symbol contains log2 n bits, which is rarely an integer. Several symbols are therefore combined
-// as the digits of one number in base n, with the most significant digit first. The number of these
-// symbols is the largest multiple of four that fits. Each number is stored with as many bits as its
-// largest possible value needs. The last number of a tile contains the remaining symbols, padded
-// with zeros to a multiple of four. The last number needs no more bits than its groups of four
-// would need separately.
+// A symbol contains log2(n) bits of information, which is rarely a whole number. Several symbols
+// are therefore combined as the digits of one number in base n, with the most significant digit
+// first. The number of combined symbols is the largest multiple of four that fits. Each number is
+// stored in as many bits as its largest possible value requires. The last number of a tile contains
+// the remaining symbols, padded with zeros to a multiple of four. The last number needs no more
+// bits than its groups of four symbols would need separately.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ struct Packing {
   }
 };
 
-// The table is indexed by the number of alternatives. If there is a single alternative, it contains
-// no information and takes no bits.
+// The table is indexed by the number of alternatives. If there is only one alternative, a symbol
+// contains no information and takes no bits.
 inline constexpr std::size_t kPackingCount = 216;
 static_assert(kPackingCount == kMostAlternatives + 1);
 

@@ -14,7 +14,7 @@ using geometry::kTileSide;
 using geometry::kTileSideLog2;
 inline constexpr std::size_t kTileBytes = geometry::kTileCells;
 
-// An index is from -127 to +127. The byte value of -128 never occurs.
+// An index is in the range -127 to +127. The byte value -128 never occurs.
 inline constexpr std::byte kNoIndex{0x80};
 
 using TileCells = std::span<const std::byte, kTileBytes>;

@@ -22,9 +22,9 @@ class TileRuns {
   // Finds the runs of a tile. If no reference is given, the tile is compared with the unknown tile.
   void find(TileCells cells, const std::optional<TileCells>& reference);
 
-  // Returns one byte per run, in the order of the runs. The byte is the value of the run. If the
-  // run equals the reference, the byte is as_reference(). If a run at the beginning of the tile
-  // equals the reference, it is omitted. The last word is padded with as_reference().
+  // Returns one byte per run, in the order of the runs. The byte is the value of the run, or
+  // as_reference() if the run equals the reference. A run at the beginning of the tile is omitted
+  // if it equals the reference. The last word is padded with as_reference().
   [[nodiscard]] std::span<const std::uint32_t> fours() const {
     return std::span(values_).first((count_ + 3) / 4);
   }
@@ -32,7 +32,7 @@ class TileRuns {
 
   // Writes the positions at which runs start. The positions are written in blocks that are four
   // cells wide and two rows high. The output starts with one bit per block. The bit is set if a run
-  // starts in the block. After these bits, there is one byte for each block whose bit is set, with
+  // starts in the block. These bits are followed by one byte for each block whose bit is set, with
   // one bit per cell. Blocks and cells are in row-major order, starting at the lowest bit. Returns
   // the number of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;

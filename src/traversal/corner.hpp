@@ -1,13 +1,13 @@
-// Finds lines that meet no corner between cells after their start. Every step of the walk along
-// such a line crosses exactly one border.
+// Finds lines that do not pass through a corner between cells after their start. Every step of the
+// walk along such a line crosses exactly one border.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
-// are S + k (w_x, w_y) / d for k = 0 ... d. Such a point is a corner if f + k w / d = 0 (mod r) on
-// both axes. A line that meets a corner therefore satisfies all of the following conditions:
+// are S + k * (w_x, w_y) / d for k = 0 ... d. Such a point is a corner if f + k * w / d = 0 (mod r)
+// on both axes. A line that meets a corner therefore satisfies all of the following conditions:
 //   * Both w_x and w_y are above 0, because a line along an axis stays either inside a row or on
 //     the lower border of a row.
-//   * f_y w_x = f_x w_y (mod r). This condition follows from the condition for a corner by
+//   * f_y * w_x = f_x * w_y (mod r). This condition follows from the condition for a corner by
 //     eliminating k.
 //   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the first step crosses the corner, and
 //     the line crosses no other corner at its start. If 1 <= k <= d, w_x / d and w_y / d have no

@@ -6,32 +6,33 @@
 // these axes are w_u >= w_v, in subcells. The side of a cell is r subcells. Let e_c be the error
 // term of the walk (traversal/walk.hpp) at the point where the line enters column c, with u as the
 // column axis. The line rises in that column if and only if e_c >= 0. The next error term is
-//     e_{c+1} = e_c + r w_v - (it rises ? r w_u : 0).
+//     e_{c+1} = e_c + r * w_v - (it rises ? r * w_u : 0).
 //
 // The walk can be computed as a rotation because all e_c are equal modulo r. Let y_c = floor(e_c /
 // r) + w_u - w_v. The line then rises if y_c + w_v >= w_u. The next value is y_{c+1} = y_c + w_v,
-// minus w_u if the line rises. So y is taken modulo w_u, and the line rises whenever y wraps. The
-// value y_c / w_u is the height of the line above the bottom of its row at the left side of column
-// c.
+// minus w_u if the line rises. In other words, y is taken modulo w_u, and the line rises whenever y
+// wraps around. The value y_c / w_u is the height of the line above the bottom of its row at the
+// left side of column c.
 //
 // The rotation can be computed in 32 bits. Scaled by 2^32 / w_u, the rotation is an addition of
 // 32-bit words in which a carry indicates a rise:
-//     phase = floor(2^32 y / w_u) + 1,   step = floor(2^32 w_v / w_u) + 1.
+//     phase = floor(2^32 * y / w_u) + 1,   step = floor(2^32 * w_v / w_u) + 1.
 // `phase` and `step` are too large by at most 1, and never too small. After n columns, the phase
 // therefore exceeds the exact phase by at most n + 1. No carry is missed. The value y is an integer
 // that is at most w_u - 1 in a column without a carry. No false carry therefore occurs while the
 // excess is below 2^32 / w_u. This requires
-//     (n + 1) w_u < 2^32.
+//     (n + 1) * w_u < 2^32.
 // Use most_columns() to check this condition. If w_u = w_v, the line rises in every column, and the
 // step would be 2^32. The phase is then 2^31 and the step 2^32 - 1, so that the sum also carries in
 // each of 2^31 columns.
 //
-// Borders: A line that meets no corner (traversal/corner.hpp) has no e_c = 0 after its start. The
-// start of a line may be on a border. If the start is on the lower or left border of its cell, all
-// of the above still holds. If the start is on the upper left corner, the line is just below the
-// upper border of its row when it enters its first column. Using floor((e - 1) / r) keeps the line
-// in that row. If the start is on the upper right corner, e_0 = 0, and the line rises in the first
-// column. The computed line then enters the cell above, although the exact line does not.
+// Borders: A line that does not pass through a corner (traversal/corner.hpp) has no e_c = 0 after
+// its start. The start of a line may be on a border. If the start is on the lower or left border of
+// its cell, all of the above still holds. If the start is on the upper left corner, the line is
+// just below the upper border of its row when it enters its first column. Using floor((e - 1) / r)
+// keeps the line in that row. If the start is on the upper right corner, e_0 = 0, and the line
+// rises in the first column. The computed line then enters the cell above, although the exact line
+// does not.
 #pragma once
 
 #include <cstdint>

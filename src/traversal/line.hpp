@@ -1,6 +1,6 @@
 // The line of a beam on the grid, computed in integers. A Line computes the points at which the
-// line crosses cell borders. A Line also computes the number of borders crossed up to any fraction
-// of its length.
+// line crosses cell borders, and the number of borders crossed up to any fraction of the line's
+// length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -8,7 +8,7 @@
 // increase in its direction.
 //
 // Position: A cell of a line is identified by the numbers of column borders (x) and row borders (y)
-// that the line has crossed before the cell. The sum of both numbers, `crossed`, increases along
+// that the line has crossed before the cell. The sum of the two numbers, `crossed`, increases along
 // the line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
 // cells, so `crossed` increases by two. All positions returned by these functions are cells that
 // the line actually enters.
@@ -132,7 +132,7 @@ class Axis {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
 
-  // Returns the distance from S to the next border after n crossings: (n + 1) r - offset.
+  // Returns the distance from S to the next border after n crossings: (n + 1) * r - offset.
   [[nodiscard]] constexpr std::int64_t to_border(std::uint32_t n) const {
     return (std::int64_t{n} + 1) * kResolution - offset_;
   }
@@ -182,7 +182,7 @@ class Line {
 
   [[nodiscard]] constexpr Position before_end() const { return {x_.before_end(), y_.before_end()}; }
 
-  // Returns the error term of the walk at a position. The sign of the error term shows on which
+  // Returns the error term of the walk at a position. The sign of the error term indicates on which
   // side of the line the next corner is. If the error term is negative, the line crosses the column
   // border first. If the error term is positive, the line crosses the row border first. If the
   // error term is 0, the line crosses the corner itself.
@@ -230,7 +230,7 @@ class Line {
   }
 
   // The limit is larger than the number of borders that any line crosses, but small enough that
-  // adding one does not overflow.
+  // adding one to it does not overflow.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;

@@ -1,22 +1,22 @@
-// Counts the borders that a line has crossed up to a given distance, with one multiplication per
+// Counts the borders that a line has crossed up to a given distance, using one multiplication per
 // axis. These counts are needed for the scan point of a beam and for the start of each zone of its
 // profile.
 //
 // Exact result: At distance z, the line has crossed floor(T) borders of one axis, where
-//     T = (f L + z w) / (r L),
+//     T = (f * L + z * w) / (r * L),
 // f is the offset of the start in its cell, w is the length of the line on this axis in subcells,
 // and L is the total length of the line in millimetres. Line::through(z) computes this result.
 //
-// Estimate: The ruler estimates T as base + z slope, in units of 2^-32 borders, where
-//     base  = floor(f 2^32 / r), but at most 2^32 - 1
-//     slope = floor(w q / (r 2^e)),   q = floor(2^(32 + e) / L).
+// Estimate: The ruler estimates T as base + z * slope, in units of 2^-32 borders, where
+//     base  = floor(f * 2^32 / r), but at most 2^32 - 1
+//     slope = floor(w * q / (r * 2^e)),   q = floor(2^(32 + e) / L).
 // Here, q and e are the inverse and the exponent of LineLength. All values are rounded down, so the
 // estimate is never too large.
 //
 // Error: base is too small by at most 1. The error of slope has two parts. The rounding of the
-// slope itself contributes less than 1, and the rounding of q contributes less than w / (r 2^e). A
-// cell is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In
-// total, the estimate is too small by at most 1 + 2 z. For z < 2^18, the error of the estimate is
+// slope itself contributes less than 1, and the rounding of q contributes less than w / (r * 2^e).
+// A cell is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In
+// total, the estimate is too small by at most 1 + 2 * z. For z < 2^18, the error of the estimate is
 // below kSlack = 2^20.
 //
 // The integer part of the estimate is therefore exact if its fraction is at least kSlack below the

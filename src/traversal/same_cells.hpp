@@ -1,24 +1,24 @@
 // Decides whether two lines with the same start cross the same cells. Lines that cross the same
 // cells can be carved in one walk. At a given azimuth, the lines of a lidar's layers are nearly
-// identical. The lines of the layers differ only in length and in the rounding of their ends.
+// identical. These lines differ only in length and in the rounding of their ends.
 //
 // Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
 // corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =
-// X A_y - Y A_x and e_B = X B_y - Y B_x. With c = A_x B_y - A_y B_x, A = A_x + A_y and B = B_x +
-// B_y,
-//     A e_B = B e_A + (X + Y) c.
+// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. With c = A_x * B_y - A_y * B_x, A = A_x + A_y and
+// B = B_x + B_y,
+//     A * e_B = B * e_A + (X + Y) * c.
 // After n common borders, the next borders of the two lines can differ only if e_A and c have
-// opposite signs and B |e_A| <= (X + Y) |c|, where X + Y <= (n + 2) r. The last condition defines a
-// narrow strip next to 0. As long as no error term of A lies in the strip, B crosses the same
-// borders as A.
+// opposite signs and B * |e_A| <= (X + Y) * |c|, where X + Y <= (n + 2) * r. The last condition
+// defines a narrow strip next to 0. As long as no error term of A lies in the strip, B crosses the
+// same borders as A.
 //
-// How the strip is searched: A column step adds r A_y to the error term of A, and a row step
-// subtracts r A_x. Modulo r A, each term is therefore the previous term plus r A_y. If the terms
-// are divided by r and rounded down, each step adds A_y modulo A, so the terms form a rotation. Let
-// t = floor((n + 2) |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in [-1 - t, -1] if
-// c > 0. Mirroring x to -1 - x reduces the second case to the first, with a rotation by A_x. A
-// variant of Euclid's algorithm finds, in about ten steps, the first time that a rotation enters
-// [0, t].
+// How the strip is searched: A column step adds r * A_y to the error term of A, and a row step
+// subtracts r * A_x. Modulo r * A, each term is therefore the previous term plus r * A_y. If the
+// terms are divided by r and rounded down, each step adds A_y modulo A, so the terms form a
+// rotation. Let t = floor((n + 2) * |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
+// [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
+// rotation by A_x. A variant of Euclid's algorithm finds, in about ten steps, the first time that a
+// rotation enters [0, t].
 //
 // Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
 // < 2^12, because lines in different directions are not worth examining further.
@@ -33,8 +33,8 @@
 
 namespace iog::traversal {
 
-// Several steps of a rotation that together turn the value up or down. `angle` is the total angle
-// of the combined steps.
+// Several steps of a rotation, combined into one turn that moves the value up or down. `angle` is
+// the total angle of the combined steps.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
@@ -48,14 +48,15 @@ struct Turn {
 
 // Finds the first term of a rotation whose value is at most `threshold` and returns its number.
 // Returns `limit` if the first `limit` terms are all greater than `threshold`. The rotation starts
-// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, this is the same as
-// moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
+// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, such a step is the same
+// as moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
 // The first term that is at most `threshold` is smaller than all terms before it. From each such
 // minimum, the first downward turn by at most x leads to the next one. As in Euclid's algorithm,
-// shorter and shorter downward turns are found. For this, the shortest upward turn so far is
-// subtracted from the shortest downward turn so far, and vice versa. The angles of both turns add
-// up to at most a full circle, and so do the numbers of their steps, so nothing overflows.
+// shorter and shorter downward turns are found. To find these turns, the shortest upward turn so
+// far is subtracted from the shortest downward turn so far, and vice versa. The angles of both
+// turns add up to at most a full circle, and so do the numbers of their steps, so nothing
+// overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {
@@ -94,8 +95,8 @@ struct Turn {
 
 // Returns true if `a` and `b` cross the same cells up to and including their first `borders`
 // borders. A result of true is certain, but a result of false may be wrong. Both lines must start
-// at the same point. Line `a` must meet no corner after its start. If the lines start on a corner,
-// both must cross this corner first.
+// at the same point. Line `a` must not pass through a corner after its start. If the lines start on
+// a corner, both must cross this corner first.
 template <std::int32_t kResolution>
 [[nodiscard]] constexpr bool same_cells(const Line<kResolution>& a, const Line<kResolution>& b,
                                         std::uint32_t borders) {

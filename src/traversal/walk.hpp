@@ -45,7 +45,7 @@ class Walk {
     }
   }
 
-  // Advances in the same way as until(), without visiting cells.
+  // Advances as until() does, but without visiting cells.
   void skip_until(std::uint32_t end) {
     while (crossed_ < end) {
       step();

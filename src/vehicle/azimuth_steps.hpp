@@ -2,16 +2,16 @@
 //
 // Azimuth t is one of T ticks per turn. The azimuth is rounded to the nearest of N steps, and ties
 // are rounded up:
-//     floor(t N / T + 1 / 2).
+//     floor(t * N / T + 1 / 2).
 // If the result is a full turn, the step is 0. If N = T, the steps are the ticks.
 //
 // The code needs only one 32 x 32-bit multiplication. Let s be the largest number for which m =
-// ceil(2^(16 + s) N / T) < 2^32. Then the value of
-//     floor((2^16 t m + 2^(31 + s)) / 2^(32 + s))
+// ceil(2^(16 + s) * N / T) < 2^32. Then the value of
+//     floor((2^16 * t * m + 2^(31 + s)) / 2^(32 + s))
 // equals that step. Proof: m is too large by less than 1, so the quotient is too large by less than
 // t / 2^(16 + s). Let T' = T / gcd(T, N). Before rounding down, the exact value is a multiple of 1
-// / 2T'. The error therefore has no effect if (T - 1) 2T' <= 2^(16 + s). The function is_valid()
-// checks this condition and checks that no word overflows.
+// / (2 * T'). The error therefore has no effect if (T - 1) * 2 * T' <= 2^(16 + s). The function
+// is_valid() checks this condition and checks that no word overflows.
 #pragma once
 
 #include <cstdint>

@@ -54,7 +54,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, including both ends. It may be empty.
+// An interval of ranges in mm, including both ends. The interval may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;
@@ -142,7 +142,7 @@ struct Classification {
 // These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// Returns the ranges in the band at which a return is tall, as defined by Sensor::moved.
+// Returns the ranges at which a return is within the band and tall, as defined by Sensor::moved.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
@@ -212,7 +212,7 @@ template <typename HeightAt>
 }
 
 // Returns the part of a beam that is inside a height band, between the beam's origin and reach_mm
-// <= L. `end_z` is the height of the beam's end. The band includes its limits.
+// <= L. `end_z` is the height of the beam's end. The limits of the band are inclusive.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 

@@ -1,7 +1,7 @@
 // Derives some members of a sensor from its other members. The loops use the derived members, which
 // are reciprocals, sines, and the extents of the car and the height band along the sensor's lines.
-// The code uses only integers. The code runs on the PC for a car file, and on the target for the
-// car in its image.
+// The code uses only integers, and runs on the PC for a car file and on the target for the car in
+// its image.
 #pragma once
 
 #include <algorithm>
@@ -93,8 +93,8 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 }
 
 // Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// one of these sensors is mounted above its limit for low beams. If a sensor with a limit for tall
-// returns follows the ground, increases the distance within which a hit needs a tall return.
+// one of these sensors is mounted above its limit for low beams. Increases the distance within
+// which a hit needs a tall return if any sensor with a limit for tall returns follows the ground.
 // Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {

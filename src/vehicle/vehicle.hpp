@@ -1,6 +1,6 @@
-// Describes a vehicle on the target, using only integers. The PC computes this description from a
-// car file (tools/car). The target reads the description from the block in its image
-// (src/car_block).
+// The target's description of a vehicle, which contains only integers. The PC computes this
+// description from a car file (tools/car). The target reads the description from the block in its
+// image (src/car_block).
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ inline constexpr std::size_t kMaxTurnLines = 8192;
 inline constexpr int kAxisFractionBits = 10;
 
 // One coordinate of the end of a layer's beams, as a function of the azimuth `a` of the beam:
-//   end = base + forward cos a + left sin a      in units of 2^-10 subcells.
+//   end = base + forward * cos(a) + left * sin(a)      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
   std::int32_t forward = 0;
@@ -52,9 +52,9 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// Returns the horizontal range. The horizontal range is range_mm times the share, rounded down. The
-// share is in units of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is
-// the upper word of one 32 x 32-bit product.
+// Returns the horizontal range, which is range_mm times the share, rounded down. The share is in
+// units of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is the upper word
+// of one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
   const std::uint32_t scaled = range_mm << (32 - numeric::kSineFractionBits);
   const std::uint64_t product = std::uint64_t{scaled} * share;
@@ -78,14 +78,14 @@ struct Layer {
 };
 
 // The limits of a region along one axis. A point on a beam is inside if the product of the beam's
-// extent in subcells and the range in mm is between these limits. Both limits are included.
+// extent in subcells and the range in mm is between these limits. Both limits are inclusive.
 struct RangeProducts {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
 // A return is an obstacle if its height above the ground is between these limits (docs/ground.md).
-// Both limits are included. If the limits are not set, the sensor does not follow the ground and
+// Both limits are inclusive. If the limits are not set, the sensor does not follow the ground and
 // uses its vehicle's height band.
 struct GroundLimits {
   std::uint16_t low_mm = 0;
@@ -100,8 +100,8 @@ struct GroundLimits {
 // otherwise. By default, every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
-  // If the sensor follows the ground, a beam below this height opens no cells because it may pass
-  // under a stationary car.
+  // If the sensor follows the ground, a beam below this height does not open cells, because it may
+  // pass under a stationary car.
   static constexpr std::uint16_t kUnderCarsMm = 300;
 
   std::uint16_t low_mm = kAnyHeight;
@@ -110,7 +110,7 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// The limits of the height above the car's plane, in subcells. Both limits are included.
+// The limits of the height above the car's plane, in subcells. Both limits are inclusive.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -160,7 +160,7 @@ struct Sensor {
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
   std::array<std::int32_t, kMaxLayers> elevations{};  // only for a sensor that sends points
 
-  // Returns the description of the unit, with views of this sensor's members.
+  // Returns the unit's description, whose views refer to members of this sensor.
   [[nodiscard]] constexpr lidar::Unit unit() const {
     return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
             .elevations = std::span(elevations).first(layer_count),

@@ -2,12 +2,12 @@
 // frame.
 //
 // Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
-// b) contains the cells for which i / 32 and j / 32, rounded down, are a and b. The slot of tile
-// (a, b) is 32 (b mod 32) + a mod 32. The slot does not depend on the position of the window, so no
-// data is moved when the window moves. In messages, the tiles of a window of c by r tiles are
-// numbered c (b mod r) + a mod c, which is the slot if c and r are 32. Coordinates of the local
-// frame are int32 millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For cells
-// of 0.2 m and 0.5 m, they are closer to 0.
+// b) contains the cells with a = floor(i / 32) and b = floor(j / 32). The slot of tile (a, b) is
+// `32 * (b mod 32) + a mod 32`. The slot does not depend on the position of the window, so no data
+// is moved when the window moves. In messages, the tiles of a window of c by r tiles are numbered
+// `c * (b mod r) + a mod c`, which is the slot if c and r are 32. Coordinates of the local frame
+// are int32 values in millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For
+// cells of 0.2 m and 0.5 m, tile numbers are closer to 0.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,15 @@ inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcro
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
 inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
 
-// A tile of the local frame, or a tile of the window counted from the window's lowest corner.
+// The number of a tile, counted from the origin of the local frame or from the window's lowest
+// corner.
 struct TileNumber {
   std::int32_t a = 0;
   std::int32_t b = 0;
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
-// The sides of a window in tiles, along x and y of the local frame.
+// The side lengths of a window along x and y of the local frame, in tiles.
 struct Extent {
   std::uint8_t columns = kTilesAcross;
   std::uint8_t rows = kTilesAcross;
@@ -41,7 +42,7 @@ struct Extent {
   [[nodiscard]] constexpr geometry::CellArea cells() const {
     return {columns * kTileSide, rows * kTileSide};
   }
-  // At least a tile must remain on each side of the car.
+  // At least one tile must remain on each side of the car.
   [[nodiscard]] constexpr bool is_allowed() const {
     return columns >= 4 && columns <= kTilesAcross && rows >= 4 && rows <= kTilesAcross;
   }
@@ -71,14 +72,14 @@ class Area {
   explicit constexpr Area(TileNumber corner, Extent extent = {})
       : corner_(corner), extent_(extent) {}
 
-  // Returns the area whose middle is as near as possible to a cell.
+  // Returns the area that is centred as closely as possible on a cell.
   [[nodiscard]] static constexpr Area around(geometry::Cell cell, Extent extent = {}) {
     return Area({first_around(cell.x, extent.columns), first_around(cell.y, extent.rows)}, extent);
   }
 
-  // Returns the area after it has followed a cell. On each axis, the area moves if the cell is more
-  // than one tile away from the middle. With 32 tiles of cells of 0.1 m, at least 48 m therefore
-  // remain on each side, and noise at a tile border does not move the area.
+  // Returns the area after it has been moved to follow a cell. On each axis, the area moves if the
+  // cell is more than one tile away from the middle. With 32 tiles and cells of 0.1 m, at least 48
+  // m therefore remain on each side, and noise at a tile border does not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell, extent_).corner_;
     return Area({is_near_middle(corner_.a, cell.x, extent_.columns) ? corner_.a : centred.a,

@@ -1,7 +1,7 @@
-// Stores the bit rows of a tile with a margin from its eight neighbours. Neighbourhood operations
-// process 32 cells at once. Each word represents a row.
+// Stores the rows of a tile as bits, with a margin from the tile's eight neighbours. Neighbourhood
+// operations process 32 cells at once. Each word represents a row.
 //
-// Bit 16 is cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
+// Bit 16 represents cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
 // neighbours. There are eight additional rows below the tile and eight above it. An operation on
 // squares of radius r invalidates r cells and r rows at the border. The tile's own bits are
 // therefore correct as long as the sum of the radii is at most 8.
@@ -81,8 +81,8 @@ inline Rows joined(const Rows& a, const Rows& b) {
   return out;
 }
 
-// Combines each cell with the kRadius cells on each side of it in its row. Runs of two cells, and
-// then of four cells, are combined first, so that seven cells need only three steps.
+// Combines each cell with the kRadius cells on each side of it in its row. Cells are first combined
+// in runs of two and then in runs of four, so that seven cells need only three steps.
 template <typename Join, int kRadius>
 inline RowPair over_runs(RowPair one) {
   constexpr int kSide = 2 * kRadius + 1;
@@ -92,8 +92,8 @@ inline RowPair over_runs(RowPair one) {
   return Join::of(most, most.template down<kSide - kMost>()).template up<kRadius>();
 }
 
-// Combines each cell with all cells of the surrounding square, whose side length is 2 kRadius + 1.
-// `kRadius` is from 1 to 3. The outermost kRadius rows are set to zero.
+// Combines each cell with all cells of the surrounding square, whose side length is 2 * kRadius +
+// 1. `kRadius` must be 1, 2 or 3. The outermost kRadius rows are set to zero.
 template <typename Join, int kRadius>
 inline Rows over_squares(const Rows& in) {
   static_assert(kRadius >= 1 && kRadius <= 3);
@@ -128,8 +128,8 @@ inline Rows eroded(const Rows& in) {
   return over_squares<And, kRadius>(in);
 }
 
-// The following overloads take a radius from 1 to 3 as an argument because it depends on the size
-// of the cells.
+// The following overloads take a radius from 1 to 3 as an argument because the radius depends on
+// the cell size.
 inline Rows dilated(const Rows& in, int radius) {
   return radius == 1 ? dilated<1>(in) : radius == 2 ? dilated<2>(in) : dilated<3>(in);
 }

@@ -1,8 +1,8 @@
 // One tile of the window in memory, with 32 by 32 cells aligned to the local frame.
 //
-// An unknown tile contains only zeros, with two exceptions. First, the masses of groups that were
-// never aged are undefined. A tile can therefore be cleared without writing the masses. Second, the
-// map content is kept.
+// An unknown tile contains only zeros, with two exceptions. First, the masses of groups that have
+// never been aged are undefined. A tile can therefore be cleared without writing the masses.
+// Second, the map content is kept.
 #pragma once
 
 #include <array>
@@ -64,8 +64,8 @@ struct Tile {
     return aged_at[group] != ageing::Clock::kNever;
   }
 
-  // Returns the classes that the map rules out in a group. The other groups of its row follow in
-  // memory. If the target has no map, this function avoids reading a kilobyte of zeros.
+  // Returns the classes that the map rules out in a group. The remaining groups of the same row
+  // follow in memory. If the target has no map, this function avoids reading a kilobyte of zeros.
   [[nodiscard]] const decision::RuledOut& ruled_out_in(std::size_t group) const {
     if (!has_ruled_out) {
       return kNothingRuledOut[group % kGroupsPerRow];
@@ -76,24 +76,24 @@ struct Tile {
   // Masses are stored row by row from the lowest y, like all arrays that are indexed by group.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // The class bytes are stored separately from the masses because sending the classes reads only
-  // the class bytes.
+  // The class bytes are stored separately from the masses because only the class bytes are read
+  // when classes are sent.
   std::array<decision::Decided, kGroupsPerTile> decided{};
   // The classes that the map rules out, even for unknown cells. The value is 0 where the map has no
   // information.
   TileRuledOut ruled_out{};
-  // For each group, the clock slots of its last ageing and of its last evidence (ageing/clock.hpp).
-  // Both slots are kNever if the group is unknown. If the last evidence is too old, its slot is
-  // also kNever.
+  // For each group, the clock slots of the frames in which it was last aged and last had evidence
+  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. If the last evidence is too
+  // old, its slot is also kNever.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
-  // True if the group is known and all values of its `taken` are 0.
+  // True if the group is known and all of its `taken` values are 0.
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
   // True if `ruled_out` has any non-zero value.
   bool has_ruled_out = false;
-  // The bit of a cell is set if a low beam has freed it since the tile became known, and if no
+  // A cell's bit is set if a low beam has freed the cell since the tile became known and no
   // stationary object has been in the cell since then.
   Plane from_below{};
 };
@@ -128,7 +128,7 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// Returns cell i of a group in the tile of a slot.
+// Returns cell i of a group in the tile in a slot.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

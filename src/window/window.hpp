@@ -1,5 +1,6 @@
-// The world-aligned window, with tiles of the local frame around the vehicle. The window has 32 by
-// 32 tiles, unless the car file specifies fewer. The memory always has 32 by 32 tiles.
+// The world-aligned window, which consists of tiles of the local frame around the vehicle. The
+// window has 32 by 32 tiles, unless the car file specifies fewer. Memory for 32 by 32 tiles is
+// always allocated.
 //
 // When a tile enters the window, it is only marked as unknown. The memory of a tile is cleared just
 // before the first write to the tile, and the memory of each group is cleared just before the first
@@ -37,30 +38,30 @@ class Window {
 
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return tiles_[slot]; }
 
-  // Returns the tile in a slot for writing. If the tile is unknown, it is cleared first.
+  // Returns a mutable reference to the tile in a slot. If the tile is unknown, it is cleared first.
   Tile& open(std::size_t slot);
 
-  // Returns the ground memory of the tile in a slot for writing. The tile must be known.
+  // Returns a mutable reference to the ground memory of the tile in a slot. The tile must be known.
   Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
 
-  // Returns the number of changes to the tile in a slot. Changes to the tile's ground are not
-  // counted. As long as the version stays the same, so do the classes of the tile's cells. The
-  // number is never reset.
+  // Returns the version of the tile in a slot. The version is the number of changes to the tile,
+  // except changes to its ground, and is never reset. While the version stays the same, the classes
+  // of the tile's cells stay the same.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
 
   // Sets the tile in a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the classes that the map rules out in the tile of a slot. The ruled-out classes apply
-  // until the next call. The tile may be unknown. The call reclassifies the tile's cells with the
-  // masses of their last classification. It changes nothing else.
+  // Sets the classes that the map rules out in the tile in a slot. The ruled-out classes apply
+  // until the next call. The tile may be unknown. The call reclassifies the tile's cells using the
+  // masses from their last classification. It changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
   // Restores the classes that a group had after its last classification. The classes are computed
   // from the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // Records which planes of Found are empty in the tile in a slot. The record is valid until the
+  // Records which planes of Found are empty for the tile in a slot. The record is valid until the
   // tile is opened again.
   void note_found(std::size_t slot);
 
@@ -69,7 +70,7 @@ class Window {
     return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
   }
 
-  // Returns true if around() has returned no plane that may have a bit set.
+  // Returns true if none of the planes that around() returned may have a bit set.
   [[nodiscard]] static bool are_empty(const NinePlanes& nine) {
     return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
   }
@@ -90,8 +91,7 @@ class Window {
     return nine;
   }
 
-  // Has the same effect as the function above, for a plane of Found. Planes that are known to be
-  // empty are not read.
+  // Same as above, but for a plane of Found. Planes that are known to be empty are not read.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
         slot, [this, plane](std::size_t at) { return may_have(at, plane); },

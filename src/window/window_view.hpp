@@ -28,7 +28,7 @@ class WindowView {
   // Returns the tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Returns true if the tile in a slot has ever been known. If not, all cells of the tile are
+  // Returns true if the tile in a slot has ever been known. Otherwise, all cells of the tile are
   // unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
@@ -54,7 +54,7 @@ class WindowView {
                ? tile(at.slot).decided[at.group()][at.in_group()]
                : std::int8_t{0};
   }
-  // Returns true if the ground in this cell was open.
+  // Returns true if this cell was open ground.
   [[nodiscard]] bool is_open(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);
@@ -63,9 +63,9 @@ class WindowView {
   // Returns the classes of a cell and its eight neighbours. Bit i is set if class i occurs.
   [[nodiscard]] std::uint32_t classes_around(geometry::Cell cell) const;
 
-  // Returns the version of the tile at a slot, which is not 0. While the version stays the same,
-  // the tile's classes stay the same (window/window.hpp). Tiles of different slots have different
-  // versions.
+  // Returns the version of the tile in a slot. The version is never 0. While the version stays the
+  // same, the tile's classes stay the same (window/window.hpp). Tiles in different slots have
+  // different versions.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const {
     const auto number = static_cast<std::uint32_t>(slot);
     return (window_->version(slot) * std::uint32_t{kSlotCount} + number) * 2 + 1;

@@ -1,7 +1,6 @@
-// Reads IEEE 754 binary32 numbers without floating-point arithmetic. Some wire formats contain
-// binary32 numbers.
+// Reads IEEE 754 binary32 numbers without floating-point arithmetic.
 //
-// A binary32 number equals m 2^(e - 150) with m below 2^24. The product of m and a factor below
+// A binary32 number equals m * 2^(e - 150) with m below 2^24. The product of m and a factor below
 // 2^32 is below 2^56. One 64-bit multiplication and one shift therefore give an exact result.
 #pragma once
 
@@ -11,8 +10,8 @@
 namespace iog::wire {
 
 // Returns the integer nearest to value * factor / 2^fraction_bits, with ties rounded away from 0.
-// `bits` is the encoded value. `fraction_bits` is from 0 to 32. Returns nothing if the value is
-// NaN, infinite, or at least 2^(19 + fraction_bits).
+// `bits` is the encoded value. `fraction_bits` is in the range 0 to 32. Returns nothing if the
+// value is NaN, infinite, or at least 2^(19 + fraction_bits).
 [[nodiscard]] constexpr std::optional<std::int64_t> nearest_product(std::uint32_t bits,
                                                                     std::uint32_t factor,
                                                                     int fraction_bits) {

@@ -2,12 +2,12 @@
 //
 // The parameter of each function has exactly the size of the integer:
 //     load_be16(frame.subspan<12, 2>())
-// If a span of static extent is shorter, the code does not compile. A caller that converts a
+// If a span of static extent is too short, the code does not compile. A caller that converts a
 // dynamic span to a fixed span must know that the bytes exist. ByteReader and ByteWriter check
 // this.
 //
 // ARMv7 supports unaligned access to normal memory, so GCC merges the bytewise expressions into one
-// ldr/str and one rev. No function requires alignment.
+// ldr/str and one rev.
 #pragma once
 
 #include <cstddef>

@@ -41,7 +41,7 @@ class Crew {
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});
   }
-  // Has the same effect as the function above, but core 0 also runs `beside` once.
+  // Same as above, but core 0 also runs `beside` once.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item, Beside beside) const {
     share_work(items, work_of(do_item), beside);

@@ -1,5 +1,5 @@
 // Splits a sequence into runs (guided chunks). Each run is an item of a round. The first runs are
-// long, and later runs are shorter and shorter.
+// long, and later runs become shorter and shorter.
 //
 // Cores claim the runs in order. As a result, a sequence has few runs, and the last runs are so
 // short that no core waits long. The algorithm is guided self-scheduling (Polychronopoulos and

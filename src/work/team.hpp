@@ -1,4 +1,4 @@
-// The worker pool. The worker pool consists of core 0, which opens rounds, and the helpers.
+// The worker pool consists of core 0, which opens rounds, and the helpers.
 //
 // Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
 // faults or hangs while it runs an item, it is stopped and never used again, and core 0 repeats the
@@ -147,7 +147,7 @@ class Team {
   static void help_from(void* context, std::size_t core) {
     Team& team = *static_cast<Team*>(context);
     Seat& seat = team.seats_[core];
-    // The claim of the first item releases this store.
+    // The claim of the first item has release semantics, so it also publishes this store.
     seat.place.store(kInside, std::memory_order_relaxed);
     const Round::Ticket last = team.round_.help(core, seat.items);
     count_up(seat.comes, 1);
@@ -164,7 +164,7 @@ class Team {
   }
 
   // Updates the state of each helper. A helper that has ended is lost. A helper that did not answer
-  // its wake-up in time is silent. If a helper has answered, it will be woken again.
+  // its wake-up in time is silent. A helper that has answered will be woken again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
