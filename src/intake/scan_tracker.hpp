@@ -95,10 +95,9 @@ class ScanTracker {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // Returns true if the packet sweeps a part of the turn that is already in the frame, and the two
-  // sweeps begin less than the shortest turn apart. If the clock has stepped between the sweeps,
-  // always returns false. For example, a clock that counts from the start of the hour steps every
-  // hour.
+  // Returns true if the timestamps of a second sweep over the same part of the turn span less than
+  // the shortest turn. Returns false if the clock has stepped by at least that time between the
+  // sweeps, as a clock that counts from the start of the hour does once per hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);
