@@ -48,8 +48,8 @@ class FreeSteps {
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
   // To add a beam, call begin_beam() with the first amount, then add() for each later change, and
-  // then end_beam(). Add a beam only if has_room() returns true. All points must be fewer than 2 *
-  // kCellsPerSide borders beyond the point where the line enters the grid.
+  // then end_beam(). Add a beam only if has_room() returns true. From the point where the line
+  // enters the grid to any change, the line must cross fewer than 2 * kCellsPerSide cell borders.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
