@@ -276,10 +276,10 @@ class KeptAzimuth {
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
-// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With the
-// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots for up
-// to three sensors, and nearly all do for four sensors.
+// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. If a LUX
+// measures in steps of a quarter of a degree and there are at most six sensors, its azimuths map to
+// distinct slots. With the finest steps of a LUX (an eighth of a degree), its azimuths map to
+// distinct slots if there are at most three sensors. With four sensors, nearly all of them do.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

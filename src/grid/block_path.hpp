@@ -86,7 +86,7 @@ class BlockPath {
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // Returns a mask of the cells of the first block, without the cells before the line's start.
+  // Returns a mask of the cells of the first block, excluding the cells before the line's start.
   [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset().

@@ -15,9 +15,9 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// The function is stored as a difference array. The index of a slot is the number of borders that
-// the line has crossed. A bitmap marks the slots in use. A change can therefore be added without a
-// search, and scanning the bitmap yields the changes in order.
+// The function is stored as a difference array. Slot n contains the change that occurs n borders
+// after the line enters the grid. A bitmap marks the slots in use. A change can therefore be added
+// without a search, and scanning the bitmap yields the changes in order.
 #pragma once
 
 #include <algorithm>

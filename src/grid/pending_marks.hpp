@@ -34,7 +34,7 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 
 // Returns the step along an arc, in ticks. The result is the largest step that is at most one cell
 // long at this range. If even one tick is longer than a cell, the result is one tick. The constant
-// for 2 * pi is slightly too large.
+// for 2 * pi is rounded up, so the step is never too long.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;
