@@ -22,9 +22,10 @@ namespace iog::placing {
 // grid. Perpendicular to the run, a step is at most 2^16 / sqrt(2) + 1/2 units. Seven such steps
 // span less than five cells, so a run covers at most six rows.
 //
-// A cell's offset from the lowest column or row of its run is the integer part of its step value.
-// The offset is larger by one if the fraction of the steps and the fraction of the lowest column or
-// row add up to 1 or more. The result is exact.
+// The step values of a cell are its distances from the lowest x and y of its run. A cell's offset
+// from the lowest column (or row) of its run is the integer part of its step value. The offset is
+// larger by one if the fraction of the step value and the fraction of the lowest x (or y) add up to
+// 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
