@@ -33,8 +33,9 @@ class AzimuthCarver {
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving still
-  // uses the height band, but a beam is low only if it is low relative to the estimated ground.
+  // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving uses
+  // the height band here too, but the height above the estimated ground determines where a beam is
+  // low.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
@@ -115,8 +116,8 @@ class AzimuthCarver {
   const vehicle::Vehicle* vehicle_;
 
   // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
-  // contains those further lines that have been found. `lines_in_use_` contains the lines with
-  // pending beams.
+  // contains the slots whose further line has been found. `lines_in_use_` contains the slots whose
+  // line has pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;

@@ -2,11 +2,11 @@
 // cell of its hit. Beams that share a line are accumulated in the line's steps and then carved
 // together.
 //
-// Two carvers collect beams. azimuth_carver.hpp collects beams of sensors that measure in the same
-// directions in every scan, and turn_carver.hpp collects beams of rotating sensors. Saturating sums
-// of negative indexes commute (docs/model.md section 3), so the result does not depend on the order
-// of the beams. For the same reason, the beams of a frame may be split among several carvers, each
-// with its own grid. The saturating sum of these grids equals the grid of a single carver.
+// AzimuthCarver collects the beams of tilted rotating sensors and of sensors that measure in the
+// same directions in every scan. TurnCarver collects the beams of level rotating lidars. Saturating
+// sums of negative indexes commute (docs/model.md section 3), so the result does not depend on the
+// order of the beams. For the same reason, the beams of a frame may be split among several carvers,
+// each with its own grid. The saturating sum of these grids equals the grid of a single carver.
 #pragma once
 
 #include <algorithm>
@@ -55,8 +55,9 @@ class BeamCarver {
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
                                   const WaitingBeam& its, StepsOf&& steps_of, LowOf&& low_of);
 
-  // Adds the zones of the sensor's profile up to the end of the part. FreeSteps::begin_beam() must
-  // have been called. Returns the boundary at which the beam stops freeing cells.
+  // Adds the zones of the sensor's profile to the steps, up to the end of `part`.
+  // FreeSteps::begin_beam() must have been called. Returns the boundary at which the beam stops
+  // freeing cells.
   static Between add_zones(const vehicle::Sensor& sensor, FreeSteps& steps, const KeptLine& line,
                            const LinePart& part, std::uint32_t range_mm);
 
@@ -83,9 +84,9 @@ class BeamCarver {
   bool keeps_heights_;
 };
 
-// Each grid cell before the point (marked * below) gets the index of the 1D cell that contains the
-// point where the line leaves the grid cell. If 1D cell k-1 is nearer to the sensor, the grid cell
-// gets the index of 1D cell k-1 instead. The example shows a beam of a LUX:
+// The line leaves each grid cell before the point (marked * below) in some 1D cell. The grid cell
+// gets the index of this 1D cell, or the index of 1D cell k-1 if 1D cell k-1 is nearer to the
+// sensor. The example shows a beam of a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
@@ -95,8 +96,8 @@ class BeamCarver {
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
 // distance (j + 1) * Delta or less. `through` is the number of borders that the line crosses within
-// a given distance. The zone of 1D cell (k - 2) therefore begins in the cell that contains the
-// point at (k - 2) * Delta. In this example, the point is in cell b.
+// a given distance. The zone of 1D cell (k - 2) therefore begins in the grid cell that the line
+// crosses at distance (k - 2) * Delta, which is grid cell b in this example.
 //
 // This function is inline because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
@@ -125,10 +126,10 @@ class BeamCarver {
   return last;
 }
 
-// Shortens the low part of a beam that ends on the ground. On a rising road, a beam that is within
-// the height band above the car's plane may be below the band above the road, and may pass under a
-// car. The beam is therefore treated as low only where it is high enough above a straight line from
-// the ground below the sensor to the point where the beam meets the ground.
+// Shortens the low part of a beam that ends on the ground. On a rising road, a beam can be within
+// the height band above the car's plane but below the band above the road. Such a beam may pass
+// under a car. The beam is therefore treated as low only where it is high enough above a straight
+// line from the ground below the sensor to the point where the beam meets the ground.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {

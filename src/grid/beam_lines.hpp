@@ -142,8 +142,8 @@ class alignas(kCacheLineBytes) KeptLine {
   }
 
  private:
-  // The members are in order of access. On the target, all members except the path fill two cache
-  // lines.
+  // The members are declared in the order in which they are accessed. On the target, all members
+  // except the path fill two cache lines.
   LinePart in_grid_;
   bool has_path_ = false;
   bool path_begun_ = false;
@@ -152,7 +152,8 @@ class alignas(kCacheLineBytes) KeptLine {
   vehicle::BeamLine line_{{}, {}};
   BlockPath path_;
 };
-// If the size is an odd number of cache lines, the lines are spread over all sets of a cache.
+// If the size of a KeptLine is an odd number of cache lines, consecutive KeptLines are spread over
+// all sets of a cache.
 static_assert(sizeof(KeptLine) / kCacheLineBytes % 2 == 1);
 
 // The beam of one layer at one azimuth, with cached properties. On the target, a KeptBeam fills one
@@ -239,17 +240,16 @@ class KeptAzimuth {
   }
   [[nodiscard]] KeptBeam& beam(std::uint8_t layer) { return beams_[layer]; }
 
-  // The layer number must be below kMaxLayers, and the number of the layer's line must be below
-  // kMaxLines.
+  // The layer number must be below kMaxLayers, and its Layer::line must be below kMaxLines.
   KeptBeam& find_beam(const vehicle::Sensor& sensor, std::uint8_t layer);
   // The beam must belong to this azimuth.
   [[nodiscard]] KeptHeight& height_of(const KeptBeam& beam) {
     return heights_[static_cast<std::size_t>(&beam - beams_.data())];
   }
 
-  // Returns true if the first `cells` cells of both lines are known to be the same (cells > 0). The
-  // second line must have been found. If the result is true, the first line was also found and has
-  // a block path. The result may be false even if the lines share these cells.
+  // Returns true if the two lines are known to share their first `cells` cells. `cells` must not be
+  // 0. The second line must have been found. If the result is true, the first line was also found
+  // and has a block path. The result may be false even if the lines share these cells.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
   }
@@ -271,15 +271,15 @@ class KeptAzimuth {
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
   // This padding makes an azimuth 49 cache lines long on the target. Without this padding, about 45
-  // azimuths of 45 cache lines would fill the 2,048 sets of the level 2 cache, and further azimuths
-  // would compete for the same sets.
+  // azimuths of 45 cache lines each would fill the 2,048 sets of the level 2 cache, and further
+  // azimuths would compete for the same sets.
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
-// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. With up to six
-// sensors, the azimuths of a LUX in steps of a quarter of a degree map to distinct slots. With the
-// finest steps of a LUX, which are an eighth of a degree, all azimuths map to distinct slots for up
-// to three sensors, and nearly all do for four sensors.
+// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. If a LUX
+// measures in steps of a quarter of a degree and there are at most six sensors, its azimuths map to
+// distinct slots. With the finest steps of a LUX (an eighth of a degree), its azimuths map to
+// distinct slots if there are at most three sensors. With four sensors, nearly all of them do.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

@@ -2,9 +2,8 @@
 // computed only once. Block 0 contains the line's start.
 //
 // The line does not pass through a corner after its start, so consecutive blocks share a border.
-// The number of a block is therefore the number of block borders that the line crosses between
-// block 0 and this block. If a line starts at a corner where blocks meet, it crosses no cells of
-// block 1.
+// The line therefore crosses n block borders to reach block n. If a line starts at a corner where
+// blocks meet, it crosses no cells of block 1.
 #pragma once
 
 #include <array>
@@ -30,8 +29,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // Returns the next block. Both candidates are computed first, so that the code only has to select
-  // one of them.
+  // Returns the next block. Both candidates are computed first, so that only the selection depends
+  // on `code`.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -42,7 +41,7 @@ struct Way {
     code = *next_codes;
     ++next_codes;
   }
-  // Advances by this number of steps, to a block that is already known.
+  // Advances by `steps` blocks. The caller has already located the new block, `to`.
   void step_to(LaneBytes* to, std::uint32_t steps) {
     block = to;
     next_codes += steps;
@@ -61,8 +60,8 @@ class BlockPath {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
 
-  // Returns the number of the block that contains a position. This number equals the number of
-  // block borders that the line crosses before the position.
+  // Returns how many block borders the line crosses before it reaches a position. The result is the
+  // number of the block that contains the position.
   [[nodiscard]] std::uint32_t block_at(traversal::Position at) const {
     const traversal::Position corner = from_corner(at);
     return corner.x / kBlockSide + corner.y / kBlockSide;
@@ -87,7 +86,7 @@ class BlockPath {
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // Returns a mask of the cells of the first block, without the cells before the line's start.
+  // Returns a mask of the cells of the first block, excluding the cells before the line's start.
   [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset().
@@ -136,8 +135,8 @@ class BlockPath {
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
-  // The members are in order of access and without gaps, because the paths of many lines are
-  // cached.
+  // Because the paths of many lines are cached, the members are declared in the order in which they
+  // are accessed, without padding.
   std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
   // The height at which the line leaves the first column of tiles, in units of 2^-32 of a tile.

@@ -93,8 +93,8 @@ struct Orientation {
 struct BlockMasks {
   // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // The cells that a line can cross after it has reached a given cell, indexed by the position of
-  // the given cell in the block. `from` includes the given cell, and `after` excludes it.
+  // For each position in a block, the cells that a line can cross after it has reached the cell at
+  // this position. `from` includes this cell, and `after` excludes it.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };

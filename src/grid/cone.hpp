@@ -3,9 +3,10 @@
 //
 // Sound fills the cone, so each echo adds the index to each cell only once. Beams, in contrast,
 // would cross the cells near the unit several times. A cell is carved if the whole cell lies
-// between the outermost directions of the unit's arc and is nearer than the 1D cells around the
-// echo. Cells that the cone's border crosses do not change. Negative indexes can be added in any
-// order (docs/model.md, section 3), so each cone is carved as soon as its echo arrives.
+// between the outermost directions of the unit's arc and nearer to the unit than the 1D cells
+// around the echo. Cells that the cone's border crosses do not change. Negative indexes can be
+// added in any order (docs/model.md, section 3), so each cone is carved as soon as its echo
+// arrives.
 //
 // If the unit is tilted, the cone's two outermost directions and its middle direction have
 // different lengths on the grid. The length of the carved cone is the shortest of these lengths.

@@ -15,9 +15,9 @@
 //                                                              +- 0
 //     the line   S ---------------------- a -------------------------- b ----> E
 //
-// The function is stored as a difference array. The index of a slot is the number of borders that
-// the line has crossed. A bitmap marks the slots in use. A change can therefore be added without a
-// search, and scanning the bitmap yields the changes in order.
+// The function is stored as a difference array. Slot n contains the change that occurs n borders
+// after the line enters the grid. A bitmap marks the slots in use. A change can therefore be added
+// without a search, and scanning the bitmap yields the changes in order.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,8 @@ class FreeSteps {
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
   // To add a beam, call begin_beam() with the first amount, then add() for each later change, and
-  // then end_beam(). Add a beam only if has_room() returns true. All points must be fewer than 2 *
-  // kCellsPerSide borders beyond the point where the line enters the grid.
+  // then end_beam(). Add a beam only if has_room() returns true. From the point where the line
+  // enters the grid to any change, the line must cross fewer than 2 * kCellsPerSide cell borders.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);

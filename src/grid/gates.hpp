@@ -1,8 +1,8 @@
-// Defines the height limits for the beams and returns of level rotating lidars. Only within these
-// limits can a beam free cells or a return mark a cell. The limits are either the vehicle's height
-// band or heights relative to the ground (docs/ground.md). A judge applies the limits to the points
-// of a packet, and a gate applies them to the beams of a line. The judge is selected once per
-// packet, and the gate is selected once per line.
+// Defines the height limits for the beams and returns of level rotating lidars. Beams free cells
+// and returns mark cells only within these limits. The limits are either the vehicle's height band
+// or heights relative to the ground (docs/ground.md). A judge applies the limits to the points of a
+// packet, and a gate applies them to the beams of a line. The judge is selected once per packet,
+// and the gate is selected once per line.
 #pragma once
 
 #include <algorithm>
@@ -102,8 +102,8 @@ class BandGate {
   const TurnLayers* layers_;
 };
 
-// The gate of a line over the estimated ground. All layers of a sector are within the limits from
-// the start of their beams.
+// Limits the beams of a line by their height above the estimated ground. In every sector, the beams
+// of all layers start within the limits.
 class GroundGate {
  public:
   // All arguments must outlive the gate. The line must lie in this sector.

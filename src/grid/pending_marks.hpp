@@ -28,13 +28,13 @@ struct Mark {
 static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
 
 // The maximum number of marks per frame. The marks use 1 MiB. This number is enough for one turn of
-// a sensor with 128 layers and 2,048 azimuths, of two sensors with 64 layers each, or of a Pandar64
-// with two returns (230,400 points).
+// any of the following: a sensor with 128 layers and 2,048 azimuths, two sensors with 64 layers
+// each, or a Pandar64 with two returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
 // Returns the step along an arc, in ticks. The result is the largest step that is at most one cell
 // long at this range. If even one tick is longer than a cell, the result is one tick. The constant
-// for 2 * pi is slightly too large.
+// for 2 * pi is rounded up, so the step is never too long.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;

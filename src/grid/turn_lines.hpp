@@ -24,7 +24,7 @@ struct alignas(64) TurnLayer {
   // The position of this layer in the order in which the sensor's layers leave the band. The layer
   // that stays within the band up to the greatest distance has rank 0.
   std::uint32_t rank = 0;
-  // A point at this range or beyond frees the whole line from the sensor to the point where the
+  // A point at or beyond this range frees the line from the sensor up to the distance at which the
   // layer leaves the band. If the sensor is outside the band, behind_mm has the maximum value.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
@@ -36,7 +36,7 @@ struct TurnLayers {
   // within the band over its whole length. Each layer's part within the band is then contained in
   // the parts of all layers with lower ranks.
   bool start_in_band = false;
-  // The number of beams that it takes to saturate a cell.
+  // The number of beams needed to saturate a cell.
   std::uint32_t enough_beams = 0;
   // A hit at this distance or beyond frees every cell in the band that can be freed by layers of
   // rank near_rank or higher.
@@ -45,8 +45,8 @@ struct TurnLayers {
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
-  // `tall` contains the horizontal ranges at which a layer's return is a tall return. `low`
-  // contains the part of the line in which the layer's beams are low. Both are computed from
+  // For each layer, `tall` contains the horizontal ranges of tall returns, and `low` defines the
+  // part of the line in which the layer's beams are low beams. Both are computed from
   // vehicle::Sensor::moved.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};

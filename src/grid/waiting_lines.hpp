@@ -82,9 +82,9 @@ class RankSet {
   std::array<std::uint32_t, vehicle::kMaxLayers / 32> words_{};
 };
 
-// The pending lines of a rotating lidar. The azimuth step of a line determines its slot. The slots
-// cover the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees apart,
-// which is 390 of 8,192 steps.
+// The pending lines of a rotating lidar. The azimuth step of a line determines its slot. There are
+// enough slots for the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees
+// apart, which is 390 of 8,192 steps.
 class WaitingLines {
  public:
   // The part of a pending line that is accessed for each point. The part fits into one cache line.

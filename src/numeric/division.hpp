@@ -13,7 +13,7 @@ constexpr T div_floor(T dividend, T divisor) {
 }
 
 // Returns the integer nearest to dividend / divisor. Ties are rounded towards plus infinity.
-// Requires divisor > 0, and |dividend| + divisor / 2 must fit in T.
+// Requires divisor > 0. The sum |dividend| + divisor / 2 must fit in T.
 template <std::signed_integral T>
 constexpr T div_nearest(T dividend, T divisor) {
   return div_floor<T>(dividend + divisor / 2, divisor);

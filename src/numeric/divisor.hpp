@@ -7,7 +7,7 @@
 //     inverse = floor((2^64 - 1) / d) - 2^32
 // from a table of 512 entries and two Newton steps. Algorithm 4 divides a 64-bit dividend by d with
 // one multiplication by the inverse and two corrections. All operations may wrap around. The paper
-// proves that the result is still correct.
+// proves that the result is correct even after a wrap-around.
 #pragma once
 
 #include <array>

@@ -2,13 +2,15 @@
 // dividend.
 //
 // The Cortex-A9 has no integer divide instruction, and every beam needs several divisions by the
-// sensor's range. Granlund and Montgomery, "Division by invariant integers using multiplication"
-// (PLDI 1994), theorem 4.2: let l = ceil(log2(d)), s = N + l and m = ceil(2^s / d). Then the error
-// m * d - 2^s is in [0, 2^l). Therefore floor(n * m / 2^s) = floor(n / d) for every 0 <= n < 2^N.
+// sensor's range. This class uses theorem 4.2 of Granlund and Montgomery, "Division by invariant
+// integers using multiplication" (PLDI 1994). For a divisor d, let l = ceil(log2(d)), s = N + l and
+// m = ceil(2^s / d). Then the error m * d - 2^s is in [0, 2^l). For every 0 <= n < 2^N, it follows
+// that floor(n * m / 2^s) = floor(n / d).
 //
-// In this class, N = 31. Because d > 2^(l - 1), m < 2^32. If d is a power of two, m = 2^31.
-// Therefore n * m < 2^63, and the 32 x 32-bit product does not overflow. The quotient n * m / 2^31
-// fits into one word, which is the upper word of 2 * n * m.
+// In this class, N = 31. The inequality d > 2^(l - 1) implies m < 2^32. If d is a power of two,
+// m = 2^31. The product n * m is therefore below 2^63, and the 32 x 32-bit product does not
+// overflow. The quotient n * m / 2^31 fits into one word, which is the upper word of
+// 2 * n * m.
 #pragma once
 
 #include <bit>

@@ -14,10 +14,9 @@
 // set if any slice sets it. A second bit per cell is set if a hit in the cell is a tall return. The
 // evidence takes up 1.1 MB in total.
 //
-// If several cores add slices, they work in parallel. Each core processes regions of the window.
-// The core that processes a region gathers free space into the region's tiles and searches the
-// slices for hits in the region. If there is only one core, it processes the entire window as one
-// region.
+// If several cores add slices, each core processes some regions of the window. The core that
+// processes a region gathers free space into the region's tiles and searches the slices for hits in
+// the region. If there is only one core, it processes the entire window as one region.
 #pragma once
 
 #include <array>
@@ -103,8 +102,8 @@ class FrameEvidence {
     }
   };
   // The side length of a region, in tiles, if several cores are used. Regions are large enough that
-  // few hits are examined for two regions, and small enough that no core waits long for the last
-  // region. Regions at the upper edges of the window may be smaller.
+  // few hits are examined for more than one region, and small enough that no core waits long for
+  // the last region. Regions at the upper edges of the window may be smaller.
   static constexpr std::int32_t kRegionAcross = 4;
   static constexpr std::size_t kRegionTiles = std::size_t{kRegionAcross} * kRegionAcross;
   static constexpr std::int32_t regions_along(std::int32_t tiles) {

@@ -17,14 +17,15 @@ namespace iog::placing {
 // all runs of a slice.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
-// 2^-16 cells. Along the run, a step is at most 2^16. Seven steps plus a fraction of a cell span
-// less than eight cells, so a run covers at most eight columns of the grid. Perpendicular to the
-// run, a step is at most 2^16 / sqrt(2) plus one half. Seven such steps span less than five cells,
-// so a run covers at most six rows.
+// 2^-16 cells. Along the run, a step is at most 2^16 of these units, or one cell. Seven steps plus
+// a fraction of a cell span less than eight cells, so a run covers at most eight columns of the
+// grid. Perpendicular to the run, a step is at most 2^16 / sqrt(2) + 1/2 units. Seven such steps
+// span less than five cells, so a run covers at most six rows.
 //
-// A cell's offset from the lowest column or row of its run is the integer part of its step value.
-// The offset is larger by one if the fraction of the steps and the fraction of the lowest column or
-// row add up to 1 or more. The result is exact.
+// The step values of a cell are its distances from the lowest x and y of its run. A cell's offset
+// from the lowest column (or row) of its run is the integer part of its step value. The offset is
+// larger by one if the fraction of the step value and the fraction of the lowest x (or y) add up to
+// 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
@@ -39,11 +40,11 @@ struct EightSteps {
   FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
   std::int32_t rows;  // maximum number of grid rows that a run covers
-  // For each cell, this value is kColumns times the integer part of its step value in rows, plus
-  // the integer part of its step value in columns.
+  // For each cell, kColumns times its row offset plus its column offset. The offsets are the
+  // integer parts of the cell's step values.
   alignas(16) Eight wholes;
-  // For each cell, the largest fraction of the lowest x (or y) for which the fractions add up to
-  // less than 1.
+  // For each cell, the largest fraction of the lowest x (or y) that, added to the fraction of the
+  // cell's step value, gives less than 1.
   alignas(16) Eight most_x;
   alignas(16) Eight most_y;
 };

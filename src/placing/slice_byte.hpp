@@ -37,7 +37,7 @@ static_assert(kMostIndex == kBeside - 1);
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 
-// Joins the free index of another slice into a cell's evidence. The indexes are added, and an extra
+// Adds the free index of another slice to a cell's evidence. The indexes are added, and an extra
 // bit that is set stays set. Positive evidence comes from hits and does not change. Hits in `found`
 // are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {

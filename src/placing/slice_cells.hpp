@@ -90,12 +90,12 @@ class SliceCells {
   }
 
  private:
-  // The second element allows reads beyond the end of the first one.
+  // The second element allows callers of cells() to read beyond the end of the first element.
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The width of the margin of unknown cells around the grid. If a rectangle of is_known_near()
-  // overlaps the grid, it extends at most this far beyond the grid.
+  // The width of the margin of unknown cells around the grid. A rectangle that is passed to
+  // is_known_near() and overlaps the grid extends at most this far beyond the grid.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   static constexpr std::size_t kSquareRows =

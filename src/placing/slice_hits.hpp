@@ -37,8 +37,8 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
 }
 
 // Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest cell, and may
-// lie outside the window. If meets(low, high) returns false for the bounds of the cells of a tile
-// or band, the tile or band is skipped.
+// lie outside the window. A tile or band is skipped if meets(low, high) returns false for the
+// bounds of its cells.
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {

@@ -41,8 +41,8 @@ class DetailWindow {
     ++count_;
   }
 
-  // Returns one past the number of the last tile that the window covers. A tile that the window
-  // covers but find() does not find is unknown.
+  // Returns one past the number of the last tile that the window covers. If find() does not find a
+  // tile that the window covers, the tile is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
   // Returns the position of the first known tile whose number is at least `tile`. If there is none,

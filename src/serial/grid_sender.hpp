@@ -42,8 +42,9 @@ class GridSender {
   // no space in the image.
   GridSender();
 
-  // Sets the cell size and origin of the messages. Call describe() before the first frame. Each
-  // grid on this link is as large as the memory. Cells outside the car's grid are unknown.
+  // Sets the cell size and origin of the messages. Call describe() before the first frame. The
+  // grids on this link always cover the area of kCellsPerSide x kCellsPerSide full-resolution
+  // cells. Cells outside the car's grid are unknown.
   void describe(const geometry::Grid& grid) { grid_ = grid; }
 
   // For each complete frame, call the following functions: first the one for its header, then the
