@@ -105,4 +105,4 @@ def sentence() -> str:
     words = {frame.run: frame.words for frame in FRAMES}
     changes = [f"{change(run, int(value)):+.1%} ({words[run]})" for run, _, value in rows]
     listed = " and ".join(filter(None, [", ".join(changes[:-1]), changes[-1]]))
-    return f"At {rows[0][1]}, instruction counts differ from those on the pages by {listed}."
+    return f"At commit {rows[0][1]}, instruction counts differ from those on the pages by {listed}."

@@ -92,7 +92,7 @@ class Since(unittest.TestCase):
                 mock.patch.multiple(since, TABLE=folder / "since.csv", DATA=folder):
             self.assertEqual(self.far_off(1110), [])
             self.assertRegex(self.far_off(1000)[0], r"\+0\.0%.*pages say \+10\.0%")
-            self.assertRegex(since.sentence(), r"^At abc, instruction counts differ .* by \+10\.0% \(ring road, .*\)\.$")
+            self.assertRegex(since.sentence(), r"^At commit abc, instruction counts differ .* by \+10\.0% \(ring road, .*\)\.$")
 
     def test_nothing_counted_since_says_nothing(self):
         self.assertEqual(since.sentence(), "")
