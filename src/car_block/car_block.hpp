@@ -39,7 +39,7 @@ void write_block(const vehicle::Vehicle& vehicle, const net::Config& network, Wr
 // Writes an empty car block. The firmware rejects this block until `iog image` adds a car.
 void write_block_without_car(vehicle::Grids grids, const net::Config& network, WritableBlock block);
 
-// Returns the properties of the firmware, or nothing if the firmware record is invalid.
+// Returns the properties of the firmware, or std::nullopt if the firmware record is invalid.
 [[nodiscard]] std::optional<Firmware> read_firmware(Block block);
 
 // Adds a key to an existing block. The target then accepts only commands signed with this key.
@@ -49,8 +49,8 @@ void write_key(const authentication::Key& key, WritableBlock block);
 // car.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
-// Two records contain the network configuration. Returns the first valid record, or nothing if both
-// records are invalid.
+// Two records contain the network configuration. Returns the first valid record, or std::nullopt if
+// both records are invalid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
 // The record that was rejected.

@@ -168,8 +168,8 @@ class Writer {
       number(epsilon_e5);
     }
   }
-  // Extra bits are set if evidential constants follow, and if the window has fewer tiles than the
-  // memory.
+  // An extra bit is set if evidential constants follow. A second extra bit is set if the window has
+  // fewer tiles than the memory.
   void moved_tables_and_extent(perception::Moved moved, const ageing::Tables* tables,
                                window::Extent extent) {
     const unsigned has_tables = tables == nullptr ? 0U : 2U;

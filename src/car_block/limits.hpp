@@ -1,6 +1,6 @@
-// The limits of a car, which the loops of the target rely on. The limits are checked on the
-// integers that are compiled from the car file. The target checks the car block in its image, and
-// the PC checks a car file.
+// Limits on the values of a car. The loops of the target rely on these limits. The limits are
+// checked on the integers that are compiled from the car file. The target checks the car block in
+// its image, and the PC checks a car file.
 #pragma once
 
 #include <cstdint>
@@ -48,9 +48,9 @@ constexpr std::uint64_t subcells_up(std::uint32_t length_mm, const geometry::Gri
   return (std::uint64_t{length_mm} * geometry::kResolution + grid.cell_mm - 1) / grid.cell_mm;
 }
 
-// Returns the maximum length of a beam. The beams of a tilted mirror are fitted
-// (tools/car/tilted_mirror.hpp), so they may end beyond the range at azimuths that the mirror
-// cannot reach. Requires range_mm <= kLongestRangeMm.
+// Returns the maximum length of a beam. The beams of a tilted mirror are approximated
+// (tools/car/tilted_mirror.hpp). At azimuths that the mirror cannot reach, an approximated beam may
+// be longer than the unit's range. Requires range_mm <= kLongestRangeMm.
 constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t range_mm) {
   return lidar::facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;
 }

@@ -21,7 +21,7 @@ struct SensorMemory {
 
 // Reads a vehicle and returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and
 // `memory`, so both must outlive `vehicle`. Do not use `vehicle` before its limits are checked
-// (car_block/limits.hpp). The function derives the azimuths but no other derived members.
+// (car_block/limits.hpp). Of the derived members, the function sets only the azimuths.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

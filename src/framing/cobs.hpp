@@ -29,7 +29,7 @@ inline constexpr std::size_t kMaxBlockBytes = 254;
   return bytes + bytes / kMaxBlockBytes + 2;
 }
 
-// Frames the message, including the delimiter. Returns the length of the frame, or 0 if `frame` is
+// Frames the message and appends the delimiter. Returns the length of the frame, or 0 if `frame` is
 // too small. A buffer of max_framed_bytes() bytes is always large enough. The buffers must not
 // overlap.
 [[nodiscard]] std::size_t encode_cobs(std::span<const std::byte> message,
@@ -41,7 +41,7 @@ class CobsDecoder {
  public:
   explicit constexpr CobsDecoder(std::span<std::byte> buffer) : buffer_{buffer} {}
 
-  // Returns the message that `byte` completes, or nothing if no message is complete.
+  // Returns the message that `byte` completes, or std::nullopt if no message is complete.
   [[nodiscard]] std::optional<std::span<const std::byte>> decode(std::byte byte);
 
   // The number of frames that ended within a block or were longer than the buffer.

@@ -5,13 +5,14 @@
 // sectors.
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
-// plane within 20 m and with a slope of at least 1 in 16. A ground sector becomes blocked after a
-// turn in which fewer than one sixteenth of its ground beams have a return, provided that fewer
-// than one sixteenth of all its beams have a return or at least one quarter of its ground beams
-// previously had a return. The previous fraction is a running mean that is updated by 1/32 per
-// turn. A ground sector is unblocked after three turns in which one eighth of its ground beams have
-// a return. If fewer than one quarter of its ground beams previously had a return, one eighth of
-// all its beams is also enough.
+// plane within 20 m and with a slope of at least 1 in 16. A running mean tracks the fraction of a
+// ground sector's ground beams that have a return. Each turn updates the running mean with a weight
+// of 1/32. A ground sector becomes blocked after a turn in which fewer than one sixteenth of its
+// ground beams have a return. If the running mean is below one quarter, the sector becomes blocked
+// only if fewer than one sixteenth of all its beams have a return. A ground sector is unblocked
+// after three turns in which at least one eighth of its ground beams have a return. If the running
+// mean is below one quarter, it is enough that at least one eighth of all the sector's beams have a
+// return.
 //
 // Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
 // sectors of the lidar are blocked.
@@ -98,9 +99,10 @@ class BlockedSectors {
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
   // Returns the azimuths of a packet at which a missing return is not evidence of free space. At
-  // such an azimuth, either the sector was blocked in earlier frames, or fewer than one sixteenth
-  // of the evaluated beams in the packet have a return. The result also includes the azimuth parts
-  // adjacent to these azimuths.
+  // such an azimuth, the sector was blocked in earlier frames, the packet has no evaluated beams,
+  // or fewer than one sixteenth of the packet's evaluated beams have a return. In an open sector, a
+  // lack of evaluated beams is ignored. The result also includes the 1/256 turn on either side of
+  // each such azimuth.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:
@@ -146,7 +148,7 @@ class BlockedSectors {
   State state_{};
 };
 
-// A view of a packet that the fusion code uses. At silent azimuths, a missing return is not
+// Passes the points of a packet to the fusion code. At silent azimuths, a missing return is not
 // evidence of free space.
 class EvidentPacket {
  public:

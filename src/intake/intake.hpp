@@ -49,8 +49,8 @@ class Intake {
     return sensor_of(datagram) != kNobody;
   }
 
-  // Finds the sensor of a datagram, and decodes the datagram. Returns nothing if the datagram was
-  // dropped. The payload must outlive the result.
+  // Finds the sensor of a datagram, and decodes the datagram. Returns std::nullopt if the datagram
+  // was dropped. The payload must outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
   // Determines whether the packet belongs to the open frame. Drops a packet that repeats earlier

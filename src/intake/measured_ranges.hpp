@@ -65,8 +65,8 @@ class RangeMemory {
     return static_cast<std::uint32_t>(digest >> 54);
   }
 
-  // Packets are numbered modulo 2^32. Entry i belongs to the packet whose number is i modulo
-  // kMaxPackets.
+  // Packets are numbered modulo 2^32. Entry i belongs to the packet whose number modulo kMaxPackets
+  // is i.
   std::array<std::uint64_t, kMaxPackets> digests_{};
   std::array<std::uint32_t, kMaxPackets> before_{};  // number of the previous packet in its chain
   std::array<std::uint32_t, kHeads> newest_{};       // number of the newest packet of each chain
@@ -74,8 +74,8 @@ class RangeMemory {
   std::uint32_t number_ = kMaxPackets;  // number of the latest packet; at the start, 0 is too old
 };
 
-// Determines whether a sensor is still measuring. The order of the packets of a frame matters only
-// if two packets have equal ranges. In this case, the later packet is reported as frozen.
+// Determines whether a sensor is still measuring. The order of a frame's packets matters only if
+// two packets have equal ranges. In this case, the later packet is reported as frozen.
 class FrozenWatch {
  public:
   // Sets the number of previous packets to search for a repetition. The number must be below

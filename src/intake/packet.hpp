@@ -98,7 +98,7 @@ class Packet {
     return look;
   }
 
-  // Makes the packet read its points from this copy of the payload.
+  // Makes the packet read its points from `copy`, a copy of the payload.
   void move_to(std::span<const std::byte> copy) {
     with_decoder(*this, [copy](auto& decoder) { decoder.move_to(copy); });
   }

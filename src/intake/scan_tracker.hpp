@@ -95,9 +95,10 @@ class ScanTracker {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // Returns true if the timestamps of a second sweep over the same part of the turn span less than
-  // the shortest turn. Returns false if the clock has stepped by at least that time between the
-  // sweeps, as a clock that counts from the start of the hour does once per hour.
+  // For a packet that sweeps the same azimuths again, returns true if the timestamps of both sweeps
+  // span less than kShortestTurnUs. Returns false if the clock has stepped by at least this time
+  // between the sweeps. For example, a clock that counts from the start of the hour steps every
+  // hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

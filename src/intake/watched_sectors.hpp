@@ -52,7 +52,8 @@ class WatchedSectors {
   // Adds a packet of the current frame.
   void add(std::size_t sensor, const Packet& packet);
 
-  // Returns the surroundings at the end of the frame whose packets `intake` has received.
+  // Returns the unwatched and blocked sectors at the end of the frame whose packets `intake` has
+  // received.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
   // Returns the silent azimuths of a packet of this sensor. These azimuths depend on earlier

@@ -28,8 +28,8 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // The radar reports a precision of 0.2 m and 0.5 degrees. Hits get the highest index if a 1D cell
-  // is twice as long as the range precision (docs/model.md, section 10).
+  // The radar reports a precision of 0.2 m and 0.5 degrees. The index of a hit is highest if a 1D
+  // cell is twice as long as the range precision (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
@@ -75,7 +75,7 @@ class ContinentalArs548 {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     detections_ = copy.subspan(kHeadBytes, detections_.size());
   }

@@ -7,7 +7,8 @@
 namespace iog::lidar {
 
 // The defaults fit most spinning lidars, which have a precision of 3 cm and a range of at least 70
-// m. The grid ends at 51 m, or at 72 m in its corners, so a longer range has no effect.
+// m. The default grid extends 51 m to each side and 72 m to its corners, so a longer range has no
+// effect there.
 struct DataSheet {
   std::string_view type;           // name of the scanner in a car file
   std::string_view type_too{};     // name used by another manufacturer for the same unit
@@ -16,10 +17,11 @@ struct DataSheet {
   std::uint32_t precision_mm = 30;
   double sigma_m = 0.03;
   std::uint16_t scan_width_ticks = 0;  // width of a whole scan; 0 means a turn
-  // The maximum number of points per turn, with a small margin. The value is 0 if the maximum
+  // The maximum number of points per turn, plus a small margin. The value is 0 if the maximum
   // depends on the unit's settings. In this case, the car file must specify the maximum.
   std::uint32_t max_points_per_scan = 0;
-  // The standard deviation of a radar's azimuth, or of an ultrasonic sensor's cone.
+  // The standard deviation of a radar's azimuth, or of the Gaussian distribution across an
+  // ultrasonic sensor's cone.
   double azimuth_sigma_deg = 0;
 };
 

@@ -1,4 +1,4 @@
-// Selects between two returns of one beam, which some units send in two blocks.
+// Selects one of the two returns of a beam. Some units send the two returns in separate blocks.
 #pragma once
 
 #include <algorithm>

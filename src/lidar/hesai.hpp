@@ -1,12 +1,12 @@
 // Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars.
 //
-// A datagram is little-endian and contains a header with the numbers of lasers and blocks, the
-// blocks, and a tail with the time, the return mode and the manufacturer's byte (docs/spec.md).
-// Each block contains an azimuth and one range per laser. Packets of a Pandar40P have no header.
-// Instead, each block begins with a flag. The azimuth is clockwise from straight ahead. In dual
-// return mode, the blocks form pairs with the same azimuth. The order of the nearer and the farther
-// return in a pair depends on the unit, so the decoder compares the ranges. HesaiUnit describes all
-// other differences between units.
+// A datagram is little-endian and consists of a header, blocks, and a tail (docs/spec.md). The
+// header contains the numbers of lasers and blocks. The tail contains the time, the return mode and
+// the manufacturer's byte. Each block contains an azimuth and one range per laser. Packets of a
+// Pandar40P have no header. Instead, each block begins with a flag. The azimuth is clockwise from
+// straight ahead. In dual return mode, the blocks form pairs with the same azimuth. The order of
+// the nearer and the farther return in a pair depends on the unit, so the decoder compares the
+// ranges. HesaiUnit describes all other differences between units.
 //
 // The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
 // rotates by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
@@ -77,7 +77,7 @@ class HesaiPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:

@@ -1,5 +1,5 @@
 // Decodes the data packets of the Hesai Pandar40P (Pandar40P User Manual, "Point Cloud UDP Data").
-// A packet contains ten blocks, each with a flag, but no header. The elevations differ between
+// A packet has no header. Each of its ten blocks begins with a flag. The elevations differ between
 // units, so the car file specifies them.
 #pragma once
 

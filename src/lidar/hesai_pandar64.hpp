@@ -34,7 +34,7 @@ class HesaiPandar64 : public HesaiDecoder<kPandar64Unit> {
  public:
   static constexpr std::string_view kName = "Hesai Pandar64";
   // In single return mode, one turn consists of 300 packets of 384 points. In dual return mode, one
-  // turn has more points than can be marked in a frame.
+  // turn has more points than the default of max_points_per_scan (docs/sensors.md).
   static constexpr DataSheet kDataSheet{
       .type = "hesai_pandar64", .range_min_mm = 500, .max_points_per_scan = 320 * 384};
   static constexpr std::array<double, 0> kElevationsDeg{};

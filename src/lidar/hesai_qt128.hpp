@@ -44,8 +44,8 @@ class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
   // In single return mode, one turn consists of 450 packets of 256 points. Each packet contains 64
-  // points whose lasers did not fire. In dual return mode, one turn has more points than can be
-  // marked in a frame.
+  // points whose lasers did not fire. In dual return mode, one turn has more points than the
+  // default of max_points_per_scan (docs/sensors.md).
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

@@ -1,6 +1,6 @@
 // Decodes the data packets of the Hesai PandarXT-16, PandarXT-32 and PandarXT-32M (PandarXT User
-// Manual, "Point Cloud Data Packet"). XT units differ in the numbers of lasers and blocks and in
-// the unit of distance.
+// Manual, "Point Cloud Data Packet"). XT models differ in how many lasers and blocks they have, and
+// in the resolution of their ranges.
 #pragma once
 
 #include <array>

@@ -53,7 +53,7 @@ class IbeoLux {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     points_ = copy.subspan(kHeaderBytes + kScanBytes);
   }

@@ -2,9 +2,9 @@
 //
 // The messages have the format of a LUX with four layers (lidar/ibeo_lux.hpp). The two sides of the
 // mirror scan alternately. Relative to the mirror's axis, one side is tilted downwards and the
-// other upwards. Each message contains four layers. A flag specifies whether they are the lower or
-// the upper four layers (SICK, libsick_ldmrs, LuxBase). Units with four layers also set this flag,
-// so a message does not show whether its unit has four or eight layers.
+// other upwards. Each message contains four layers. A flag specifies whether a message contains the
+// lower or the upper four layers (SICK, libsick_ldmrs, LuxBase). Units with four layers also set
+// this flag, so a message does not show whether its unit has four or eight layers.
 #pragma once
 
 #include <array>
@@ -51,7 +51,7 @@ class IbeoLux8 {
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { scan_.move_to(copy); }
 
   // Calls visit(const ScanPoint&) for each point, in wire order. Requires decode() == kOk.

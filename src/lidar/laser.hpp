@@ -1,4 +1,4 @@
-// The manufacturer's calibration of the lasers of a unit.
+// The manufacturer's calibration of a unit's lasers.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Laser {
   double range_m = 0;        // offset added to every range, -10 to 10
 };
 
-// The integer corrections of a laser that change a scan point.
+// The corrections that are applied to the scan points of one laser, as integers.
 struct LaserCorrection {
   std::int16_t azimuth_ticks = 0;  // counter-clockwise; at most one twelfth of a turn
   std::int16_t range_mm = 0;

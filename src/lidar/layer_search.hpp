@@ -45,7 +45,7 @@ class LayerSearch {
 
  private:
   // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. The product of
-  // layers_per_part_ and fewer than 2^20 units therefore fits in 64 bits.
+  // layers_per_part_ and an elevation difference (below 2^20 units) therefore fits in 64 bits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

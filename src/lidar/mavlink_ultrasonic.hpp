@@ -24,7 +24,8 @@ class MavlinkUltrasonic {
  public:
   static constexpr std::string_view kName = "MAVLink ultrasonic";
   // Distances are sent in centimetres. Unless the air temperature is measured, the speed of sound
-  // is known only to within 1 %. Hits get the highest index if a 1D cell is twice as long as sigma.
+  // is known only to within 1 %. The index of a hit is highest if a 1D cell is twice as long as
+  // sigma_m.
   static constexpr DataSheet kDataSheet{.type = "mavlink_ultrasonic",
                                         .range_min_mm = 200,
                                         .range_max_mm = 5'000,
@@ -48,7 +49,7 @@ class MavlinkUltrasonic {
   // differs from the length in the header or exceeds the message's maximum length. `kWrongType`
   // means that the message is not MAVLink 2, is signed or has unsupported flags, has the wrong
   // message number or checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
-  // according to the message, the sensor does not point to a side of its carrier.
+  // according to the message, the sensor does not point horizontally.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   // Returns the checksum of a message. `message` must not include the checksum field, and must have

@@ -2,9 +2,9 @@
 //
 // A datagram is little-endian and contains 16 columns. Each column contains a time, the column's
 // number in the turn, and a range for each row of the unit (docs/spec.md; Ouster "Firmware User
-// Manual", chapter "Lidar Data Packet Format"). The decoder supports four profiles: the only
-// profile before firmware 2.0 (LEGACY), "low data rate" (RNG15), "single return" (RNG19) and "dual
-// return" (RNG19 dual). The car file specifies the profile, the number of rows and the number of
+// Manual", chapter "Lidar Data Packet Format"). The decoder supports four profiles: LEGACY (the
+// only profile before firmware 2.0), RNG15 ("low data rate"), RNG19 ("single return") and RNG19
+// dual ("dual return"). The car file specifies the profile, the number of rows and the number of
 // columns per turn, because packets do not contain these values.
 //
 // There are W columns in a turn. Column i is measured when the head has turned clockwise by i / W
@@ -67,7 +67,7 @@ class OusterPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:

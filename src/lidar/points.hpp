@@ -6,8 +6,8 @@
 // degree. In this unit, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers. The
 // car file specifies the elevations of the layers. Each point belongs to the nearest layer.
 //
-// Two formats use this layout. PointsTurning, whose kTurns is true, is for spinning units. Points
-// is for all other units.
+// Two formats use this layout. The decoder of spinning units is PointsTurning, whose kTurns is
+// true. The decoder of all other units is Points.
 #pragma once
 
 #include <algorithm>
@@ -61,15 +61,15 @@ class PointsPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { points_ = copy.subspan(kHeadBytes); }
 
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
   // The azimuths of spinning units are later rounded to at most 16,384 steps per turn. Rounding an
-  // azimuth down to a tick never changes its step, because half a step is an integer number of
-  // ticks. Other units use the ticks of a LUX.
+  // azimuth down to a tick first never changes the resulting step, because half a step is an
+  // integer number of ticks. Other units use the ticks of a LUX.
   [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
     return turns ? 32'768 : 11'520;
   }

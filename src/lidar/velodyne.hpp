@@ -2,8 +2,8 @@
 //
 // A datagram is 1206 bytes long and little-endian. The datagram contains 12 blocks, followed by the
 // time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
-// 32 ranges. Units differ in the lasers of a block, in the firing time of each laser and in the
-// unit of range. VelodyneUnit describes these differences.
+// 32 ranges. Models differ in which lasers a block contains, in when each laser fires, and in the
+// resolution of the ranges. VelodyneUnit describes these differences.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ struct VelodyneUnit {
   std::uint8_t range_unit_mm = 0;
   bool has_two_returns = true;  // if the unit is configured for it
   std::uint32_t block_ns = 0;   // time from one azimuth to the next
-  // Each channel fires fires_at / block_parts * block_ns after the azimuth of its block is
-  // measured.
+  // `fires_at` contains the firing time of each channel, in units of block_ns / block_parts. Firing
+  // times are relative to the measurement of the block's azimuth.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
   // The clockwise azimuth offset of each channel from the unit's direction, in units of 0.01
@@ -85,7 +85,7 @@ class VelodynePacket {
   // Returns the properties of the unit, as found in a valid packet.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
-  // Moves the view to this copy of the datagram.
+  // Moves the view to `copy`, a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -232,7 +232,7 @@ class VelodyneDecoder : public VelodynePacket {
   }
 
   // A cache of the latest firings. If the head rotates at a constant speed, the azimuth steps
-  // between blocks have only two values, which differ by one.
+  // between blocks have only two values, which differ by 0.01 degrees.
   class Turns {
    public:
     [[nodiscard]] const Firing& of(std::size_t bank, std::uint32_t step) {

@@ -55,8 +55,8 @@ class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
   // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz consists
-  // of 290 packets. In dual return mode, one turn consists of 579 packets, and the car file must
-  // specify a maximum that allows for them.
+  // of 290 packets. In dual return mode, one turn consists of 579 packets, so the car file must
+  // increase max_points_per_scan.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

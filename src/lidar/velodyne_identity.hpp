@@ -7,8 +7,8 @@
 // units. This duration can be computed from any two packets, even if packets between them were
 // lost. To compute this duration, take the azimuth increment per block of a packet. Multiply this
 // increment by the time between the two packets, and divide by the azimuth increment in that time.
-// A single packet is enough only if its azimuth increment would be too small or too large for one
-// of the two units at 5 to 20 turns per second.
+// A single packet is enough only if just one of the units could produce its azimuth increment at 5
+// to 20 turns per second.
 #pragma once
 
 #include <array>
@@ -81,7 +81,8 @@ class VelodyneIdentity {
   VelodyneCandidates candidates_;
   FormatSet possible_;
   VelodyneLook last_;
-  // The sums over all pairs of consecutive packets since the last result.
+  // The sums from which the duration of a block is computed. They cover all pairs of consecutive
+  // packets since the last result.
   std::uint64_t gain_times_us_ = 0;
   std::uint64_t gain_times_blocks_ = 0;
   std::uint32_t gain_between_ = 0;

@@ -1,8 +1,9 @@
 // Decodes the data packets of the Velodyne VLS-128 (Alpha Prime; VLS-128 User Manual 63-9483,
-// chapter 9). Four blocks with the same azimuth contain a firing of all 128 lasers. Each block is a
-// bank of 32 lasers with its own flag. The banks fire one after another. Within a bank, eight
-// lasers fire at a time, to the left or right of the block's azimuth. The unit of range is 4 mm.
-// Dual return mode is not supported, because no recording of this mode is available.
+// chapter 9). Four blocks with the same azimuth contain a firing of all 128 lasers. Each block
+// contains the ranges of a bank of 32 lasers, and its flag identifies the bank. The banks fire one
+// after another. Within a bank, eight lasers fire at a time, to the left or right of the block's
+// azimuth. The unit of range is 4 mm. Dual return mode is not supported, because no recording of
+// this mode is available.
 #pragma once
 
 #include <array>
