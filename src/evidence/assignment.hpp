@@ -56,9 +56,9 @@ consteval Assignment make_reinforced() {
 inline constexpr Assignment kReinforced = make_reinforced();
 
 // The least committed mass with the pignistic probability p_n is |2 * p_n - 1|, clamped to 0.95.
-// This assignment is for comparison only. A hit of +2 has less weight than a beam of -14, so the
-// hit is lost. The compiler reports an error if index kGradedIndexes - 1 does not reach a mass of
-// 0.95.
+// This assignment is for comparison only. A hit with an index of +2 has less weight than a crossing
+// beam with an index of -14, so such a beam erases the hit. The compiler reports an error if index
+// kGradedIndexes - 1 does not reach a mass of 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

@@ -127,7 +127,7 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// Returns the new value of a cell after a frame that brought evidence for it. The cell must already
+// Returns the new value of a cell after a frame with evidence for the cell. The cell must already
 // be aged.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =

@@ -55,8 +55,8 @@ inline constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
 inline constexpr std::uint16_t kUsualCellMm = 100;
 
 // The grid that a car file specifies. The memory always has kCellsPerSide cells per row, so the
-// numbers of cells and tiles above do not depend on the car file. If the grid is smaller, it is the
-// part of the memory that starts at cell (0, 0).
+// numbers of cells and tiles above do not depend on the car file. A smaller grid occupies the part
+// of the memory that starts at cell (0, 0).
 struct Grid {
   std::uint16_t cell_mm = kCellMm;
   std::uint16_t columns = kCellsPerSide;
@@ -77,7 +77,7 @@ struct Grid {
   [[nodiscard]] constexpr std::size_t tile_count() const {
     return columns / kTileSide * (rows / kTileSide);
   }
-  // Counts the grid's tiles that come before this tile of the memory, row by row. If the tile is
+  // Counts the grid's tiles that precede this tile of the memory in row-major order. If the tile is
   // part of the grid, the result is the tile number on the wire.
   [[nodiscard]] constexpr std::size_t tiles_before(std::size_t tile) const {
     const std::size_t across = columns / kTileSide;
@@ -86,7 +86,7 @@ struct Grid {
     const std::size_t column = tile % kTilesPerSide;
     return row < up ? row * across + (column < across ? column : across) : up * across;
   }
-  // Returns the tile of the memory with this number on the wire.
+  // Returns the tile of the memory that has this number on the wire.
   [[nodiscard]] constexpr std::size_t tile_in_memory(std::size_t number) const {
     const std::size_t across = columns / kTileSide;
     return number / across * kTilesPerSide + number % across;

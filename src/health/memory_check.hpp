@@ -1,5 +1,6 @@
 // Checks that constant memory has not changed. The check reads the memory cyclically in small
-// slices, and compares the CRC-32 of every region once per round.
+// slices. Once per round, it compares the CRC-32 of each region with the stored CRC-32 of the
+// region.
 //
 // A slice is 1,408 bytes long, which is one block of checksum/crc32.hpp. Slices are spread evenly
 // over a round. The load therefore depends on the number of bytes, but not on the loop period. If
@@ -32,15 +33,14 @@ class MemoryCheck {
   // load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // The maximum number of slices per step. These slices contain 45 KB, which take a quarter of a
-  // millisecond at 4 cycles per byte and 792 MHz.
+  // The maximum number of slices per step. Checking their 45 KB takes a quarter of a millisecond at
+  // 4 cycles per byte and 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 
   // The regions and their bytes must outlive the check. `regions` may be empty.
   explicit MemoryCheck(std::span<const Region> regions);
 
-  // Checks all regions at once. Returns the index of the first region that has changed, if there is
-  // one.
+  // Checks all regions at once. Returns the index of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
   // Checks the slices that are due. If a slice completes the check of a region that has changed,

@@ -1,8 +1,8 @@
 // The Internet checksum (RFC 1071) is the one's complement of the one's complement sum of 16-bit
 // words.
 //
-// Ranges: 2^16 = 1 modulo 2^16 - 1, so the carries can be added back at the end. A sum of n words
-// is below 2^16 * n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
+// The carries can be added back at the end because 2^16 = 1 modulo 2^16 - 1. A sum of n words is
+// below 2^16 * n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
 // 2^15 words.
 #pragma once
 

@@ -7,7 +7,7 @@
 //
 // The host reads no clock and owns no memory except the port's buffers. Received data is copied
 // only for reassembly. Sent data is copied once, and its checksum is computed during the copy. The
-// port's memory is uncached, so it would be slow to read the data back.
+// port's memory is uncached, so reading the data back would be slow.
 //
 // In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
 // then calls the port's pump().
@@ -47,7 +47,7 @@ class Host {
   // datagram. `now_us` must not decrease.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
-  // Provides the memory for reassembling fragments from now on. Before this call, all fragments are
+  // Sets the memory in which fragments are reassembled. Before this call, all fragments are
   // dropped.
   void join_fragments(Reassembly& reassembly) { reassembly_ = &reassembly; }
 
@@ -55,8 +55,8 @@ class Host {
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
   // Sends a copy of `payload` to the peer. If the payload is longer than kMaxUdpPayloadBytes, the
-  // peer is unresolved, or the transmit ring is full, the call returns false, sends nothing and
-  // counts the cause.
+  // peer is unresolved, or the transmit ring is full, the call increments the counter for the cause
+  // and returns false without sending the payload.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
   // Sends a copy of `payload` to a destination whose Ethernet address the caller knows.
@@ -235,8 +235,9 @@ void Host<Port>::release_frame() {
 }
 
 // Sends an ARP request if one is due. The first poll() sends a request immediately, which also
-// announces the target. QEMU's user network forwards nothing to the target before this request. If
-// the ring is full, the request is not stored, and the next one is due a second later.
+// announces the target. QEMU's user network does not forward frames to the target until the target
+// has sent this request. If the ring is full, the request is not stored, and the next one is due a
+// second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
   const std::optional<MacAddress> whom = resolver.request_due(now_us);

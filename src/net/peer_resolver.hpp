@@ -45,9 +45,9 @@ class PeerResolver {
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of
-  // the frame. If `mac` is not the known MAC address, the known station is soon asked to confirm
-  // that address. Traffic alone never replaces the address, because a router also forwards packets
-  // with a forged source.
+  // the frame. If `mac` differs from the known MAC address, the station with the known address is
+  // soon asked to confirm it. Traffic alone never replaces the address, because a router also
+  // forwards packets with a forged source.
   void hear(const MacAddress& mac);
 
   // If an ARP request is due now, returns its destination and counts it as sent. If the known

@@ -12,7 +12,7 @@
 // datagrams, its own oldest datagram is evicted. If unlisted senders are allowed, they share the
 // remaining slots. If all shared slots are in use, the unlisted sender with the most datagrams
 // loses one of them. This sender loses the datagram with the fewest fragments or, in a tie, the
-// oldest one. In a flood, orphaned fragments are therefore evicted before the datagram of a sensor.
+// oldest one. In a flood, orphaned fragments are therefore evicted before a sensor's datagrams.
 #pragma once
 
 #include <array>
@@ -64,9 +64,9 @@ class FragmentSenders {
 class Reassembly {
  public:
   static constexpr std::size_t kDatagrams = FragmentSenders::kMostDatagrams;
-  // The size of the UDP header plus the longest payload of any sensor. The longest payload is the
-  // 35,336 bytes of a Continental ARS548. An Ouster with 128 rows and two returns sends 33,024
-  // bytes per packet.
+  // The size of the UDP header plus the longest payload of any sensor. A Continental ARS548 has the
+  // longest payload, 35,336 bytes. An Ouster with 128 rows and two returns sends 33,024 bytes per
+  // packet.
   static constexpr std::size_t kMaxBytes = 35'336 + 8;
   // A datagram of 35,344 bytes is split into 24 fragments of 1480 bytes. No sender uses fragments
   // of less than 984 bytes.

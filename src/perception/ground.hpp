@@ -41,8 +41,8 @@ class GroundMemory {
   // Resets the periods of the last updates.
   void forget() { last_turns_ = {}; }
 
-  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` is the
-  // number of frames so far with a registered slice, including this frame.
+  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` counts
+  // the frames with a registered slice so far, including this frame.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;

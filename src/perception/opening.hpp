@@ -1,7 +1,7 @@
 // Implements free-space gating. Only low beams make a cell eligible for motion detection.
 //
 // A beam frees every cell that it crosses within the height band. Some of these cells are above a
-// bonnet, a verge or a kerb, or the beam reaches them through the windows of a parked car. If a
+// bonnet, a verge or a kerb. The beam reaches others through the windows of a parked car. If a
 // later beam hits such a cell, the hit is at a different height, and nothing has moved. The car
 // file therefore specifies two heights for each sensor: the maximum height of a beam that opens
 // cells (low_mm), and the minimum height of a return from a moving object (tall_mm). The following

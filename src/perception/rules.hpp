@@ -31,8 +31,8 @@ static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 [[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
 
 // A hit is classified as moved only if a tall return is within this distance of it along each axis.
-// Some sensors have fewer tall returns, because their tall returns must also be well above the
-// highest ground nearby (ground/ground.hpp). The larger distance applies to these sensors.
+// Some sensors have fewer tall returns because theirs must also be well above the highest ground
+// nearby (ground/ground.hpp). The larger distance applies to these sensors.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
@@ -47,8 +47,8 @@ struct Around {
   // Gaps of up to twice this radius between beams are closed. All cells within this distance of a
   // dense cell must have been observed.
   int gaps = 2;
-  // All cells within this distance of an open cell must be free. New hits are counted within the
-  // same distance of a cell.
+  // All cells within this distance of an open cell must be free. For each hit, the new hits within
+  // this distance are counted.
   int open = 3;
   friend bool operator==(const Around&, const Around&) = default;
 };
@@ -62,8 +62,8 @@ static_assert(around_with(geometry::kUsualCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // The tables, in static storage, of a car that defines its own evidential constants. If the
-  // pointer is null, the default constants are used.
+  // The tables of a car that defines its own evidential constants. The tables must be in static
+  // storage. If the pointer is null, the default constants are used.
   const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If the pointer is null, all hits have the same
   // mass.

@@ -37,15 +37,15 @@ struct StandingCounts {
                                              const Around& around = {});
 
 // Detects wrong poses. If the poses are wrong, beams appear to pass through standing objects on all
-// sides. Counts are averaged over about eight frames. The weight of a frame therefore falls to one
-// half after five more frames. When a parked car drives off, beams also cross its cells, but walls,
+// sides. Counts are averaged over about eight frames. The weight of a frame is therefore halved
+// after five more frames. When a parked car drives off, beams also cross its cells, but walls,
 // poles and other cars are confirmed at the same time.
 //
-// If the poses are wrong from the start, few cells are classified as standing, and a much larger
-// fraction of them is crossed by beams. The minimum number of cells is therefore lower until the
-// poses first show the car moving. Until then, the poses are also contradicted if more than an
-// eighth of these cells are crossed in many successive frames. The excess over an eighth is
-// accumulated, and decays over about a hundred frames.
+// If the poses are wrong from the start, few cells are classified as standing, and beams cross a
+// much larger fraction of them than with correct poses. The minimum number of cells is therefore
+// lower until the poses first show the car moving. Until then, the poses are also contradicted if
+// more than an eighth of these cells are crossed in many successive frames. The excess over an
+// eighth is accumulated, and decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {

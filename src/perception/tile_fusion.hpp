@@ -32,7 +32,7 @@ struct GroupBudget {
     --left;
     return true;
   }
-  // Returns the number of groups of each kind that were taken.
+  // Returns how many groups of each kind were taken.
   GroupBudget take(const GroupBudget& groups) {
     const GroupBudget taken{.with_hits = std::min(groups.with_hits, with_hits),
                             .without_hits = std::min(groups.without_hits, without_hits)};
@@ -62,12 +62,12 @@ inline GroupBudget groups_of(const placing::FrameEvidence::TileIndexes& tile) {
 // The remaining budget, or an empty optional if the number of groups is unlimited.
 using Budget = std::optional<GroupBudget>;
 
-// The number of groups by which prefetching runs ahead.
+// Prefetching runs kGroupsAhead groups ahead of fusion.
 inline constexpr std::size_t kGroupsAhead = 4;
 
-// Lists the groups of a tile that will be fused, in ascending order, and counts the groups with
-// evidence that are over budget. The last entry is repeated so that prefetching may read beyond the
-// end.
+// Lists the groups of a tile that will be fused, in ascending order, and counts the groups that
+// have evidence but exceed the budget. The last entry is repeated so that prefetching may read
+// beyond the end.
 class GroupList {
  public:
   GroupList(const placing::FrameEvidence::TileIndexes& indexes, Budget& budget) {
@@ -123,7 +123,7 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Returns a reference because a copy would not be in the cache in time.
+// Returns a reference because a copy would not yet be in the cache when it is read.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
@@ -144,8 +144,8 @@ void fuse_groups(const TileUpdate& update, window::Tile& tile,
   const auto is_hit = [&](std::size_t group) {
     return has_hit && eight_at(indexes, group).has_positive();
   };
-  // Crosses kGroups consecutive groups at once, starting at entry i of the list. Returns false if
-  // this is not possible.
+  // Calls TileUpdate::cross() once for kGroups consecutive groups, starting at entry i of the list.
+  // Returns false if this is not possible.
   const auto cross = [&](auto at_once, std::size_t i) {
     constexpr std::size_t kGroups = at_once();
     const std::size_t group = groups[i];

@@ -32,7 +32,7 @@ inline void set_eight(window::Plane& plane, std::size_t group, std::uint8_t bits
   std::as_writable_bytes(std::span(plane))[group] = std::byte{bits};
 }
 
-// The values of two or four consecutive groups of a row in one word, with one byte per group.
+// A word that contains one byte for each of two or four consecutive groups of a row.
 template <std::size_t kGroups>
 using Joint = std::conditional_t<kGroups == 4, std::uint32_t, std::uint16_t>;
 
@@ -97,8 +97,8 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // Returns true if needs_no_taken() is true for each of kGroups consecutive groups, and all of
-  // these groups were last aged in the same frame and last had evidence in the same frame.
+  // Returns true if needs_no_taken() is true for each of kGroups consecutive groups, and neither
+  // Tile::aged_at nor Tile::evidence_at differs between these groups.
   template <std::size_t kGroups>
   [[nodiscard]] bool may_be_joint(const window::Tile& tile, std::size_t group) const {
     const auto are_equal = [](Joint<kGroups> bytes) { return std::rotr(bytes, 8) == bytes; };

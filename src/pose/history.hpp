@@ -39,7 +39,7 @@ struct Placed {
   friend constexpr bool operator==(const Placed&, const Placed&) = default;
 };
 
-// The number of times that a cause began, and the time at which it last began.
+// How often a cause began, and when it last began.
 struct Tally {
   std::uint32_t times = 0;
   std::uint64_t since_us = 0;
@@ -57,9 +57,9 @@ class History {
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
   // Reports the current time on the clock of the source. The caller passes the end of the newest
-  // slice, or the source_time() of the current time. The function detects that the source is lost.
-  // Without calls to pass(), the loss would be detected only when the source's next message
-  // arrives.
+  // slice, or the current time as converted by source_time(). The function detects that the source
+  // is lost. Without calls to pass(), the loss would be detected only when the source's next
+  // message arrives.
   void pass(std::uint64_t now_us);
 
   // Reports the current time on the target's clock. Call pass_silence() if the time since the
@@ -67,8 +67,8 @@ class History {
   void pass_silence(std::uint64_t target_us);
 
   // Reports that the registered data contradict each other. The poses were therefore wrong, and the
-  // source may be stuck. Poses are then rejected until the position differs from the current one,
-  // but for at most kMaxStuckUs.
+  // source may be stuck. Poses are then rejected until a message differs from the newest pose by
+  // more than the jump limits, but for at most kMaxStuckUs.
   void contradict();
 
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. After the
@@ -87,8 +87,8 @@ class History {
   // longer known.
   [[nodiscard]] std::uint32_t epoch() const { return epoch_; }
 
-  // Returns true if, in this run, the position or heading of a message has differed from that of
-  // the first message by at least a jump.
+  // Returns true if any message of this run differs from the first one by more than the jump
+  // limits.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
   // Returns how often each break occurred, and when it last occurred. The times of `kLost` and
@@ -99,8 +99,8 @@ class History {
     return breaks_[static_cast<std::size_t>(cause)];
   }
 
-  // Returns the newest message, even if it is too old to register any data with it. Returns nothing
-  // before the first message.
+  // Returns the newest message, even if it is too old for registering data. Returns nothing before
+  // the first message.
   [[nodiscard]] std::optional<Message> newest() const {
     return count_ == 0 ? std::nullopt : std::optional(entry(0).message);
   }

@@ -1,5 +1,5 @@
-// Defines the valid ranges of pose values, the time for which a pose is used, and the conditions
-// under which a pose is rejected (docs/spec.md, section 5).
+// Defines the valid ranges of pose values, how long a pose is used, and when a pose is rejected
+// (docs/spec.md, section 5).
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,7 @@ inline constexpr std::uint64_t kMinSpacingUs = 8'000;
 inline constexpr std::size_t kHistoryMessages = 128;
 static_assert((kHistoryMessages - 1) * kMinSpacingUs >= kLostUs);
 
-// If messages come from a different run or clock, this run or clock is accepted after
-// kConfirmations consecutive messages.
+// A different run or clock is accepted after kConfirmations consecutive messages from it.
 inline constexpr std::size_t kConfirmations = 3;
 
 // If the standard deviation of a pose exceeds 150 mm, no slices are registered with it. For the
@@ -44,8 +43,8 @@ inline constexpr std::size_t kConfirmations = 3;
 inline constexpr std::uint16_t kMaxSigmaMm = 150;
 inline constexpr std::uint16_t kMaxSigmaHeading = kMaxSigmaMm * 100'000 / kReachMm;  // 10 urad
 
-// After a contradiction by the sensors, the source is rejected until its pose has changed by at
-// least a jump, but for at most kMaxStuckUs.
+// After a contradiction by the sensors, the source is rejected until its pose has changed by more
+// than the jump limits, but for at most kMaxStuckUs.
 inline constexpr std::uint64_t kMaxStuckUs = 10'000'000;
 
 // No clock drifts faster than kMaxDriftPpm. If the clock offset grows by more than

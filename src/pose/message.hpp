@@ -1,6 +1,6 @@
-// The pose message, which consists of the SOME/IP and E2E headers that all messages have
-// (protection/protected_message.hpp), followed by 72 bytes of big-endian content. Each byte is
-// described in docs/spec.md, section 5.1.
+// A pose message begins with the SOME/IP and E2E headers that all messages have
+// (protection/protected_message.hpp). The headers are followed by 72 bytes of big-endian content.
+// Each byte is described in docs/spec.md, section 5.1.
 #pragma once
 
 #include <array>

@@ -21,9 +21,9 @@ struct Motion {
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
 // Interpolates linearly between two poses that are span_us apart. Returns the pose at elapsed_us
-// after `from`. The heading takes the shorter turn. If both turns are equally long, the heading
-// turns clockwise. Requires 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6 and |x|, |y| <= 10^9
-// mm. Coordinates are rounded to the nearest integer, and ties are rounded up.
+// after `from`. The heading turns through the smaller of the two possible angles. If both angles
+// are equal, the heading turns clockwise. Requires 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6
+// and |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, and ties are rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 

@@ -70,8 +70,8 @@ class Source {
 
   // Returns the number of datagrams with each outcome since start-up.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // Returns the number of slices since start-up for each reason why a slice has no pose. The entry
-  // kNone counts the slices with a pose.
+  // For each reason, returns how many slices have had no pose since start-up. The entry kNone
+  // counts the slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
   // Returns how often each cause began, and when it last began. For kLate and kImprecise, this time
   // is the middle of the first slice in a series of slices without a pose. For the other causes,

@@ -24,7 +24,7 @@ class TileRuns {
 
   // Returns one byte per run, in the order of the runs. The byte is the value of the run, or
   // as_reference() if the run equals the reference. A run at the beginning of the tile is omitted
-  // if it equals the reference. The last word is padded with as_reference().
+  // if it equals the reference. The last word is padded with the value of as_reference().
   [[nodiscard]] std::span<const std::uint32_t> fours() const {
     return std::span(values_).first((count_ + 3) / 4);
   }
