@@ -2,8 +2,8 @@
 //
 // If a target is too slow for its sensors, the loop never empties the receive ring. The waiting
 // Ethernet frames become stale, and eventually the controller drops new frames unread. If the ring
-// has not been empty for kLongestUs, the loop therefore sheds and counts the waiting datagrams. As
-// a result, the delay of the target's grids never exceeds kLongestUs.
+// has been non-empty without interruption for kLongestUs, the loop sheds and counts the waiting
+// datagrams. As a result, the delay of the target's grids never exceeds kLongestUs.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class Backlog {
 
   // Call this function when the ring is empty.
   void clear() { is_busy_ = false; }
-  // Call this function when the content of the ring has been shed.
+  // Call this function after shedding the datagrams in the ring.
   void begin(std::uint64_t now_us) {
     is_busy_ = true;
     since_us_ = now_us;

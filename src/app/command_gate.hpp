@@ -22,8 +22,8 @@
 
 namespace iog::app {
 
-// The car whose commands must be signed, and the car's key. The target also signs its stream with
-// this key. If the car file does not enable classes, the target accepts no commands.
+// A car that accepts only signed commands, and its key. The target also signs its stream with this
+// key. If the car file does not enable classes, the target accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;
@@ -33,7 +33,7 @@ struct SignedCommands {
 class CommandGate {
  public:
   // If `commands` is empty, every datagram passes the gate. `run` is the target's run number, which
-  // is used by the signers.
+  // every signature covers.
   CommandGate(const std::optional<SignedCommands>& commands, std::uint32_t run)
       : CommandGate(commands.value_or(SignedCommands{}), run, commands ? kOn : kOff) {}
   // The gate is not copyable, because the verifiers point to the key.
@@ -42,12 +42,13 @@ class CommandGate {
 
   [[nodiscard]] bool is_on() const { return signs_ != kOff; }
 
-  // Returns the key of an enabled gate. The reference is valid for the lifetime of the gate.
+  // Returns the key, which is meaningful only if the gate is enabled. The reference is valid for
+  // the lifetime of the gate.
   [[nodiscard]] const authentication::CmacKey& key() const { return key_; }
 
-  // Returns the datagram for the pipeline. Returns nothing if the datagram is a command that is not
-  // authentic. The returned datagram is valid until the next call. A command from an unknown source
-  // is passed on with an empty payload so that the pipeline can count it. The gate therefore
+  // Returns the datagram to pass to the pipeline. Returns nothing if the datagram is a command that
+  // is not authentic. The returned datagram is valid until the next call. A command from an unknown
+  // source is passed on with an empty payload so that the pipeline can count it. The gate therefore
   // computes no MAC for unknown sources.
   [[nodiscard]] std::optional<intake::Datagram> pass(const intake::Datagram& datagram) {
     if (guards_ == kOff) {

@@ -1,6 +1,6 @@
 // Lists the senders whose fragments a target reassembles. The target reassembles fragments only
-// from the senders that it listens to, one datagram at a time for each stream. Other senders cannot
-// occupy the reassembly buffers (docs/spec.md, 1.5).
+// from the senders that it listens to. For each sensor or other source, the target reassembles one
+// datagram at a time. Other senders cannot occupy the reassembly buffers (docs/spec.md, 1.5).
 #pragma once
 
 #include "net/reassembly.hpp"

@@ -1,7 +1,7 @@
 // The frame that is currently open. This class determines which packets belong to the frame and
 // when the frame ends, and it records the outcomes of the packets. Callers pass the time and the
-// datagrams as arguments. The target and `iog fuse` therefore produce the same frames without a
-// clock or a network.
+// datagrams as arguments, so this class needs neither a clock nor a network. The target and `iog
+// fuse` therefore produce the same frames.
 //
 // A frame starts with its first packet. The frame ends when the first of these events occurs: every
 // sensor has delivered its scan, a sensor's next scan begins, or the vehicle's frame period has
@@ -10,10 +10,10 @@
 //
 // If one core fuses the packets, it fuses each packet on arrival. If a dense lidar sends more
 // points than one core can process, several cores share the work. The lidar's packets are then
-// buffered until there is a part for each core. The cores fuse the parts in a round while the next
-// packets arrive. The parts are merged when the frame ends (fusion/shared_fusion.hpp). The grid
-// does not depend on the number of cores. If the frame has classes, all packets are buffered until
-// the frame ends (app/perception_engine.hpp).
+// buffered until there are enough packets to give each core a part. The cores fuse the parts in a
+// round while the next packets arrive. The parts are merged when the frame ends
+// (fusion/shared_fusion.hpp). The grid does not depend on the number of cores. If the frame has
+// classes, all packets are buffered until the frame ends (app/perception_engine.hpp).
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ namespace iog::app {
 // core is enough, because fusing their frame takes less time than splitting it between two cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
-// The time at which the points of a frame's packets are fused.
+// Specifies whether points are fused when their packet arrives or when the frame ends.
 enum class Fusing : std::uint8_t { kAsTheyCome, kAtItsEnd };
 
 // A Frame uses 19 MB, so it must be in static memory.
@@ -84,11 +84,11 @@ class Frame {
   }
   void fuse(const intake::SensorPacket& packet, std::uint64_t now_us, const work::Crew& crew);
 
-  // The fusion, which contains the buffered packets.
+  // Returns the fusion of this frame, including the buffered packets.
   [[nodiscard]] fusion::SharedFusion& fusion() { return fusion_; }
   [[nodiscard]] const fusion::SharedFusion& fusion() const { return fusion_; }
 
-  // Sheds a packet that has waited too long, and counts its points as not taken.
+  // Sheds a packet that has waited too long, and counts its points as "not taken".
   void leave(const intake::SensorPacket& packet) { intake_.leave(packet); }
 
   // Returns true if the frame has at least one packet.
@@ -104,9 +104,9 @@ class Frame {
   // Returns the frame number, which starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // `finish()` completes the grid. After each stage, finish() calls lap(stage) with the stage's
-  // stream::StageTicks. `end_fusion()` is the last step of finish(). Callers that fuse the buffered
-  // packets themselves call only end_fusion().
+  // `finish()` completes the grid. After each stage, finish() passes the stage's member of
+  // stream::StageTicks to lap(). `end_fusion()` is the last step of finish(). Callers that fuse the
+  // buffered packets themselves call only end_fusion().
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {
     if (is_shared_) {
@@ -159,8 +159,9 @@ class Frame {
   std::uint32_t number_ = 0;
 };
 
-// Handles one datagram if it is a packet from a sensor. Calls fuse(packet) if the packet belongs to
-// the open frame. If the packet ends the frame, calls close() before or after fusing it.
+// Handles one datagram if it is a packet from a sensor. If the packet belongs to the next frame,
+// first calls close(). Calls fuse(packet) unless the packet was dropped. If every sensor has then
+// delivered its scan, calls close().
 template <typename Fuse, typename Close>
 void take_packet(Frame& frame, const std::optional<intake::SensorPacket>& packet, Fuse&& fuse,
                  Close&& close) {

@@ -106,7 +106,8 @@ class Life {
     }
   }
 
-  // Reports cores that have answered since the last call, and wakes all cores again.
+  // Reports each core that has answered since the last call or is not expected to answer, and wakes
+  // all cores again.
   template <typename Team>
   void call(Team& team, std::uint64_t now_us) {
     for (std::size_t core = 1; core < hal::kMaxCores; ++core) {

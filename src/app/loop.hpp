@@ -68,8 +68,8 @@ concept Machine = requires(T& machine) {
 // LUX units has 24 datagrams, and a full receive ring contains 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The maximum number of datagrams that a slow loop sheds at once. The number covers a full receive
-// ring, plus the same number of datagrams that may arrive in the meantime.
+// The maximum number of datagrams that a slow loop sheds at once. This limit is twice the capacity
+// of the receive ring, because the ring may fill up again in the meantime.
 inline constexpr int kMaxDatagramsLeft = 512;
 
 // Adapts the machine to Platform, the interface that the pipeline requires.
@@ -99,9 +99,9 @@ class MachinePlatform {
   [[nodiscard]] net::Host<Port>& host() { return host_; }
   [[nodiscard]] Offering<Port>& offering() { return offering_; }
 
-  // Returns the datagram for the pipeline. Returns nothing if service discovery has handled the
-  // datagram, or if a required signature is invalid. The returned datagram is valid until the next
-  // call.
+  // Returns the datagram to pass to the pipeline. Returns nothing if service discovery has handled
+  // the datagram, or if a required signature is invalid. The returned datagram is valid until the
+  // next call.
   [[nodiscard]] std::optional<intake::Datagram> admit(const net::Datagram& datagram,
                                                       std::uint64_t now_us) {
     if (offering_.take(datagram, now_us)) {
@@ -110,8 +110,8 @@ class MachinePlatform {
     return gate_.pass({datagram.source.value, datagram.destination_port, datagram.payload});
   }
 
-  // Sends a message. Also services the serial transmitter, because a frame may have hundreds of
-  // messages.
+  // Sends a message. A frame may have hundreds of messages, so each call also services the serial
+  // transmitter.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     machine_.serial().pump();
     const bool is_sent = offering_.send_message(message);

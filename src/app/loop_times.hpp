@@ -60,7 +60,7 @@ class LoopTimes {
 
   struct Counts {
     std::array<health::Durations, kRows> rows{};
-    // The names that are used in the stream (stream/target_table.hpp).
+    // The names of the rows in the stream (stream/target_table.hpp).
     static constexpr auto kNames =
         std::to_array<std::string_view>({"fuse", "mark", "publish", "perceive", "frame", "late",
                                          "core 0", "core 1", "core 2", "core 3"});

@@ -54,7 +54,7 @@ class NetworkSink {
     tiles_.add(tile, cells, CellsStay::kToTheFinish);
   }
 
-  // Call this function only if all waiting tiles are encoded.
+  // Call this function only after all waiting tiles have been encoded.
   void end_encoded_tiles() { end_tiles(tiles_.finish_encoded()); }
 
   void send_frame_end() {

@@ -9,7 +9,7 @@
 
 namespace iog::app {
 
-// Tracks with fewer updates are not sent because they are still uncertain.
+// Tracks with fewer updates than this are not sent because they are still uncertain.
 inline constexpr std::uint32_t kToldFrom = 4;  // updates
 
 // Returns the record of an existing track. `now_us` is the time of the track's position.

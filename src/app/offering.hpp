@@ -23,8 +23,8 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // The number of messages needed for a complete grid of raw tiles, plus other messages that may be
-  // sent at the same time.
+  // The maximum number of messages per frame. This number allows for a complete grid of raw tiles
+  // and for other messages that may be sent at the same time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
   // The number of buffers that remain reserved for the peer if a frame has more messages than
   // expected.
@@ -75,8 +75,8 @@ class Offering {
   // Marks the next message as the first message of a frame.
   void begin_frame() { messages_ = 0; }
 
-  // Sends the message to the peer and then to the subscriber. Returns false if the message is sent
-  // to neither of them.
+  // Sends the message to the peer and then to the subscriber. Returns true if at least one of the
+  // two transmissions succeeded.
   [[nodiscard]] bool send_message(std::span<const std::byte> message) {
     const bool is_sent = host_.send_message(message);
     ++messages_;

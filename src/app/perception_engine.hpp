@@ -70,7 +70,7 @@ class PerceptionEngine {
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
   // Closes the frame. Completes the grid and the classes, using all cores of the crew. After each
-  // stage, finish() calls lap(stage) with the stage's stream::StageTicks.
+  // stage, finish() passes the stage's member of stream::StageTicks to lap().
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -78,11 +78,11 @@ class PerceptionEngine {
     end(crew, [] {});
     lap(&stream::StageTicks::perceive);
   }
-  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers can use
-  // these steps to run other tasks at the same time. `decide()` completes the grid and all classes
-  // except those of moving objects. `follow_objects()` adds the classes of moving objects on core
-  // 0. Other cores may read the grid while follow_objects() runs. `end()` stores the ground. While
-  // end() runs, core 0 runs do_beside(), which may read the classes.
+  // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers that call
+  // these steps individually can run other tasks in parallel. `decide()` completes the grid and all
+  // classes except those of moving objects. `follow_objects()` adds the classes of moving objects
+  // on core 0. Other cores may read the grid while follow_objects() runs. `end()` stores the
+  // ground. While end() runs, core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);

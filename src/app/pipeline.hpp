@@ -1,4 +1,4 @@
-// The pipeline processes data from the incoming datagrams to the last message of a frame.
+// The pipeline turns incoming datagrams into frames and sends each frame as messages.
 //
 //     wire bytes -> [intake] packet -> scan points -> [fusion] grid -> tiles -> [sinks] wire bytes
 //                                                       '-> [window] classes -> tiles --^
@@ -219,7 +219,8 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // `publish()` and `publish_divided()` are not inlined so that both can use the same stack space.
+  // `publish()` and `publish_divided()` are kept out of line so that both can use the same stack
+  // space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -233,10 +234,10 @@ class FramePipeline {
     keep_cache(false);
   }
 
-  // Each tile and its reference are used once per frame. Tiles and references must not evict the
-  // tables and the cached lines, which the next frame uses again. Keeping the cached lines would
-  // only cost time for raw tiles, which have no reference, and for classes, which reuse most of
-  // their data (lab/notes/2026-11-29-l2-lockdown.md).
+  // Each tile and its reference are used only once per frame. They must not evict the tables and
+  // beam lines from the L2 cache, because the next frame uses these again. Raw tiles have no
+  // reference, and classes reuse most of their data. For raw tiles and classes, protecting the
+  // cache would only cost time (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -312,8 +313,8 @@ class FramePipeline {
 template <Platform P, FrameSink... Sinks>
 using Pipeline = FramePipeline<NoPerception, P, Sinks...>;
 
-// A pipeline with the classes of the window. `unfit_for_perception()` must return kNone for the
-// vehicle. The replayer may also send poses.
+// A pipeline that also computes the classes of the window. `unfit_for_perception()` must return
+// kNone for the vehicle. The replayer may also send poses and maps.
 template <Platform P, FrameSink... Sinks>
 using PerceptionPipeline = FramePipeline<PerceptionEngine, P, Sinks...>;
 

@@ -1,5 +1,5 @@
-// Defines what the pipeline requires of its machine, and the sinks that receive the pipeline's
-// frames.
+// Defines the interface that the pipeline requires of its machine, and the interfaces of the sinks
+// that receive the pipeline's frames.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ concept Platform = requires(T& platform, std::span<const std::byte> message, std
   { platform.share(items, work, beside) } -> std::same_as<void>;
 };
 
-// A platform that declares that it never has more than one core.
+// A platform that is declared to have only one core.
 template <typename T>
 concept HasOneCore = requires {
   requires T::kMostCores == 1;

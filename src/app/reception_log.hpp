@@ -29,7 +29,8 @@ class ReceptionLog {
       ++not_listed_;
       return;
     }
-    // Until the frame is closed, this field contains the arrival time itself, modulo 2^32.
+    // This field contains the arrival time modulo 2^32 until close() replaces it with the time from
+    // the arrival to the closing of the frame.
     list_[count_++] = {.port = datagram.destination_port,
                        .key = stream::key_of(datagram.payload),
                        .before_close_us = static_cast<std::uint32_t>(now_us)};

@@ -70,7 +70,8 @@ template <Machine M>
   }
 }
 
-// Never returns. A target that does not know its own address calls this function and sends nothing.
+// Call this function if the target does not know its own address. The function sends nothing and
+// never returns.
 template <Machine M>
 [[noreturn]] void run_mute(M& machine) {
   for (;;) {

@@ -38,16 +38,16 @@
 
 namespace iog::app {
 
-// The encoding of the sent tiles. Tiles in their shortest encoding take up a tenth as many bytes as
-// raw tiles, but need more instructions.
+// The encoding of the sent tiles. In their shortest encoding, tiles have a tenth of the size of raw
+// tiles, but encoding them takes more instructions.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // Specifies how long the cells of an added tile stay unchanged.
 enum class CellsStay : std::uint8_t { kForTheCall, kToTheFinish };
 
-// A TileSender must be in static memory because it uses 2.2 or 2.4 MB for sent and encoded tiles
-// and, for indexes, for a batch of copies. Hash is stream::GridHash for indexes and
-// stream::ClassHash for classes.
+// A TileSender contains sent and encoded tiles, so it must be in static memory. It uses 2.2 MB for
+// classes. For indexes, it uses 2.4 MB because it also contains a batch of copied tiles. Hash is
+// stream::GridHash for indexes and stream::ClassHash for classes.
 template <Platform P, typename Hash>
 class TileSender {
  public:
@@ -81,18 +81,18 @@ class TileSender {
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
     add({.tile = tile, .cells = cells}, cells_stay);
   }
-  // Adds a tile of classes by its number in messages. The cells must not change until finish(). The
-  // tile is skipped if no cell has a class. `age_frames` is the number of frames since the tile's
-  // classes were computed. `version` must not be 0, and must differ from the previous version if
-  // the cells have changed since the tile was last added.
+  // Adds a tile of classes. `tile` is the tile's number in messages. The cells must not change
+  // until finish(). The tile is skipped if no cell has a class. `age_frames` is the number of
+  // frames since the tile's classes were computed. `version` must not be 0, and must differ from
+  // the previous version if the cells have changed since the tile was last added.
   void add_classes(std::size_t tile, tile_coding::TileCells cells, std::uint8_t age_frames,
                    std::uint32_t version) {
     add({.tile = tile, .cells = cells, .age_frames = age_frames, .version = version},
         CellsStay::kToTheFinish);
   }
 
-  // Returns true if the added tiles are waiting to be encoded together because several cores share
-  // the work.
+  // Returns true if the added tiles wait to be encoded together. They wait if several cores share
+  // the work and the tiles are not sent raw.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
@@ -219,9 +219,9 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Encodes cells that have not changed. The cells are encoded against the same reference as
-  // before. If the cells were sent without a reference, they are encoded as unchanged. If the
-  // function is interrupted and repeated, the result is the same.
+  // Updates the encoding of cells that have not changed. The reference is the same as before, or
+  // the cells' own self-contained tile. After a self-contained tile, the new encoding states that
+  // no cell has changed. If the function is interrupted and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {

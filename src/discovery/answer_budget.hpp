@@ -12,7 +12,7 @@ class AnswerBudget {
   static constexpr std::uint32_t kBurst = 8;
   static constexpr std::uint32_t kPerTokenUs = 100'000;
 
-  // Takes a token. Returns false if none is left. `now_us` must not decrease.
+  // Takes a token. Returns false if no token is left. `now_us` must not decrease.
   [[nodiscard]] constexpr bool take(std::uint64_t now_us) {
     // The elapsed time is limited to the time in which the bucket fills, so a 32-bit division is
     // sufficient.

@@ -4,8 +4,8 @@
 //
 // A subscriber must prove its address. The subscriber's endpoint must be the host that sent the
 // subscription, and ARP must return the Ethernet address from which the subscription was sent.
-// Until ARP has answered, the host is a candidate and receives neither an acknowledgement nor
-// messages.
+// Until the host has answered an ARP request, it is a candidate and receives neither an
+// acknowledgement nor messages.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// Finds lines that do not pass through a corner between cells after their start. Every step of the
-// walk along such a line crosses exactly one border.
+// Finds lines that pass through no corner between cells, except possibly at their start. Every step
+// of the walk along such a line crosses exactly one border, except the first step if the line
+// starts on a corner.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
@@ -9,9 +10,9 @@
 //     the lower border of a row.
 //   * f_y * w_x = f_x * w_y (mod r). This condition follows from the condition for a corner by
 //     eliminating k.
-//   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the first step crosses the corner, and
-//     the line crosses no other corner at its start. If 1 <= k <= d, w_x / d and w_y / d have no
-//     common divisor, so gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
+//   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the line starts on the corner, and its
+//     first step crosses the corner. If 1 <= k <= d, w_x / d and w_y / d have no common divisor, so
+//     gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
 #pragma once
 
 #include <cstdint>

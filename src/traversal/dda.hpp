@@ -23,8 +23,8 @@
 // excess is below 2^32 / w_u. This requires
 //     (n + 1) * w_u < 2^32.
 // Use most_columns() to check this condition. If w_u = w_v, the line rises in every column, and the
-// step would be 2^32. The phase is then 2^31 and the step 2^32 - 1, so that the sum also carries in
-// each of 2^31 columns.
+// step would be 2^32. The code therefore uses a phase of 2^31 and a step of 2^32 - 1, so the sum
+// carries in each of the first 2^31 columns.
 //
 // Borders: A line that does not pass through a corner (traversal/corner.hpp) has no e_c = 0 after
 // its start. The start of a line may be on a border. If the start is on the lower or left border of
@@ -49,8 +49,8 @@ struct Dda {
   std::uint32_t phase = 0;
   std::uint32_t step = 0;  // phase increment per column, > 0
 
-  // Advances to the next column. Returns `bits` shifted by one, plus 1 if the line rises by a row.
-  // The function uses one 64-bit addition so that it compiles to a single add with carry.
+  // Advances to the next column. Returns `bits` shifted left by one, plus 1 if the line rises by a
+  // row. The function uses one 64-bit addition so that it compiles to a single add with carry.
   [[nodiscard]] constexpr std::uint32_t advance(std::uint32_t bits) {
     const std::uint64_t shifted = static_cast<std::uint64_t>(bits) << 32;
     const std::uint64_t sum = (shifted | phase) + (shifted | step);

@@ -7,9 +7,9 @@
 // its end E, both given in subcells. The line is mirrored into the first quadrant, so x and y
 // increase in its direction.
 //
-// Position: A cell of a line is identified by the numbers of column borders (x) and row borders (y)
-// that the line has crossed before the cell. The sum of the two numbers, `crossed`, increases along
-// the line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
+// Position: A cell on a line is identified by how many column borders (x) and row borders (y) the
+// line crosses before it enters the cell. The sum of the two counts, `crossed`, increases along the
+// line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
 // cells, so `crossed` increases by two. All positions returned by these functions are cells that
 // the line actually enters.
 //
@@ -110,7 +110,8 @@ class Axis {
                         : static_cast<std::uint32_t>((reached - 1) / (share.denominator * kSide));
   }
 
-  // Returns the number of borders crossed strictly before the end of the line, without a division.
+  // Returns the number of borders crossed strictly before the end of the line. Unlike before(),
+  // this function divides only by a constant.
   [[nodiscard]] constexpr std::uint32_t before_end() const {
     const std::uint32_t reached = offset_ + length_;
     return reached == 0 ? 0 : (reached - 1) / kSide;
@@ -169,7 +170,7 @@ class Line {
   [[nodiscard]] constexpr Position through(Share share) const {
     return {x_.through(share), y_.through(share)};
   }
-  // The function is not inlined because a ruler calls it only about once per 2^12 distances.
+  // The function is not inlined because a Ruler calls it only about once per 2^12 distances.
   [[nodiscard, gnu::noinline]] constexpr Position through(std::uint32_t distance_mm,
                                                           const LineLength& length) const {
     return {x_.through(distance_mm, length), y_.through(distance_mm, length)};

@@ -143,7 +143,8 @@ class Ruler {
  private:
   static constexpr Position kNotExact{~std::uint32_t{0}, 0};
 
-  // Reads the position `before` units before the given fraction of the line.
+  // Subtracts `before` units from the two estimates and returns their integer parts, or kNotExact
+  // if an estimate may be wrong.
   [[nodiscard]] constexpr Position read(const MeasuredShare& share, std::uint32_t before) const {
     const std::uint32_t x = x_.estimate(share) - before;
     const std::uint32_t y = y_.estimate(share) - before;

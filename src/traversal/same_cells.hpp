@@ -4,8 +4,8 @@
 //
 // Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
 // corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =
-// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. With c = A_x * B_y - A_y * B_x, A = A_x + A_y and
-// B = B_x + B_y,
+// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. Let c = A_x * B_y - A_y * B_x, A = A_x + A_y and B
+// = B_x + B_y. The error terms then satisfy
 //     A * e_B = B * e_A + (X + Y) * c.
 // After n common borders, the next borders of the two lines can differ only if e_A and c have
 // opposite signs and B * |e_A| <= (X + Y) * |c|, where X + Y <= (n + 2) * r. The last condition
@@ -33,13 +33,13 @@
 
 namespace iog::traversal {
 
-// Several steps of a rotation, combined into one turn that moves the value up or down. `angle` is
-// the total angle of the combined steps.
+// Several consecutive steps of a rotation, which together move the value up or down by `angle`.
 struct Turn {
   std::uint32_t angle = 0;
   std::uint32_t steps = 0;
 
-  // Reduces the angle of a turn by combining it with `times` opposite turns.
+  // Appends `times` repetitions of `other`, which moves the value in the opposite direction. This
+  // reduces the angle.
   constexpr void shorten(const Turn& other, std::uint32_t times) {
     angle -= times * other.angle;
     steps += times * other.steps;
@@ -51,12 +51,12 @@ struct Turn {
 // at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, such a step is the same
 // as moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
 //
-// The first term that is at most `threshold` is smaller than all terms before it. From each such
-// minimum, the first downward turn by at most x leads to the next one. As in Euclid's algorithm,
-// shorter and shorter downward turns are found. To find these turns, the shortest upward turn so
-// far is subtracted from the shortest downward turn so far, and vice versa. The angles of both
-// turns add up to at most a full circle, and so do the numbers of their steps, so nothing
-// overflows.
+// The first term that is at most `threshold` is a new minimum: it is smaller than all terms before
+// it. The algorithm moves from each minimum x to the next by the downward Turn that has the fewest
+// steps and an angle of at most x. As in Euclid's algorithm, it finds downward Turns with smaller
+// and smaller angles. To find them, it subtracts the smallest upward angle so far from the smallest
+// downward angle so far, and vice versa. The two angles add up to at most down_angle + up_angle,
+// and so do the two step counts, so nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {

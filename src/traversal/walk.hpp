@@ -3,8 +3,8 @@
 //
 // As in appendix B.3 of the thesis, a step crosses a column border (c_x), a row border (c_y), or
 // both at a corner (c_xy). The code differs from the algorithms in the thesis in two ways. First,
-// the error term starts with the value that algorithm 4 intended. Second, the walk ends after a
-// number of borders that is known before the first step. The walk in the thesis ends when it
+// the code corrects the initial value of the error term in algorithm 4. Second, the walk ends after
+// a number of borders that is known before the first step. The walk in the thesis ends when it
 // reaches the end cell, but a line that ends on a corner never enters that cell.
 //
 // Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *

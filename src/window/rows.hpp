@@ -1,4 +1,4 @@
-// Stores the rows of a tile as bits, with a margin from the tile's eight neighbours. Neighbourhood
+// Stores the rows of a tile and the adjacent cells of its eight neighbours as bits. Neighbourhood
 // operations process 32 cells at once. Each word represents a row.
 //
 // Bit 16 represents cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
@@ -81,8 +81,9 @@ inline Rows joined(const Rows& a, const Rows& b) {
   return out;
 }
 
-// Combines each cell with the kRadius cells on each side of it in its row. Cells are first combined
-// in runs of two and then in runs of four, so that seven cells need only three steps.
+// Combines each cell of a row with the kRadius cells to its left and the kRadius cells to its
+// right. Cells are first combined in runs of two and then in runs of four, so that seven cells need
+// only three steps.
 template <typename Join, int kRadius>
 inline RowPair over_runs(RowPair one) {
   constexpr int kSide = 2 * kRadius + 1;

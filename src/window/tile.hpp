@@ -1,8 +1,8 @@
 // One tile of the window in memory, with 32 by 32 cells aligned to the local frame.
 //
 // An unknown tile contains only zeros, with two exceptions. First, the masses of groups that have
-// never been aged are undefined. A tile can therefore be cleared without writing the masses.
-// Second, the map content is kept.
+// not been aged since the tile was cleared are undefined. A tile can therefore be cleared without
+// writing the masses. Second, the map content is kept.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct Tile {
   // Sets all cells to unknown.
   void clear();
 
-  // Returns true if the group has ever been known.
+  // Returns true if the group has been known since the tile was last cleared.
   [[nodiscard]] bool is_known(std::size_t group) const {
     return aged_at[group] != ageing::Clock::kNever;
   }
@@ -128,7 +128,8 @@ struct CellPlace {
           .y = static_cast<std::uint32_t>(cell.y) & kInTile};
 }
 
-// Returns cell i of a group in the tile in a slot.
+// Returns the coordinates of a cell in the local frame. `i` is the cell's index in the group, and
+// `group` is the group's index in the tile at `slot`.
 [[nodiscard]] constexpr geometry::Cell cell_at(const Area& area, std::size_t slot,
                                                std::size_t group, std::size_t i) {
   const TileNumber tile = area.tile_at(slot);

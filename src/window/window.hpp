@@ -33,7 +33,7 @@ class Window {
   [[nodiscard]] bool is_centred() const { return is_centred_; }
   [[nodiscard]] const Area& area() const { return area_; }
 
-  // Returns true if the tile in this slot has ever been known.
+  // Returns true if the tile in a slot is known.
   [[nodiscard]] bool is_known(std::size_t slot) const { return is_known_[slot]; }
 
   [[nodiscard]] const Tile& tile(std::size_t slot) const { return tiles_[slot]; }
@@ -52,25 +52,25 @@ class Window {
   // Sets the tile in a slot to unknown.
   void close(std::size_t slot) { is_known_[slot] = false; }
 
-  // Sets the classes that the map rules out in the tile in a slot. The ruled-out classes apply
-  // until the next call. The tile may be unknown. The call reclassifies the tile's cells using the
-  // masses from their last classification. It changes nothing else.
+  // Records which classes the map rules out in a tile. The record applies until the next call for
+  // the same slot. The tile may be unknown. The call reclassifies the tile's cells using the masses
+  // from their last classification. It changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
   // Restores the classes that a group had after its last classification. The classes are computed
   // from the group's masses.
   void name_anew(std::size_t slot, std::size_t group);
 
-  // Records which planes of Found are empty for the tile in a slot. The record is valid until the
-  // tile is opened again.
+  // Records which planes of the tile's `found` member are empty. The record is valid until the tile
+  // is opened again.
   void note_found(std::size_t slot);
 
-  // Returns true if the tile in a slot may have a bit set in a plane of Found.
+  // Returns false if the tile is unknown or if note_found() has recorded that its plane is empty.
   [[nodiscard]] bool may_have(std::size_t slot, Plane Found::*plane) const {
     return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
   }
 
-  // Returns true if none of the planes that around() returned may have a bit set.
+  // Returns true if all planes returned by around() are known to be empty.
   [[nodiscard]] static bool are_empty(const NinePlanes& nine) {
     return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
   }
@@ -91,7 +91,8 @@ class Window {
     return nine;
   }
 
-  // Same as above, but for a plane of Found. Planes that are known to be empty are not read.
+  // Returns the same `found` plane of the tile in a slot and of its neighbours. Planes that are
+  // known to be empty are not read.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
         slot, [this, plane](std::size_t at) { return may_have(at, plane); },

@@ -13,7 +13,8 @@
 
 namespace iog::window {
 
-// For each slot, the clock slot of the last frame in which all groups of the tile were classified.
+// For each tile, the slot in ageing::Clock of the last frame in which all groups of the tile were
+// classified.
 using Refreshed = std::array<std::uint8_t, kSlotCount>;
 
 class WindowView {
@@ -28,8 +29,7 @@ class WindowView {
   // Returns the tiles of the local frame that the window covers, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
-  // Returns true if the tile in a slot has ever been known. Otherwise, all cells of the tile are
-  // unknown.
+  // Returns true if the tile in a slot is known. Otherwise, all cells of the tile are unknown.
   [[nodiscard]] bool is_known(std::size_t slot) const { return window_->is_known(slot); }
 
   // Returns the tile in a slot. If the tile is unknown, only its map content is valid.
@@ -40,7 +40,8 @@ class WindowView {
   // Returns the class bytes of the tile in a slot, row by row from the tile's lowest y. Returns
   // nothing if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
-  // Returns the class bytes of any tile that has ever been known, even if no cell has a class.
+  // Returns the class bytes of a tile even if no cell has a class. Returns nothing if the tile is
+  // unknown.
   [[nodiscard]] std::optional<ClassBytes> known_bytes(std::size_t slot) const;
 
   // Copies the class bytes. If no cell has a class, sets all bytes to 0 and returns false.
@@ -54,7 +55,7 @@ class WindowView {
                ? tile(at.slot).decided[at.group()][at.in_group()]
                : std::int8_t{0};
   }
-  // Returns true if this cell was open ground.
+  // Returns true if the cell is recorded as open ground.
   [[nodiscard]] bool is_open(geometry::Cell cell) const {
     const CellPlace at = place_of(cell);
     return area().contains(cell) && is_known(at.slot) && at.is_in(tile(at.slot).ground.open);

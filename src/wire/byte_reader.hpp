@@ -15,8 +15,8 @@ namespace iog::wire {
 
 class ByteReader {
   // The function is defined before its callers because clang 14 otherwise cannot evaluate them at
-  // compile time. Emptying the rest makes the failure permanent without slowing down successful
-  // reads.
+  // compile time. Discarding the unread bytes makes the failure permanent without slowing down
+  // successful reads.
   constexpr void fail() {
     rest_ = {};
     ok_ = false;
