@@ -65,9 +65,9 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::size_t kVerdictCount = 4;
 
-// Signs the counters of the received messages. The signer uses these counters to determine the next
-// counter. The result is the first 64 bits of the CMAC over the data ID, the run number and these
-// counters, in big-endian order.
+// Signs the counters of the received messages. The sender of the messages uses these counters to
+// determine the counter of its next message. The result is the first 64 bits of the CMAC over the
+// data ID, the run number and these counters, in big-endian order.
 [[nodiscard]] std::array<std::uint32_t, 2> mac_of_counters(const CmacKey& key,
                                                            std::uint16_t data_id, std::uint32_t run,
                                                            std::span<const std::uint32_t> counters);

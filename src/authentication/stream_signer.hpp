@@ -77,7 +77,7 @@ struct Names {
 };
 
 // Reads a secured message. Requires that is_signed() is true for the message. Returns nothing if
-// its length fields or counts are inconsistent.
+// the message's length fields or counts are inconsistent.
 [[nodiscard]] std::optional<Names> read_names(std::span<const std::byte> secured);
 
 }  // namespace iog::authentication

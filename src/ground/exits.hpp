@@ -2,12 +2,12 @@
 // which the beam stays between the two height limits above the ground. A beam can free cells only
 // up to its exit range (docs/ground.md, "What is freed").
 //
-// A beam that starts between the limits leaves them on one of two sides: below, where it comes too
-// close to the ground, or above, where it is too high above the ground. If two beams leave below,
-// the beam with the higher elevation leaves at the longer distance from the sensor. If two beams
-// leave above, the beam with the higher elevation leaves at the shorter distance. One outward sweep
-// on each side is therefore enough to find the exit ranges of all layers of a sector. Each sweep
-// produces a sorted list. The two lists are merged to sort the layers by exit range.
+// A beam that starts between the limits crosses either the lower limit, where it comes too close to
+// the ground, or the upper limit, where it is too high above the ground. If two beams cross the
+// lower limit, the beam with the higher elevation crosses it farther from the sensor. If two beams
+// cross the upper limit, the beam with the higher elevation crosses it nearer to the sensor. One
+// outward sweep per limit is therefore enough to find the exit ranges of all layers of a sector.
+// Each sweep produces a sorted list. The two lists are merged to sort the layers by exit range.
 #pragma once
 
 #include <array>

@@ -66,9 +66,9 @@ class Ground {
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // Returns the minimum height of a tall return above the highest ground nearby. For example, a
-  // bank that begins within one or two bins is not tall relative to the ground in front of it. If
-  // the value is 0, every return is tall.
+  // Returns how far above the highest ground nearby a return must be to be tall. For example, a
+  // return within two bins of a bank is compared with the height of the bank, not with the lower
+  // ground in front of it. If the value is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
   // Returns the tilt of the car as measured by one packet of the sensor. `Packet` must have
@@ -114,7 +114,7 @@ class Ground {
 
 // A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
 // return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
-// degrees, the projection of a return outside these heights moves by more than one cell, and a
+// degrees, the projection of a return this far from the plane moves by more than one cell, and a
 // static object would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
@@ -166,15 +166,15 @@ class PacketJudge {
   Tilt tilt_;
 };
 
-// The ground around each ground-following sensor. Each of these sensors has an index, called its
-// place. The object must be static because it takes up 630 KB.
+// The ground around each ground-following sensor. Each of these sensors has an index, called
+// `place` in the code. The object must be static because it takes up 630 KB.
 class Grounds {
  public:
   // The vehicle must outlive this object.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // Returns the place of the sensor with this number, or nothing if this sensor does not follow the
-  // ground.
+  // Returns the index of a sensor among the ground-following sensors. Returns std::nullopt if the
+  // sensor does not follow the ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
     return place == kNone ? std::nullopt : std::optional<std::size_t>(place);

@@ -2,14 +2,15 @@
 // beam freed its cell earlier (docs/perception.md, section 4).
 //
 // The height of the ground below a beam is known only per bin. If a bank rises from one bin to the
-// next, a beam would appear low over both the foot and the top of the bank. A hit between the foot
-// and the top would then appear to be motion. The height of a beam is therefore measured from the
-// lowest ground nearby, and the height of a tall return is measured from the highest ground nearby.
+// next, a beam would be considered low above the foot of the bank as well as above the top. A hit
+// between the foot and the top would then appear to be motion. The height of a beam is therefore
+// measured from the lowest ground nearby, and the height of a tall return is measured from the
+// highest ground nearby.
 //
-// A beam does not open cells where it is less than MovedLimits::kUnderCarsMm above the ground. At
-// such a height, the beam may pass under a parked car, and the next beam may hit the car's body. If
-// the sensor is mounted at most kUnderCarsMm above the car's plane, it has no higher beams, so all
-// its low beams open cells.
+// The part of a beam that is less than MovedLimits::kUnderCarsMm above the ground does not open
+// cells. This part of the beam may pass under a parked car, and the next beam may hit the body of
+// the parked car. The rule does not apply to a sensor that is mounted at most kUnderCarsMm above
+// our car's plane, because all beams of this sensor start below this height.
 #pragma once
 
 #include <array>

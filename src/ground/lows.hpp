@@ -36,8 +36,8 @@ class Lows {
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {
-      // Only a few returns are lower than all previous returns, so the plausibility of a return is
-      // checked last.
+      // Only a few returns are lower than all previous returns in their bin, so the plausibility of
+      // a return is checked last.
       std::int16_t& low = rings_[bin][sector];
       if (z_mm < low && z_mm >= -bins.most_plausible_mm(bin)) {
         low = static_cast<std::int16_t>(z_mm);

@@ -2,12 +2,12 @@
 //
 // Ranges: The clearance of a beam (called `room` in the code) is the difference between its height
 // and the limit. Heights are in units of 2^-14 mm, so a slope in units of 2^-24 equals the rise per
-// 1,024 mm. At the start of a bin, the clearance is at most 2^37, which is the sum of 64 bins of
-// 2^31 each plus 2^17 mm. Within a bin, the clearance changes by less than 2^32, which allows for
-// 46,000 mm of ground and a slope of 2 * 57.3 * 2^24. The divisor therefore has 32 bits, and the
-// dividend is less than 2^32 times half a bin. If a beam rises by at most 2^24 per bin (a slope of
-// 1, or 1/2 in long bins), its clearance is at most 64 times 2^24 plus 2^16 mm, so it fits in one
-// word.
+// 1,024 mm. A beam rises or falls by at most R = 2*57.3*2^24 per bin. At the start of a bin, the
+// clearance is at most 64*R plus 2^17 mm, which is below 2^37. Within a bin, the ground rises or
+// falls by at most 46,000 mm, so the clearance changes by at most R plus 46,000 mm, which is below
+// 2^32. The divisor therefore has 32 bits, and the dividend is less than 2^32 times half a bin. If
+// a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins), its clearance is at
+// most 64 times 2^24 plus 2^16 mm, so it fits in one word.
 #pragma once
 
 #include <algorithm>

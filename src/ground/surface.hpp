@@ -30,8 +30,9 @@ class Surface {
     kKept,  // returns of an earlier turn
   };
 
-  // Converts a return's height above the car's plane to its height above the ground. For kBeyondMm
-  // beyond the last bin, the ground continues with the slope of this bin.
+  // Converts a return's height above the car's plane to its height above the ground. Beyond the
+  // last bin, the ground is extrapolated with the slope of this bin, up to kBeyondMm from the start
+  // of the bin.
   //
   // Ranges: the heights at two bin starts differ by at most 2^16, and the fraction of a bin is at
   // most 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
@@ -59,9 +60,9 @@ class Surface {
   }
 
   // Returns the lowest ground nearby. To find the lowest ground nearby, the height at each bin
-  // start is lowered to the smallest height within kNearBins bins, except for height differences
-  // that are due to a constant slope. Ground with a constant slope is therefore not lowered. A
-  // height is never lowered below the smallest height within kNearBins bins.
+  // start is lowered to the smallest height within kNearBins bins. Height differences due to a
+  // constant slope are ignored, so ground with a constant slope is not lowered. A height is never
+  // lowered below the smallest height within kNearBins bins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }

@@ -3,15 +3,15 @@
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than the slope
-// predicts. The first ground in a sector must also be close to the car's plane, or at most slightly
-// higher than the surface of the previous turn. If the first ground is far away and high, the
-// height steps that follow must be small. A lowest return far below the prediction is always
+// predicts. In addition, the first ground in a sector must be close to the car's plane or no more
+// than slightly above the surface of the previous turn. If the first ground is far away and high,
+// the height steps that follow must be small. A lowest return far below the prediction is always
 // ground, because the supposed ground before it must have been an object. A lowest return is also
 // ground if it is not much higher than the lowest return in the nearest adjacent sectors. A bin
 // without its own ground uses the ground of the adjacent sectors if their heights fit. Otherwise,
 // its ground is interpolated between the nearest bins with ground.
 //
-// Each height is the median of three sectors, which suppresses a mirror image below the road. In
+// To suppress mirror images below the road, each height is the median of three sectors. In
 // addition, the surface is at most 150 mm above the lowest return of each bin. A return whose
 // height above the bin's lowest return exceeds 150 mm + Limits::low_mm is therefore never
 // classified as ground. Other returns, real or forged, can never prevent such a return from being
@@ -60,7 +60,7 @@ class SurfaceWalk {
   // the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
   // The current state of each sector's walk. The state consists of the height, the slope in mm per
-  // bin, and the bin. The bin is -1 before the first ground.
+  // bin, and the bin. The bin is -1 until the first ground in the sector is found.
   Ring height_{};
   Ring slope_{};
   Ring last_{};

@@ -34,15 +34,15 @@ requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
 }
 
 // Same as above, but the second argument must not be positive. Carving uses this function. The sum
-// can saturate only at the lower end, which saves one comparison in the innermost loop. The second
-// argument may be a sum of many indexes, but must be above -2^30.
+// can therefore saturate only at the lower end, so the innermost loop needs one fewer comparison.
+// The second argument may be a sum of many indexes, but must be above -2^30.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_positive) {
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a carved byte, which saturates at the minimum of int8, to an index. The value -128
-// becomes -127.
+// Converts a carved byte to an index. A carved byte saturates at -128, the minimum of int8. This
+// value becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

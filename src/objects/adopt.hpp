@@ -10,9 +10,9 @@
 
 namespace iog::objects {
 
-// Attaches each cluster next to a box to the nearest track whose box can grow to include it. Such a
-// cluster is a previously hidden part of the object. Only tracks that are old enough to claim hits
-// are considered.
+// If a cluster lies next to the box of a track, attaches the cluster to the nearest track whose box
+// can grow to include it. Such a cluster is a previously hidden part of the object. Only tracks
+// that are old enough to claim hits are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
 // Associates clusters with tracks that are too young to claim hits. Each of these tracks gets the

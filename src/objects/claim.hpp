@@ -14,8 +14,8 @@ namespace iog::objects {
 class Claim {
  public:
   // Sets the owner of each hit. The owner is a track whose gate contains the hit. If several gates
-  // contain the hit, the owner is the track with the nearest box. In a tie, the owner is the track
-  // with the lower slot. Hits on standing cells are assigned only to two kinds of tracks: moving
+  // contain the hit, the owner is the track with the nearest box. Ties go to the track with the
+  // lower slot number. Hits on standing cells are assigned only to two kinds of tracks: moving
   // tracks, and receding tracks whose visible face may lie on standing cells. Hits that contradict
   // a track are rejected and counted. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,

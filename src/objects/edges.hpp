@@ -21,8 +21,8 @@ struct Ends {
 };
 using Edges = std::array<Ends, 2>;  // indexed by Side
 
-// Returns the edges of the hits that are not classified as standing. If all hits are classified as
-// standing, returns the edges of the box.
+// Returns the edges of the non-standing hits. If all hits are classified as standing, returns the
+// edges of the box.
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 

@@ -1,5 +1,5 @@
-// Sorts the hits of a frame by ring of tiles around the car, then by window slot, cell and slice,
-// so that the result does not depend on the order of arrival.
+// Sorts the hits of a frame so that the result does not depend on the order of arrival. The sort
+// keys are the ring of tiles around the car, the window slot, the cell and the slice.
 //
 // The nearest hits come first, so the farthest hits are dropped if a frame has too many. If a frame
 // has more than kMostSeen hits, complete rings are dropped, starting with the farthest one. If more
@@ -62,7 +62,7 @@ class FrameHits {
   void sort(std::size_t count);
 
   window::Area area_{};
-  // The distance of each column and row of tiles from the car, in tiles. The lowest column and row
+  // The distance from the car to each column and row of tiles, in tiles. The lowest column and row
   // come first.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};

@@ -1,5 +1,6 @@
 // Determines whether the grid confirms the motion of a track. The grid confirms the motion if the
-// places that the track has left are now free and the places that it has reached were open.
+// places that the track has left are now free and the places that it has reached were open ground
+// before.
 //
 // A filter alone cannot confirm motion. For example, rails and walls appear to move because their
 // visible part moves with the car. The grid, however, remembers the previous state of each place.

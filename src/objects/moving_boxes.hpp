@@ -15,7 +15,7 @@ namespace iog::objects {
 
 class MovingBoxes {
  public:
-  // Replaces the boxes with the boxes of the given tracks that are moving.
+  // Replaces the stored boxes with the boxes of all moving tracks in `tracks`.
   void list(std::span<const Track> tracks) {
     count_ = 0;
     for (const Track& track : tracks) {
@@ -48,8 +48,8 @@ class MovingBoxes {
   }
 
  private:
-  // A point that is kTailMm outside both sides of a box is at most 3/2 * kTailMm outside the bounds
-  // of the box.
+  // A point that is kTailMm outside a box along both axes is at most 3/2 * kTailMm outside the
+  // bounds of the box.
   static constexpr std::int32_t kReachMm = kTailMm * 3 / 2;
 
   std::size_t count_ = 0;

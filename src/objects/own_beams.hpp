@@ -16,7 +16,7 @@
 namespace iog::objects {
 
 // Places are relative to the car, in units of 16 mm. Within a window, coordinates are below 2^14,
-// so products fit into a word.
+// so products fit into 32 bits.
 class OwnBeams {
  public:
   static constexpr std::size_t kMost = 48;  // if there are more hits, every n-th is used

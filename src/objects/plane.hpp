@@ -108,8 +108,8 @@ struct Box {
   // Returns true if the line between two points crosses the box. Both points must be within 2^17 mm
   // of the box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The positions of the last entry and of the first exit, as fractions of the length of the
-    // line.
+    // The fractions of the line's length at which the line has entered the box on both axes, and at
+    // which it first leaves the box on one axis.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;

@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take h
 inline constexpr std::size_t kMostAsked = 16;          // tracks with which a cluster is compared
 
 // All tracks end if the time between two frames exceeds kLongestStepMs or is not positive. For
-// example, a gap of 400 ms occurs if three turns of 100 ms are lost from a spinning lidar.
+// example, a gap of 400 ms occurs if three successive 100 ms turns of a spinning lidar are lost.
 inline constexpr std::int32_t kLongestStepMs = 450;
 // If the last measurement is older than kLongestToldMs, no objects are published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
@@ -41,7 +41,7 @@ inline constexpr std::int32_t kMostSpeed = 100'000;
 
 // The acceleration of road users is limited by their tyres or legs. After kGripFrom updates, the
 // speed of a moving track changes by at most kGrip mm/s per second along each axis. Braking and
-// cornering reach 10 m/s^2.
+// cornering accelerations reach 10 m/s^2.
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
@@ -151,12 +151,11 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // Parameters of the trail of a receding track. The trail consists of the places that the track has
 // left. A frame supports the trail if the track's own beams pass at least kTrailPlaces of these
-// places, and if the number of passed places is at least kGoodOverBad times the number of places
-// that are hit again. A beam passes a place if it misses the place by at most kBesideMm. A place
-// that is still occupied is hit again within kLayersMs, even if the sensor scans its layers one
-// after the other. Recent hits on a place therefore also count if the track is slower than
-// kLayersSpeed. Hits behind a faster track may belong to the track itself, because its speed is not
-// known well enough.
+// places, and at least kGoodOverBad times as many places as are hit again. A beam passes a place if
+// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
+// kLayersMs, even if the sensor scans its layers one after the other. Recent hits on a place
+// therefore also count if the track is slower than kLayersSpeed. Hits behind a track that is faster
+// than kLayersSpeed may belong to the track itself, because its speed is not known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -173,8 +172,8 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// At speeds of kClearSpeed and above, kClearHits good places increase the confidence by a larger
-// amount than at lower speeds, because the car will soon have passed the object.
+// If a track is at least as fast as kClearSpeed, kClearHits good places increase its confidence
+// more than at lower speeds, because our car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
 // If a track's box has been car-sized for kSteadyFrom updates, the track needs only kSteadyHits
@@ -186,15 +185,16 @@ inline constexpr std::int32_t kLongestCarMm = 6000;
 inline constexpr std::int32_t kNarrowestCarMm = 1200;
 inline constexpr std::int32_t kWidestCarMm = 2800;
 inline constexpr std::int32_t kOrdinaryWidthMm = 1600;  // width of a car
-// A streak is a line of hits where a beam grazes the ground. A streak has fewer than kStreakHits
-// hits, is longer than a pedestrian and is narrower than kStreakMm.
+// A streak is a line of hits from a beam that grazes the ground. A streak has fewer than
+// kStreakHits hits, is longer than a pedestrian and is narrower than kStreakMm.
 inline constexpr std::int32_t kStreakHits = 8;
 inline constexpr std::int32_t kStreakMm = 300;
-// A shorter row, of only a few cells, also counts as a streak.
+// A row of only a few cells also counts as a streak, even if it is no longer than a pedestrian.
 inline constexpr std::int32_t kRowHits = 4;
 inline constexpr std::int32_t kRowMm = 100;
 inline constexpr std::int32_t kShortestRowMm = 500;
-// A wider object with less than one hit per kSparseMm of length also counts as a streak.
+// An object that is wider than kStreakMm also counts as a streak if it has less than one hit per
+// kSparseMm of length.
 inline constexpr std::int32_t kSparseMm = 250;
 inline constexpr std::int32_t kWidestSparseMm = 2000;
 inline constexpr std::int32_t kStreakSpeed = 15'000;  // streaks never seem to move faster
@@ -202,11 +202,11 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // pedestrian groups are s
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// Standing hits in the box of a car belong to the car if the track's confidence is at least
-// kSureConfidence and at least kSureUnopposed frames have supported the car's motion. A frame
-// opposes the motion if it has fewer than kGoodOverBad good or neutral places for each bad place.
-// Each frame that opposes the motion cancels kOpposed frames that support it. A frame that does not
-// oppose the motion and has at least kSteadyHits good places supports it.
+// Standing hits in the box of a car-sized track belong to the track if its confidence is at least
+// kSureConfidence and at least kSureUnopposed frames have supported its motion. A frame opposes the
+// motion if, for each bad place, fewer than kGoodOverBad places are good or neutral. Each frame
+// that opposes the motion cancels kOpposed frames that support it. A frame supports the motion if
+// it has at least kSteadyHits good places and does not oppose the motion.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

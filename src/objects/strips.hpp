@@ -69,7 +69,7 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // Returns the first number, at or above `from`, of a track whose strips may overlap the given
+  // Returns the number of the first track, starting at `from`, whose strips may overlap the given
   // strips. If there is no such track, returns count().
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {

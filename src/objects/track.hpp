@@ -26,13 +26,13 @@ struct Seen {
   std::int32_t standing = 0;      // its standing hits
   std::int32_t contradicted = 0;  // hits that are too early to belong to it
   bool is_end_hidden = false;     // it may be longer or wider than its box
-  // The numbers of places that the track has left or reached. Good places confirm the track's
+  // Counts of the places that the track has left or reached. Good places confirm the track's
   // motion, bad places contradict it, and neutral places do neither.
   std::int32_t good = 0;
   std::int32_t bad = 0;
   std::int32_t neutral = 0;
-  // The numbers of places that a receding track has left. `passed` is the number of good places
-  // that the track's own beams pass. `kept` is the number of bad places that are hit again.
+  // Counts of the places that a receding track has left. `passed` is the number of good places that
+  // the track's own beams pass. `kept` is the number of bad places that are hit again.
   std::int32_t passed = 0;
   std::int32_t kept = 0;
 };
@@ -50,8 +50,8 @@ class Track {
 
   // Predicts the position and covariance for the next frame.
   void predict(Step step);
-  // Applies a position innovation along one side. Requires |innovation| < 2^17 mm. The speed along
-  // `side` changes by at most `most_change` mm/s.
+  // Corrects the position and speed along one side, given the innovation of the position. Requires
+  // |innovation| < 2^17 mm. The speed along `side` changes by at most `most_change` mm/s.
   void correct(Side side, Covariance::Gain gain, std::int32_t innovation_mm,
                std::int32_t most_change = kMostSpeed);
   // Reduces the lateral speed of the box by 1/kWheelsShare.
@@ -60,8 +60,8 @@ class Track {
   // Turns the box without changing the velocity. The direction of the box is arbitrary until the
   // first turn.
   void turn(Direction along) { box_.along = along; }
-  // Replaces the sides, and replaces the covariances of the two axes with their mean. Call
-  // begin_heading() after the first turn.
+  // Replaces the sides, and sets the covariances of both axes to their mean. Call begin_heading()
+  // after the first turn.
   void begin_heading(const Sides& sides);
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -103,10 +103,10 @@ class Track {
   [[nodiscard]] bool has_trail() const { return trail >= kTrail; }
   // Returns true if the track has the size and speed of a pedestrian.
   [[nodiscard]] bool is_small() const;
-  // Returns true if the track is a streak, that is, a line of hits where a beam grazes the ground.
-  // A real object of the same length has more hits or is wider. Moving tracks are not treated as
-  // streaks because they may lose hits. Groups of pedestrians are not treated as streaks because
-  // they have gaps.
+  // Returns true if the track is a streak, that is, a line of hits from a beam that grazes the
+  // ground. A real object of the same length has more hits or is wider. Sparse hits alone do not
+  // make a moving track or a group of pedestrians a streak: moving tracks may lose hits, and groups
+  // have gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;

@@ -29,7 +29,7 @@
 
 namespace iog::objects {
 
-// The numbers of elements in a frame that were dropped because a capacity was exceeded.
+// Counts the elements of a frame that were dropped because a capacity was exceeded.
 struct FrameCounts {
   FrameHits::Left hits{};                // hits that were dropped
   std::uint32_t hits_not_clustered = 0;  // hits without a cluster, because all clusters were in use
@@ -46,16 +46,16 @@ class Tracker {
   Tracker(const Tracker&) = delete;
   Tracker& operator=(const Tracker&) = delete;
 
-  // Processes a frame. If a frame has the same end time as the previous frame, it has no effect. If
-  // time goes backwards or advances by more than kLongestStepMs, all tracks end first. `grid` must
-  // return the classes after the frame.
+  // Processes a frame. A frame with the same end time as the previous frame has no effect. If time
+  // goes backwards or advances by more than kLongestStepMs, all tracks end first. The classes that
+  // `grid` returns must already include the frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
   // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
   // classes. If begin() returns false, the frame has no effect, and the other steps must not be
   // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
   // look_at_hits(), and the same hits may be looked up twice. `end()` performs the remaining work.
-  // While end() runs, other cores may change data other than classes.
+  // While end() runs, other cores must not change classes, but may change all other data.
   bool begin(const Frame& frame);
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);

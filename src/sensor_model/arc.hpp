@@ -57,8 +57,8 @@ struct Arc {
   // Returns true if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // Returns the maximum offset from the detection's azimuth, in whole ticks, that is inside one of
-  // the angular cells.
+  // A direction is in one of the angular cells if it is at most reach_ticks() ticks from the
+  // detection's azimuth.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }

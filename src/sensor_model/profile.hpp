@@ -25,8 +25,8 @@ struct ProfileConfig {
   index::Quantisation quantisation = index::Quantisation::kBlurring;
 };
 
-// The maximum number of cells, on one side of the scan point, whose index is neither the free index
-// nor 0.
+// The maximum number of near cells on each side of the scan point. The index of a near cell is
+// neither the free index nor 0.
 inline constexpr std::size_t kMaxNearCells = 8;
 
 template <typename Cell>

@@ -24,7 +24,8 @@ struct SingleTarget {
     double before = 0;
     double alpha = 0;
     for (int h = -reach(); h <= reach(); ++h) {
-      // The factor 2^-(h-1) is taken relative to cell k. The common factor cancels in the quotient.
+      // Here, h is counted from cell k, so the factor 2^-(k-1) is omitted. This factor cancels in
+      // the quotient.
       const double weighted = likelihood(h) * numeric::power_of_two(-h);
       alpha += weighted;
       if (h < offset) {

@@ -92,8 +92,8 @@ class Evidence {
   [[nodiscard]] constexpr bool carves() const { return (bits_ & kCarves) != 0; }
   [[nodiscard]] constexpr bool marks() const { return (bits_ & kMarks) != 0; }
   [[nodiscard]] constexpr bool is_any() const { return (bits_ & (kCarves | kMarks)) != 0; }
-  // Returns true if the beam is inside the band all the way to its point. If the point lies beyond
-  // L, the beam must be inside the band up to L.
+  // Returns true if the beam is inside the band from its start to the scan point. If the point lies
+  // beyond L, the beam must be inside the band up to L.
   [[nodiscard]] constexpr bool is_whole_in_band() const { return (bits_ & kWhole) != 0; }
   // Returns true if all three bits are set.
   [[nodiscard]] constexpr bool is_whole_hit() const { return bits_ == (kWhole | kCarves | kMarks); }
@@ -142,7 +142,8 @@ struct Classification {
 // These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// Returns the ranges at which a return is within the band and tall, as defined by Sensor::moved.
+// Returns the ranges at which a point is within the height band and tall. Sensor::moved specifies
+// which points are tall.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 

@@ -92,10 +92,10 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
                                sensor.origin_z, length_mm);
 }
 
-// Enables free-space gating by low beams if any sensor has limits for it. Sets looks_over_things if
-// one of these sensors is mounted above its limit for low beams. Increases the distance within
-// which a hit needs a tall return if any sensor with a limit for tall returns follows the ground.
-// Converts lengths to cells.
+// If any sensor specifies MovedLimits, enables free-space gating. If one of these sensors is
+// mounted above its limit for low beams, sets `looks_over_things`. If a sensor with a limit for
+// tall returns follows the ground, increases `tall_within`, the maximum distance from a hit to a
+// tall return. Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {
   rules.is_opened_from_below =

@@ -33,17 +33,18 @@ inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the 
 
 inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies a value
 
-// The maximum number of cached lines of all level rotating sensors of a vehicle. Each azimuth step
-// has one line, which takes about 0.7 KB.
+// The maximum number of cached lines, summed over all level rotating sensors of a vehicle. Each
+// azimuth step has one line, which takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
 // The coefficients of a beam's end have this many fraction bits below one subcell. The maximum is
-// 10, because a line of 2^20 subcells, times 2^10, is 2^30. Multiplied by a sine of at most 2^30, a
-// coefficient stays within 2^60, so the sum of three such terms is below 2^62. Before rounding, the
-// end is within 0.002 subcells of the exact end.
+// 10, because a line can be 2^20 subcells long, so a coefficient can reach 2^20 * 2^10 = 2^30. The
+// product of a coefficient and a sine is at most 2^60, so the sum of three such terms is below
+// 2^62. Before rounding, the end is within 0.002 subcells of the exact end.
 inline constexpr int kAxisFractionBits = 10;
 
-// One coordinate of the end of a layer's beams, as a function of the azimuth `a` of the beam:
+// Coefficients that are valid for all beams of a layer. For a beam with the azimuth `a`, they give
+// one coordinate of the beam's end:
 //   end = base + forward * cos(a) + left * sin(a)      in units of 2^-10 subcells.
 struct EndCoordinate {
   std::int64_t base = 0;
@@ -52,7 +53,7 @@ struct EndCoordinate {
   friend constexpr bool operator==(const EndCoordinate&, const EndCoordinate&) = default;
 };
 
-// Returns the horizontal range, which is range_mm times the share, rounded down. The share is in
+// Returns the horizontal range, which is `range_mm` times `share`, rounded down. `share` is in
 // units of 2^-30. The range is below 2^30 and is shifted left by 2, so the result is the upper word
 // of one 32 x 32-bit product.
 [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm, std::uint32_t share) {
@@ -94,10 +95,10 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
-// The limits of free-space gating by low beams (perception/opening.hpp). If a beam is below low_mm,
-// it opens ground. If a return is above tall_mm, it may come from a moving object. Heights are
-// measured from the local ground if the sensor follows the ground, and from the car's plane
-// otherwise. By default, every beam is low and every return is tall.
+// The limits of free-space gating by low beams (perception/opening.hpp). A beam opens cells only at
+// heights of up to low_mm. Only a return at a height of at least tall_mm can come from a moving
+// object. Heights are measured from the local ground if the sensor follows the ground, and from the
+// car's plane otherwise. By default, every beam is low and every return is tall.
 struct MovedLimits {
   static constexpr std::uint16_t kAnyHeight = 65'535;
   // If the sensor follows the ground, a beam below this height does not open cells, because it may
@@ -136,10 +137,10 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // For a beam that ends on the ground, the fraction of its length in which it is above the height
-  // band's lower limit. The fraction is in units of 2^-30. Heights are measured from a straight
-  // line between the ground below the sensor and the end of the beam. The fraction is 1 if the
-  // sensor is below the band's lower limit or looks over objects.
+  // The fraction of a beam's length over which a beam that ends on the ground is above the height
+  // band's lower limit, in units of 2^-30. Heights are measured from a straight line between the
+  // ground below the sensor and the end of the beam. The fraction is 1 if the sensor is below the
+  // band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
   // True if the car file contains the manufacturer's calibration of each laser.
   bool is_calibrated = false;
