@@ -45,8 +45,8 @@ class Clock {
   // Returns the time from the frame of this slot to the newest frame. The result is at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
-  // Returns the number of frames from the frame of this slot to the newest frame. The slot must
-  // have a frame.
+  // Returns the number of frames from the frame of this slot to the newest frame. A frame must have
+  // been assigned to this slot.
   [[nodiscard]] std::uint8_t frames_since(std::uint8_t slot) const {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
@@ -55,9 +55,9 @@ class Clock {
   // kNever, all factors are 0.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
-  // Returns the weights of evidence in the newest frame, for a group that last had evidence in the
-  // frame of this slot. The time since that frame is clamped to 1 ... 100 ms. For kNever, this time
-  // is 100 ms.
+  // Returns the weights of the newest frame's evidence, for a group whose previous evidence is from
+  // the frame of this slot. The time between these two frames is clamped to 1 ... 100 ms. For
+  // kNever, this time is 100 ms.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

@@ -2,9 +2,9 @@
 //
 // The decay after a time t is kappa(t) = exp(-t / tau). A table contains floor(2^31 * kappa(2^j
 // ms)) for each bit j. The factors of the bits that are set in t are multiplied, starting with the
-// lowest bit, and each product is rounded down. All factors and products are below 1, and each of
-// them loses less than one unit of 2^-31. The computed kappa(t) is therefore at most 16 + 15 units
-// below the true value.
+// lowest bit, and each product is rounded down. All factors and products are below 1, and rounding
+// reduces each of them by less than one unit of 2^-31. With up to 16 factors and 15 products, the
+// computed kappa(t) is therefore at most 16 + 15 units below the true value.
 //
 // Factors are below 2^31, so the product of two factors is below 2^62.
 #pragma once
@@ -26,10 +26,10 @@ inline constexpr std::uint32_t kUndecayed = std::uint32_t{1} << kDecayFraction;
 // Entry j is the factor for 2^j ms, which is bit j of a time in ms.
 using DecayTable = std::array<std::uint32_t, 16>;
 
-// Returns 1 / tau. The argument is the fraction that is left after 100 ms. This function runs only
-// on a PC or at compile time. Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10 per scan
-// for contextual discounting. In contextual discounting, a rate applies to the complement of a set,
-// so the two rates are swapped here.
+// Returns 1 / tau. The argument is the fraction of a mass that is left after 100 ms. This function
+// runs only on a PC or at compile time. Kurdej 2015, table 7.1, specifies losses of 0.01 and 0.10
+// per scan for contextual discounting. In contextual discounting, a rate applies to the complement
+// of a set, so the two rates are swapped here.
 constexpr double rate_per_ms(double left_after_100_ms) {
   return -numeric::log(left_after_100_ms) / 100;
 }
@@ -62,9 +62,9 @@ constexpr std::uint32_t decay(const DecayTable& table, std::uint32_t ms) {
 struct Decays {
   DecayTable dynamic{};
   DecayTable fixed{};
-  // The factor kappa_dyn^(1/4) * kappa_sta^(3/4). This factor is the limit of the proportional
-  // factor (Kurdej 2015, section 6.3) for small time steps. A product of finite steps would depend
-  // on the update rate.
+  // The factor kappa_dyn^(1/4) * kappa_sta^(3/4). This factor is the limit that the proportional
+  // factor (Kurdej 2015, section 6.3) approaches as the time steps become shorter. With finite time
+  // steps, the decay would depend on the update rate.
   DecayTable shared{};
   friend constexpr bool operator==(const Decays&, const Decays&) = default;
 };

@@ -9,7 +9,8 @@
 
 namespace iog::ageing {
 
-// The rule for deriving the factors of occupied sets from the factors of moving and static objects.
+// Defines how the ageing factors of occupied sets are derived from those of moving and static
+// objects.
 enum class Discounting : std::uint8_t {
   kConservative,  // {I, M, S, U} decays with both factors
   kOptimistic,    // {I, M, S, U} does not decay

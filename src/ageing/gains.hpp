@@ -39,11 +39,12 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// The doubt that remains in a cell after beams with a mass of 0.7 have crossed it for 100 ms.
+// The doubt that remains in a cell after beams have crossed the cell for 100 ms, that is, 1 minus
+// the mass of 0.7 that these beams contribute.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
-// Returns the mass of crossing beams after 1 ... 100 ms. This function runs only on a PC or at
-// compile time.
+// Returns the mass that beams contribute to a cell if they cross the cell for 1 ... 100 ms. This
+// function runs only on a PC or at compile time.
 constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_ms) {
   const double doubt = numeric::exp(numeric::log(doubt_after_100_ms) * ms / 100);
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
@@ -57,7 +58,8 @@ constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
   return static_cast<std::int16_t>(std::min<std::int32_t>(part, 32767));
 }
 
-// The mass of crossing beams, indexed by time in ms. The entry for 0 ms equals the entry for 1 ms.
+// The mass that crossing beams contribute to a cell, indexed by time in ms. The entry for 0 ms
+// equals the entry for 1 ms.
 using FreeMasses = std::array<std::int16_t, kLongestGainMs + 1>;
 
 // This function runs only on a PC or at compile time.

@@ -1,9 +1,9 @@
 // Determines the class and the bits of one cell. This file specifies the result in plain integers.
 // `decision_neon.cpp` computes the same results for eight cells at once.
 //
-// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767 with P = O + M + K. At most
-// one of F and P is therefore 2^14 or more. P is split into a moving part m <= M + O <= P and a
-// static part P - m, so at most one of these two parts is 2^14 or more. No sum exceeds 32767.
+// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767, where P = O + M + K. At most
+// one of F and P is therefore 2^14 or more. P consists of a moving part m <= M + O and a static
+// part P - m. At most one of these two parts is therefore 2^14 or more. No sum exceeds 32767.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace iog::decision {
 inline constexpr std::int32_t kHalf = 1 << 14;
 inline constexpr int kLevelShift = 11;
 
-// The thresholds of the bits for later frames. These thresholds are tuned to distinguish flicker
-// from motion.
+// The thresholds of the bits for later frames. The values are tuned to distinguish motion from
+// flicker.
 inline constexpr std::int32_t kFreedAbove = kHalf;
 inline constexpr std::int32_t kSeenAbove = 22'938;
 inline constexpr std::int32_t kStandsAbove = 4096;

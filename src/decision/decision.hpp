@@ -53,7 +53,8 @@ struct alignas(8) Bits {
 // The class bytes of a group's cells.
 using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 
-// For each cell, the map classes that are ruled out. The value is 0 if the map has no information.
+// For each cell, the map classes that are ruled out. The value of a cell is 0 if the map has no
+// information about the cell.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
 // Computes and writes the class bytes of a group. The class bytes depend on the group's masses and
@@ -62,13 +63,13 @@ using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
-// Contains two of the members of Bits.
+// The members of Bits that decide_free() computes.
 struct alignas(2) FreeBits {
   std::uint8_t freed = 0;
   std::uint8_t seen = 0;
 };
 
-// Same as decide(), for a group without occupied mass. All other bits are 0.
+// Does the same as decide(), but only for groups without occupied mass. All other bits are 0.
 FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
 

@@ -43,15 +43,15 @@ class FrameFusion {
   // ground. The lowest returns of these sensors are also collected. The models must belong to the
   // vehicle and outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // Returns the collection of a sensor's lowest returns. `place` is the sensor's position among the
+  // Returns the collection of a sensor's lowest returns. `place` is the sensor's index among the
   // sensors with an estimated ground.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Stores the mark for this point (or the marks for its arc). Carves the point's beam, either
-  // immediately or when a later call carves all pending beams. The sensor must belong to the
-  // vehicle, and the point's layer and azimuth must be valid in the sensor's format. Returns within
-  // the vehicle's height band are obstacles. All points of a frame together may mark at most
-  // kMaxMarks cells.
+  // Stores the mark for this point or, if `sensor.arc` is given, the marks for the point's arc.
+  // Carves the point's beam, either immediately or when a later call carves all pending beams. The
+  // sensor must belong to the vehicle, and the point's layer and azimuth must be valid in the
+  // sensor's format. Returns within the vehicle's height band are obstacles. In total, the points
+  // of a frame may mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);
@@ -95,7 +95,7 @@ class FrameFusion {
   // this function once per frame, after the last point.
   void finish();
 
-  // Returns the grid. The grid is complete after finish() and until it is cleared.
+  // Returns the grid. The grid is complete from the call to finish() until the grid is cleared.
   [[nodiscard]] const grid::BlockGrid& view() const { return grids_.indexes; }
 
   // Copies a tile of the frame, row by row from the lowest y, and then clears the tile. Returns
@@ -110,9 +110,9 @@ class FrameFusion {
     return is_known;
   }
 
-  // `keeps_heights()` returns true if heights are kept (grid/frame_grids.hpp). `low_and_tall()`
-  // returns the cells of a tile that a low beam freed or a tall return hit. The tile must not have
-  // been taken yet.
+  // `keeps_heights()` returns true if this object records low beams and tall returns
+  // (grid/frame_grids.hpp). `low_and_tall()` returns the cells of a tile that were freed by a low
+  // beam or hit by a tall return. Call low_and_tall() before take_tile() for the same tile.
   [[nodiscard]] bool keeps_heights() const { return grids_.keep_heights; }
   [[nodiscard]] grid::TileBits low_and_tall(std::size_t tile) const {
     return grids_.low_and_tall(tile);
@@ -126,7 +126,7 @@ class FrameFusion {
     release_with_heights([&](std::size_t tile, auto indexes,
                              const grid::TileBits& /*low_and_tall*/) { visit(tile, indexes); });
   }
-  // Same as above, but calls visit(number, indexes, low_and_tall).
+  // Does the same as release(), but calls visit(number, indexes, low_and_tall).
   template <typename Visit>
   void release_with_heights(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {

@@ -1,6 +1,6 @@
-// A buffer for the packets of a frame. Packets are buffered until several cores fuse them. If the
-// frame has classes, packets are buffered until the frame ends, because the slices are not known
-// before then.
+// A buffer for the packets of a frame. Packets are buffered so that several cores can fuse them in
+// parallel. If the frame has classes, packets are buffered until the frame ends, because the slices
+// are not known before then.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // The measurement time is on the clock of the poses if the sensor is synchronised, and on the
-  // target's clock otherwise.
+  // The measurement time, on the pose source's clock if the sensor is synchronised, and otherwise
+  // on the target's clock.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
   // FrameSlices sets the following members. `has_time` is true if the measurement time is known on
-  // the clock of the poses. `slice` is the slice that contains this time. Packets of the same group
-  // are fused together.
+  // the pose source's clock. `slice` is the slice that contains this time. Packets of the same
+  // group are fused together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;

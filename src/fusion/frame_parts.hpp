@@ -23,7 +23,8 @@ struct FramePart {
 class FrameParts {
  public:
   // The maximum number of parts fused in one round. The maximum is close to the number of packets
-  // in a frame from four LUX units, so that no core waits long for the last part.
+  // that four LUX units send per frame. Parts are therefore so small that no core waits long for
+  // the last part.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Splits the packets into parts. Each packet's group must be kNowhere or in the range 0 to
@@ -35,7 +36,7 @@ class FrameParts {
   // fit. If no parts are left, the result is empty.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // Returns the frame-relative numbers of the packets in a part.
+  // For each packet of a part, returns the packet's number in the frame.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }

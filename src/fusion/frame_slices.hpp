@@ -21,8 +21,8 @@
 
 namespace iog::fusion {
 
-// The maximum number of registered slices per frame. Together, 32 slices of 8 ms are more than
-// twice as long as a turn of a VLP-16.
+// The maximum number of registered slices per frame. Together, 32 slices of 8 ms cover more than
+// two revolutions of a VLP-16.
 inline constexpr std::size_t kMaxSlices = stream::kMaxSlices;
 
 struct PlacedSlice {
@@ -34,13 +34,13 @@ struct PlacedSlice {
 
 class FrameSlices {
  public:
-  // The group of all packets that are not registered. Packets of slice placed()[i] belong to group
-  // i.
+  // The group number of packets that are not registered. Packets of slice placed()[i] belong to
+  // group i.
   static constexpr std::uint8_t kNowhere = 0xFF;
 
-  // Converts the packets' times to the clock of the poses and returns the end of the last slice.
-  // Returns nothing if no packet has a time on this clock. This is the case if no sensor is
-  // synchronised and no pose provides the offset between the clocks.
+  // Converts the packets' times to the pose source's clock and returns the end of the last slice.
+  // Returns std::nullopt if no packet has a time on the pose source's clock. This is the case if no
+  // sensor is synchronised and no pose provides the offset between the clocks.
   std::optional<std::uint64_t> measure(std::span<const vehicle::Sensor> sensors,
                                        std::span<KeptPacket> packets, const pose::Source& poses);
 

@@ -1,5 +1,6 @@
-// The tiles of a part of a frame. The cells of each tile are stored row by row, separately from the
-// grid in which they were fused. A core uses these tiles to pass its results to the other cores.
+// Stores the tiles that result from fusing one part of a frame. The cells of each tile are stored
+// row by row, separately from the grid in which they were fused. Through these tiles, a core passes
+// its results to the other cores.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@ class FrameTiles {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Moves the grid out of a finished fusion, and clears the fusion. The grid overwrites all
-  // previous content.
+  // Moves the grid out of a finished FrameFusion, and leaves the FrameFusion empty. The grid
+  // overwrites all previous content.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (fusion.keeps_heights()) {
@@ -31,7 +32,7 @@ class FrameTiles {
   // tile.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
-  // Returns the cells that a low beam freed or a tall return hit (grid/frame_grids.hpp).
+  // Returns the cells that were freed by a low beam or hit by a tall return (grid/frame_grids.hpp).
   [[nodiscard]] const grid::TileBits& low_and_tall(std::size_t tile) const {
     return low_and_tall_[tile];
   }

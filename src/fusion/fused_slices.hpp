@@ -1,5 +1,6 @@
-// Prepares the slices of a round (fusion/shared_fusion.hpp) for the window. This class joins the
-// tiles of each slice's parts, for up to six slices at a time.
+// Prepares the slices that a round has fused (fusion/shared_fusion.hpp), so that they can be
+// registered in the window. This class joins the tiles of each slice's parts, for up to six slices
+// at a time.
 //
 // A task that copies tiles never reads its own output. If a core is lost, its task can therefore be
 // repeated from the start.
@@ -38,8 +39,8 @@ class FusedSlices {
     shown_ = 0;
   }
 
-  // Returns the next slices in order, or nothing after the last slice. The result is valid until
-  // the next call.
+  // Returns the next slices in order, or an empty span after the last slice. The result is valid
+  // until the next call.
   [[nodiscard]] std::span<const FusedSlice> next(const work::Crew& crew);
 
  private:

@@ -1,5 +1,5 @@
-// A grid that is assembled from several index grids. The joined grid equals the grid that results
-// from fusing all evidence of these index grids with hits_win.
+// A grid that is assembled from several index grids. The joined grid equals the grid that would
+// result if `hits_win` fused all evidence of these index grids at once.
 //
 // The index of a cell is the saturating sum of the cell's positive indexes in all grids. If no
 // index is positive, the index of the cell is the saturating sum of the negative indexes
@@ -23,8 +23,8 @@ namespace iog::fusion {
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 
-// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If only one of the grids has
-// a hit in a cell, the other grid's bit for this cell is ignored.
+// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If a cell is hit in only one
+// of the grids, the result takes the cell's bit from that grid.
 [[nodiscard]] grid::TileBits join(
     std::span<const index::OccupancyIndex, geometry::kTileCells> one,
     const grid::TileBits& bits_of_one,

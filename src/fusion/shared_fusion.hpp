@@ -36,7 +36,7 @@ namespace iog::fusion {
 // Number of points per outcome.
 using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 
-// The maximum number of parts that can wait to be joined.
+// The maximum number of fused parts that have not been joined yet.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
 // The result of a part, which is written by the core that fuses the part.
@@ -92,20 +92,20 @@ class HelpersMemory {
 // A SharedFusion uses 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // All arguments must outlive this object. `space` may be empty if core 0 works alone. `watched`
-  // must include the packets of the current frame.
+  // All arguments must outlive this object. `space` may be empty if core 0 works alone. The packets
+  // of the current frame must have been added to `watched`.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
   SharedFusion& operator=(const SharedFusion&) = delete;
 
-  // Returns core 0's own fusion, which is empty whenever the crew fuses the parts.
+  // Returns core 0's own FrameFusion, which is empty whenever the crew starts to fuse parts.
   [[nodiscard]] FrameFusion& own() { return own_; }
 
   // Returns the ground models, which change at the end of a frame.
   [[nodiscard]] const ground::Grounds& grounds() const { return grounds_; }
 
-  // Returns the outcomes of the frame's points.
+  // Returns how many points of the frame had each outcome.
   [[nodiscard]] const Fates& fates() const { return fates_; }
 
   // Adds a packet's points to core 0's own fusion.
@@ -151,8 +151,8 @@ class SharedFusion {
   // Adds the waiting parts to the frame's grid.
   void join(const work::Crew& crew);
 
-  // Updates the estimated ground of sensors whose turn has ended. Call this function after all
-  // packets of the frame have been fused.
+  // Updates the estimated ground of each sensor that has completed a revolution. Call this function
+  // after all packets of the frame have been fused.
   void end_frame(const intake::Intake& intake);
 
   // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined

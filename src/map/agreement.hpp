@@ -1,11 +1,12 @@
 // Detects maps that contradict the sensors. Beams cannot pass through houses, so free cells inside
 // buildings indicate a wrong map.
 //
-// The detector counts free cells deep inside buildings, where only the class `building` is possible
-// even after the blur. The blur covers the errors of the map and the poses. In simulated drives, no
-// free cells are inside buildings if the map is correct or if its houses are offset by 25 cm. If
-// the map is offset by 7 m, up to 8 % of the free cells are inside buildings (figures in
-// docs/map.md). Standing cells on roads are not evidence against a map, because cars park on roads.
+// The detector counts free cells deep inside buildings, that is, cells whose only possible class is
+// `building` even after the map has been blurred. The blur is wide enough to cover the errors of
+// both the map and the poses. In simulated drives, no free cells are inside buildings if the map is
+// correct or if its houses are offset by 25 cm. If the map is offset by 7 m, up to 8 % of the free
+// cells are inside buildings (see docs/map.md). Standing cells on roads are not evidence against a
+// map, because cars park on roads.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +30,10 @@ class Agreement {
   // buildings.
   static constexpr std::uint32_t kContradictingShare = 256;
   static constexpr std::uint32_t kAgreeingShare = 1'024;
-  // The minimum areas, expressed as numbers of cells of 0.1 m. A round with fewer than kFewestFree
-  // free cells (50 m2) is ignored. The minimum kFewestInside (5 m2) is needed because a wall may be
-  // too far out on the map.
+  // The minimum areas, expressed as numbers of cells with a side of 0.1 m. A round with fewer than
+  // kFewestFree free cells (50 m2) is ignored. A round contradicts the map only if at least
+  // kFewestInside free cells (5 m2) are inside buildings, because a building may be larger on the
+  // map than in reality.
   static constexpr std::uint32_t kFewestFree = 5'000;
   static constexpr std::uint32_t kFewestInside = 500;
   static constexpr std::uint32_t kContradictingRounds = 2;

@@ -1,5 +1,5 @@
-// A map block contains buildings and roads as polygons, with an index of buckets. `docs/spec.md`,
-// section 6, describes each byte.
+// A map block contains buildings and roads as polygons, and a spatial index that consists of
+// buckets. `docs/spec.md`, section 6, describes each byte.
 //
 // A block is untrusted until check() has accepted the entire block. A Block then reads its bytes
 // without further checks. The bytes must not change after check().
@@ -133,8 +133,8 @@ class Block {
         words_.bytes().subspan(words_.u32(tables_.offsets_at + 4 * std::size_t{number})));
   }
 
-  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. Visits
-  // buckets row by row. Within a bucket, visits features in the order of their numbers.
+  // Calls visit(const Feature&) once for each feature whose box overlaps the given box. Visits the
+  // buckets row by row, and the features of each bucket in ascending order of their numbers.
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
@@ -177,9 +177,9 @@ class FeatureWalk {
 
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  // Examines one entry, or continues with the next bucket. Each feature is listed in all buckets
-  // that its box overlaps, but it is returned only in the first visited bucket. Do not call this
-  // function if is_over() returns true.
+  // Examines one entry. If the current bucket has no more entries, moves on to the next bucket
+  // instead. Each feature is listed in all buckets that its box overlaps, but it is returned only
+  // in the first visited bucket. Do not call this function if is_over() returns true.
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {
       leave_bucket();

@@ -8,8 +8,9 @@
 
 namespace iog::map {
 
-// Returns the cells of the tile that have a set bit within `radius` cells. Distances are measured
-// from centre to centre. `radius` is 0 ... kHalo. Only rows within the radius are read.
+// Returns the tile's cells that are at most `radius` cells away from a set bit. Distances are
+// measured from centre to centre. `radius` is 0 ... kHalo. The function reads only the rows within
+// `radius` of the tile.
 [[nodiscard]] window::Plane blurred(const FrameBits& bits, std::int32_t radius);
 
 }  // namespace iog::map

@@ -30,7 +30,8 @@ inline constexpr std::size_t kChunkHeaderBytes = 20;
 inline constexpr std::size_t kLeastChunkMessage = protection::kProtectionBytes + kChunkHeaderBytes;
 static_assert(kLeastChunkMessage + kChunkBytes <= protection::kMaxMessageBytes);
 
-// Identifies the block of a chunk. Two blocks are different if their CRCs or their lengths differ.
+// Identifies the block to which a chunk belongs. Two blocks are different if their CRCs or their
+// lengths differ.
 struct BlockName {
   std::uint32_t crc = 0;    // as stated in the block itself
   std::uint32_t bytes = 0;  // 1 ... kMaxBlockBytes
@@ -57,7 +58,8 @@ struct Chunk {
 class ChunkEncoder {
  public:
   // Returns the whole message, which is valid until the next call. The chunk must have at most
-  // kChunkBytes bytes. The encoder does not check the fields because the decoder checks them.
+  // kChunkBytes bytes. The encoder does not check the chunk's fields, because the decoder checks
+  // them.
   [[nodiscard]] std::span<const std::byte> encode(const Chunk& chunk);
 
  private:

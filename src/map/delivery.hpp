@@ -1,5 +1,5 @@
-// Receives map blocks in chunks. Chunks are stored in whichever of the two buffers does not hold
-// the block in use.
+// Receives map blocks in chunks. Of the two buffers, the one that does not hold the block in use
+// stores the chunks.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
@@ -31,7 +31,7 @@ namespace iog::map {
 
 inline constexpr std::uint64_t kPatienceUs = 1'000'000;
 
-// The check reads each block about twice, so checking 4 MiB takes at least 33 frames.
+// The check reads each block about twice, so the check of a 4 MiB block takes at least 33 frames.
 inline constexpr std::size_t kCheckBytesPerFrame = 262'144;
 
 enum class DeliveryState : std::uint8_t {
@@ -70,7 +70,7 @@ class Delivery {
 
   // Sets a block that is available from the start, such as a block in the firmware image. Call this
   // function before the first frame. The block must outlive this object. The block is checked
-  // immediately, and a rejection is counted like any other.
+  // immediately. If the block is rejected, the report counts the rejection.
   void begin_with(std::span<const std::uint8_t> block);
 
   // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the
@@ -97,8 +97,8 @@ class Delivery {
   void put(const Chunk& chunk);
   // Returns the bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // Returns the result of the check. Returns kDamaged if the block's CRC differs from the CRC in
-  // the block's chunks.
+  // Returns the result of the check. Returns kDamaged if the block's CRC differs from the CRC that
+  // the chunks state for this block.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 

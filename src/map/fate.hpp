@@ -7,7 +7,8 @@
 
 namespace iog::map {
 
-// The outcome of a datagram. All outcomes except kTaken are drops, which have no effect.
+// The outcome of a datagram. If the outcome is not kTaken, the datagram is dropped and has no
+// effect.
 enum class Fate : std::uint8_t {
   kTaken,         // its bytes were stored
   kRepeated,      // its bytes were already stored

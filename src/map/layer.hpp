@@ -1,9 +1,9 @@
 // The map layer of the window. The layer schedules the drawing of tiles: it determines which tiles
 // are drawn, which are pending, and which must be drawn again.
 //
-// A tile becomes pending when it enters the window or when the map changes. A drawn tile also
-// becomes pending in two cases: the transform has moved one of its corners by more than a cell
-// since the drawing, or the blur is now wider than in the drawing. If the blur becomes narrower,
+// A tile becomes pending when it enters the window or when the map changes. A drawn tile becomes
+// pending again in two cases: the transform has moved a corner of the tile by more than a cell
+// since the tile was drawn, or the blur has become wider since then. If the blur becomes narrower,
 // the tile is not drawn again, because its mask is still correct, although it is less specific than
 // possible. The cells of a pending tile may have any class. The tile that has been pending longest
 // is drawn first. If several tiles have been pending equally long, the one with the lowest slot is
@@ -61,12 +61,12 @@ class Layer {
 
   // Call this function once per frame, after the window has followed the vehicle. `block` is the
   // block in use, or null. The bytes of the block must stay valid until the next call. `transform`
-  // is the transform of the newest pose, if this pose has one.
+  // is the transform of the newest pose, or std::nullopt if that pose has no transform.
   void work(const Block* block, const std::optional<pose::MapTransform>& transform,
             perception::WindowFusion& window);
 
   // Call this function instead of work() if there is no frame for the window. The function updates
-  // only the report, so a pause without data does not affect the drawing of tiles.
+  // only the report, so a gap in the data does not affect the drawing of tiles.
   void look(const Block* block, const std::optional<pose::MapTransform>& transform,
             const perception::WindowFusion& window);
 
@@ -118,8 +118,8 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // These members are stored by slot in separate arrays so that a scan over all states reads no
-  // other data.
+  // These members are stored by slot in separate arrays so that a scan over the states of all slots
+  // reads no other data.
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
   std::array<Basis, window::kSlotCount> bases_{};          // of drawn or outside tiles
@@ -135,7 +135,7 @@ class Layer {
   std::size_t tiles_ = window::kSlotCount;  // of the window
   std::uint32_t budget_ = 0;                // remaining work of this frame
   Basis now_{};
-  // The following members describe the last frame in which nothing prevented drawing.
+  // The following members describe the last frame in which tiles could be drawn.
   Basis basis_{};
   window::Area area_;
   std::uint32_t crc_ = 0;

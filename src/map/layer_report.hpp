@@ -1,4 +1,4 @@
-// Reports the effect of the map on the window, or the reason why it has none.
+// Reports how the map affects the window, or why the map has no effect.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@ enum class Cause : std::uint8_t {
 };
 inline constexpr std::size_t kCauseCount = 9;
 
-// If the standard deviation of the transform is larger, no tile is drawn.
+// If the standard deviation of the transform exceeds this limit, no tile is drawn.
 inline constexpr std::uint16_t kMaxSigmaMm = 300;
 
 struct LayerReport {
   Cause cause = Cause::kNoMap;
-  // The number of times that each cause has begun since start-up. The entry for kNone is the number
-  // of times that the map has taken effect.
+  // How often each cause has begun to apply since start-up. The entry for kNone counts how often
+  // the map has taken effect.
   std::array<std::uint32_t, kCauseCount> begun{};
 
   std::uint32_t crc = 0;                          // identifies the map; 0 if there is none
@@ -41,7 +41,7 @@ struct LayerReport {
   std::uint16_t tiles_drawn = 0;    // with a mask
   std::uint16_t tiles_outside = 0;  // outside the extent
   std::uint16_t tiles_waiting = 0;
-  // The following counts are for this frame.
+  // The following counts refer only to this frame.
   std::uint16_t tiles_finished = 0;   // drawn, or found to be outside
   std::uint16_t tiles_withdrawn = 0;  // lost their mask, so that the map has no effect on them
   std::uint32_t work = 0;             // out of kWorkPerFrame (map/layer.hpp)

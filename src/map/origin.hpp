@@ -1,5 +1,5 @@
-// A hash that identifies the origin of a map. If the hashes of two maps, or of a map and a pose,
-// are equal, both refer to the same plane.
+// A hash that identifies the origin of a map. Two maps, or a map and a pose, refer to the same
+// plane if their hashes are equal.
 #pragma once
 
 #include <cstdint>

@@ -4,9 +4,9 @@
 // Each row is stored in a word, starting with the lowest y. Bit i represents the cell in column i.
 // According to the even-odd rule, a centre is inside the polygon if the edges cross its row an odd
 // number of times at or to the left of the centre. An edge crosses the rows from its lower end
-// (inclusive) to its upper end (exclusive). Row intervals are therefore half-open. Polygons that
-// share an edge have no cell in common and leave no gap. The only inexact step is the rounding of
-// vertices to fine units (map/tile_place.hpp).
+// (inclusive) to its upper end (exclusive). Row intervals are therefore half-open. As a result,
+// polygons that share an edge neither have a cell in common nor leave a gap. The only inexact step
+// is the rounding of vertices to fine units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct RowRange {
 // Collects the edges of a polygon in any order, and then returns the cells inside the polygon.
 class Raster {
  public:
-  // Discards all edges. After this call, results are valid only in `rows` and in the columns with
-  // the same numbers.
+  // Discards all edges. After this call, results are valid only for cells whose row and column are
+  // both in the range `rows`.
   void clear(RowRange rows);
 
   // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row do

@@ -1,4 +1,4 @@
-// Describes the sender of maps, as a part of a vehicle's description.
+// The part of a vehicle's description that describes the sender of maps.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,9 @@
 //
 // A cell's own classes are the classes of all features that contain its centre. If no feature
 // contains the centre, the cell's own class is `intermediate`. Outside the extent of the block, any
-// class is possible. Each cell may have its own classes and those of all cells within the radius. A
-// drawing can be suspended. The result is available only when the drawing is complete.
+// class is possible. The possible classes of a cell are its own classes and the own classes of all
+// cells within the radius. A drawing can be suspended. The result is available only when the
+// drawing is complete.
 #pragma once
 
 #include <cstdint>

@@ -5,8 +5,8 @@
 
 namespace iog::map {
 
-// For each class of the map, the cells that may have this class. Each cell must be allowed at least
-// one class.
+// Contains, for each class of the map, the cells that may have this class. Each cell must be
+// allowed at least one class.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};

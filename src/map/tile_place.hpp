@@ -3,8 +3,8 @@
 // Vertices are rounded to fine units. Each side of a cell is kFine units long, so a unit is 0.4 mm
 // if cells are 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower
 // corner of the tile's frame. The frame is the tile with kHalo additional cells on each side. The
-// rounding depends only on the position in the local frame. A vertex therefore has the same
-// position for all tiles and features.
+// rounding depends only on the position in the local frame. A vertex therefore has the same rounded
+// position in all tiles and features.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace iog::map {
 
-// The width, in cells, of the surroundings that can affect a tile.
+// The width, in cells, of the margin around a tile in which features can affect the tile.
 inline constexpr std::int32_t kHalo = 16;
 inline constexpr std::int32_t kFrameSide = window::kTileSide + 2 * kHalo;
 static_assert(kFrameSide == 64, "a row of the frame is a word");
@@ -69,8 +69,8 @@ class TilePlace {
   std::int32_t cell_mm_;
 };
 
-// Returns true if any corner of the tile has moved by more than a cell in the plane. The result is
-// accurate to 2^-10 mm.
+// Returns true if the change of the pose moves any corner of the tile by more than a cell in the
+// plane of the map. The result is accurate to 2^-10 mm.
 [[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to,
                              std::int32_t cell_mm = geometry::kCellMm);
 

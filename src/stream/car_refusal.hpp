@@ -1,5 +1,5 @@
-// The message that a target sends if it rejects the car in its image. A target without a valid car
-// sends no grid (docs/spec.md 3.11).
+// The message that a target sends if it rejects the car block in its firmware image. A target
+// without a valid car block sends no grid (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct CarRefusal {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_car_refusal(const CarRefusal& refusal, std::span<std::byte> buffer);
 
-// Returns nothing if the body is too short. `words` is a view of the body.
+// Returns std::nullopt if the body is too short. `words` is a view of the body.
 [[nodiscard]] std::optional<CarRefusal> read_car_refusal(std::span<const std::byte> body);
 
 }  // namespace iog::stream

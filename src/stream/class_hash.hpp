@@ -10,10 +10,10 @@
 
 namespace iog::stream {
 
-// A CRC-32 over the coordinates a and b of the window's corner (each as i32), followed by each tile
-// with a classified cell. The tiles are ordered by tile number. For each tile, the CRC covers the
-// tile number as u16 and then its 1024 cells. All integers are big endian. A grid without classes
-// has a CRC of 0.
+// A CRC-32 over the coordinates a and b of the window's corner (each as i32) and then over each
+// tile with a classified cell. The tiles are ordered by tile number. For each tile, the CRC covers
+// the tile number as u16 and then its 1024 cells. All integers are big endian. A grid without
+// classes has a CRC of 0.
 class ClassHash {
  public:
   explicit ClassHash(window::TileNumber corner = {});

@@ -15,7 +15,8 @@
 namespace iog::stream {
 
 // The bits of ClassWindow::causes. Each bit reports an event that occurred since the previous
-// frame. The values are used on the wire. After a break, all cells of the window are unknown.
+// frame. The values of the bits are part of the wire format. A break resets all cells of the window
+// to unknown.
 inline constexpr std::uint16_t kCauseLate = 0x0001;          // no pose within 100 ms of a slice
 inline constexpr std::uint16_t kCauseLost = 0x0002;          // no pose for 1 s; break
 inline constexpr std::uint16_t kCauseImprecise = 0x0004;     // pose too imprecise
@@ -38,7 +39,7 @@ struct ClassWindow {
   std::uint64_t slices_begin_us = 0;  // start of the first slice, by the pose source's clock
   std::uint64_t slices_end_us = 0;    // end of the last slice, which is the timestamp of the frame
 
-  // Returns true if at least one slice was placed and its pose is known.
+  // Returns true if at least one slice was placed and `pose` is known.
   [[nodiscard]] constexpr bool has_place() const { return slices > 0 && sigma != pose::Sigma{}; }
   friend constexpr bool operator==(const ClassWindow&, const ClassWindow&) = default;
 };

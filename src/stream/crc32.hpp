@@ -1,4 +1,4 @@
-// Selects the CRCs for the content of the stream.
+// Defines which CRC is used for which content of the stream.
 #pragma once
 
 #include "checksum/crc32.hpp"

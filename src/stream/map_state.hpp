@@ -16,10 +16,11 @@
 
 namespace iog::stream {
 
-// Longer attributions are truncated at a character boundary.
+// The maximum number of bytes in an attribution. A longer attribution is truncated at a character
+// boundary.
 inline constexpr std::size_t kMaxShownAttribution = 96;
 
-// The block in use, without its CRC.
+// Describes the block in use, except for the block's CRC.
 struct MapInUse {
   std::uint8_t source = 0;  // map::Source
   std::uint8_t attribution_bytes = 0;
@@ -40,7 +41,7 @@ struct MapState {
 // Returns the number of bytes written, or 0 if the buffer is too small.
 std::size_t write_map_state(const MapState& state, std::span<std::byte> buffer);
 
-// Returns nothing if the map state is too short. Skips fields that a later version may append.
+// Returns std::nullopt if the map state is too short. Skips fields that a later version may append.
 [[nodiscard]] std::optional<MapState> read_map_state(std::span<const std::byte> bytes);
 
 }  // namespace iog::stream

@@ -1,9 +1,10 @@
-// Defines the content of grid messages, excluding the surrounding protection (stream/channel.hpp).
-// All values are in big-endian order. The meaning of each byte is documented in docs/spec.md.
+// Defines the content of grid messages. The protection header is not part of this content
+// (stream/channel.hpp). All values are in big-endian order. The meaning of each byte is documented
+// in docs/spec.md.
 //
 // Every message starts with the same header, which contains its own length and the message type. A
-// receiver skips header bytes that it does not know, and drops messages with unknown types,
-// encodings or storage formats. Later versions can therefore add fields and encodings.
+// receiver skips unknown header bytes, and drops messages with unknown types, encodings or storage
+// formats. Later versions can therefore add fields and encodings.
 #pragma once
 
 #include <array>
@@ -103,8 +104,8 @@ struct FrameEnd {
   std::int16_t temperature_dc = -0x8000;
 };
 
-// Looks up a component's counters by name (stream/target_state.hpp). Returns nothing if the sender
-// is a PC, because a PC does not send these counters.
+// Looks up a component's counters by name (stream/target_state.hpp). Returns std::nullopt if the
+// sender is a PC, because a PC does not send these counters.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> counts_of(const FrameEnd& end) {
   return get<Counts>(end.link_counters, end.link_counter_count);

@@ -11,7 +11,7 @@
 
 namespace iog::stream {
 
-// The enumeration values are used on the wire.
+// The values of this enumeration are part of the wire format.
 enum class ObjectState : std::uint8_t {
   kYoung = 1,    // newly detected; its speed is not confirmed yet
   kStands = 2,   // stationary; has never moved
@@ -42,8 +42,8 @@ struct ObjectRecord {
   std::uint16_t flags = 0;
   std::int16_t vx_cm_s = 0;  // 0 unless the object is moving
   std::int16_t vy_cm_s = 0;
-  // The standard deviations of the values above. For young and stationary objects, the standard
-  // deviations of the velocity are kNotBelieved.
+  // The standard deviations of velocity and position, along and across the heading. For young and
+  // stationary objects, the standard deviations of the velocity are kNotBelieved.
   std::uint16_t sigma_v_along_cm_s = kNotBelieved;
   std::uint16_t sigma_v_across_cm_s = kNotBelieved;
   std::uint16_t sigma_along_mm = 0;
@@ -76,9 +76,9 @@ struct ObjectsHeader {
 
 // The objects of a frame, sorted by ascending ID.
 struct ObjectList {
-  // The time of all positions, on the pose source's clock. If no slice was placed in this frame,
-  // the time comes from an earlier frame. If the value is 0, the time is unknown and the list is
-  // empty.
+  // The time to which all positions refer, on the pose source's clock. If no slice was placed in
+  // this frame, the time comes from an earlier frame. If the value is 0, the time is unknown and
+  // the list is empty.
   std::uint64_t time_us = 0;
   std::uint16_t tracks_refused = 0;
   std::uint16_t hits_left = 0;
@@ -113,11 +113,12 @@ struct ObjectPart {
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
 // kInconsistent. A part is inconsistent in any of these cases:
-//   * The part number exceeds the number of parts, or the object count does not match the number of
-//     parts.
+//   * The part number is not below the number of parts, or the object count does not match the
+//     number of parts.
 //   * The part has objects but no time, or a record is truncated.
 //   * The IDs are not in ascending order.
-//   * A state is unknown, or does not allow the record's velocity or standard deviation.
+//   * A record has an unknown state, or has a velocity or standard deviation that its state does
+//     not allow.
 [[nodiscard]] ReadStatus read_objects(std::span<const std::byte> body, ObjectPart& part);
 
 }  // namespace iog::stream

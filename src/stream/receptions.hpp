@@ -22,9 +22,9 @@ struct Reception {
   friend constexpr bool operator==(const Reception&, const Reception&) = default;
 };
 
-// Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload is shorter than
-// that, the CRC covers all of it. The datagrams of a sensor differ in their first or last bytes,
-// which contain a timestamp, a sequence number or measurements.
+// Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload has at most 128
+// bytes, the CRC covers the entire payload. The first or last bytes differ between the datagrams of
+// a sensor, because these bytes contain a timestamp, a sequence number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
@@ -65,7 +65,7 @@ struct ReceptionPart {
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
 // kInconsistent. A part is inconsistent in any of these cases:
-//   * The part number exceeds the number of parts.
+//   * The part number is not below the number of parts.
 //   * The number of receptions is wrong for this part.
 //   * A record is truncated, or the times decrease.
 [[nodiscard]] ReadStatus read_receptions(std::span<const std::byte> body, ReceptionPart& part);

@@ -29,20 +29,21 @@ class References {
   void keep(std::size_t tile, tile_coding::TileCells cells, std::uint32_t frame_number,
             std::size_t payload_bytes);
 
-  // Records the payload length of a tile that was sent as a difference from its reference. If this
-  // length exceeds seven eighths of the self-contained length, the tile is sent in self-contained
-  // form the next time. The following frames are then shorter.
+  // Records the payload length of a tile that was encoded as the difference from its reference. If
+  // this length exceeds seven eighths of the self-contained length, the tile is sent in
+  // self-contained form the next time. Compared with this new version, later versions of the tile
+  // differ less and are encoded in fewer bytes.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
-  // Returns the stored reference of a tile. Returns nothing if no self-contained version of the
-  // tile has ever been sent.
+  // Returns the stored reference of a tile. Returns std::nullopt if no self-contained version of
+  // the tile has ever been sent.
   [[nodiscard]] std::optional<tile_coding::Reference> find(std::size_t tile) const;
 
-  // Returns the reference that a sender may use for a tile in a frame. Returns nothing if the
-  // reference is too old, or if the tile has changed too much since the reference was sent. In
-  // addition, each tile is sent in self-contained form once every kMaxReferenceAge + 1 frames. The
-  // tile number determines in which frame this happens, so self-contained tiles are spread evenly
-  // over the frames.
+  // Returns the reference that a sender may use for a tile in a frame. Returns std::nullopt if the
+  // reference is too old, or if the tile has changed too much since its reference was sent. The
+  // function also returns std::nullopt once every kMaxReferenceAge + 1 frames, so that each tile is
+  // regularly sent in self-contained form. The tile number determines in which frame this happens,
+  // so self-contained tiles are spread evenly over the frames.
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 

@@ -109,8 +109,8 @@ template <Group kGroup>
   return kPlaces[number_of(name)];
 }
 
-// Returns the indexes of all words of `Counts`. `Counts` is a struct that contains only 32-bit
-// words, and `Counts::kNames` lists the names of its members in order.
+// Returns the index that each word of `Counts` has among the link counters. `Counts` is a struct
+// that contains only 32-bit words, and `Counts::kNames` lists the names of its members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -125,8 +125,8 @@ template <typename Counts>
   return places;
 }
 
-// Returns true if each link counter belongs to exactly one of these structs and no spare word
-// belongs to any struct.
+// Returns true if every link counter belongs to exactly one of the structs `Counts`, and no spare
+// word belongs to any of these structs.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. Returns nothing if any counter in `Counts` is not among the first
-// `sent` link counters.
+// Reads the counters in `Counts`. These counters must all be among the first `sent` link counters.
+// Otherwise, the function returns std::nullopt.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

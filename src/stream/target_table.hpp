@@ -1,11 +1,12 @@
 // The table of the target's counters and states, with their names and their positions on the wire.
 //
 // The frame end has one list for each of the first three groups, and one list of link counters for
-// the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The remaining groups are in the last
-// class message of the frame (3.10). To add a counter, add its name here and to the struct that
-// counts it. Insert a link counter before the spare words and reduce the number of spare words. The
-// loop finds the position of a counter by name (stream/target_state.hpp). The script
-// tests/lint/target_state generates the tables of the other readers.
+// the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The frame end also has the group
+// kSensorState. The remaining groups are in the last class message of the frame (docs/spec.md
+// 3.10). To add a counter, add its name here and to the struct that counts it. Insert a link
+// counter before the spare words and reduce the number of spare words. The loop finds the position
+// of a counter by name (stream/target_state.hpp). The script tests/lint/target_state generates the
+// table in docs/spec.md and the table of the Wireshark dissector.
 #pragma once
 
 #include <cstddef>
@@ -32,28 +33,28 @@ enum class Group : std::uint8_t {
   kPort,
   // Fragments, and fragmented datagrams (1.5).
   kFragment,
-  // Shared work. Core 0 does the items of lost cores ([cores.md](cores.md)).
+  // Shared work. Core 0 runs the items of lost cores ([cores.md](cores.md)).
   kCore,
-  // Frames without room at the port, its restarts ([drivers.md](drivers.md)), and their losses.
+  // Frames dropped by a full port, port restarts ([drivers.md](drivers.md)), and resulting losses.
   kRestart,
-  // Starts including this one, and how the previous run ended (below).
+  // Starts, including this one, and how the previous run ended (below).
   kRun,
-  // The loop's times, 13 words each (below).
+  // Loop timing, 13 words per duration (below).
   kLoopTime,
-  // Reserved for later counters: 0; receivers ignore them.
+  // Reserved for later counters. Receivers ignore these zeros.
   kLater,
   // Only with service discovery ([service_discovery.md](service_discovery.md)) or signed commands:
-  // its datagrams, answers and subscriptions; messages copied to the subscriber, and messages for
-  // which there was no room.
+  // discovery datagrams, answers and subscriptions, and messages that were copied to the subscriber
+  // or did not fit.
   kDiscovery,
-  // Only with signed commands (9): messages per verdict, last authentic counters, and a
+  // Only with signed commands (section 9): messages per verdict, last authentic counters, and a
   // two-word MAC over these ten fields.
   kCommand,
   // Messages since start.
   kPoseFate,
   // Slices since start.
   kSliceCause,
-  // Number of times that a cause began, since start.
+  // How often each cause began since start.
   kMapCause,
   // Chunks of maps since start.
   kChunkFate,

@@ -1,6 +1,7 @@
 // The tile message (docs/spec.md 3.3). A tile message contains the range of tile numbers that it
-// covers, and the content of the known tiles in this range. A tile in this range that has no
-// content is unknown. A receiver can therefore distinguish known, unknown and missing tiles.
+// covers, and the content of the known tiles in this range. If the message has no content for a
+// tile in this range, the tile is unknown. A receiver can therefore distinguish known, unknown and
+// missing tiles.
 #pragma once
 
 #include <array>
@@ -20,7 +21,7 @@ namespace iog::stream {
 
 using tile_coding::Encoding;
 
-// The enumeration values are used on the wire.
+// The values of this enumeration are part of the wire format.
 enum class Storage : std::uint8_t {
   kOccupancyIndex = 0,  // the index of each cell
   kHighestIndex = 1,    // the highest index within each coarse cell
@@ -34,8 +35,8 @@ struct Geometry {
   std::uint16_t width = 0;   // in cells; a multiple of the tile's side
   std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner of the grid with the lowest x and y in the vehicle frame. For classes, the corner is
-  // 0 because their position is in the window header.
+  // The corner of the grid with the lowest x and y in the vehicle frame. For class grids, both
+  // coordinates are 0 because the window header contains the position.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -68,7 +69,7 @@ struct Geometry {
   return geometry;
 }
 
-// Returns the grid with the given geometry, or nothing if no car can have such a grid.
+// Returns the grid with the given geometry, or std::nullopt if no car can have such a grid.
 [[nodiscard]] constexpr std::optional<geometry::Grid> grid_of(const Geometry& geometry) {
   if (!geometry::is_cell_size(geometry.cell_mm)) {
     return std::nullopt;
@@ -99,7 +100,8 @@ struct Geometry {
   return geometry;
 }
 
-// Returns the extent of the window with this geometry, or nothing if no car can have such a window.
+// Returns the extent of the window with this geometry, or std::nullopt if no car can have such a
+// window.
 [[nodiscard]] constexpr std::optional<window::Extent> extent_of(const Geometry& geometry) {
   const auto tiles = [](std::uint16_t cells) {
     return static_cast<std::uint8_t>(cells / geometry::kTileSide);
@@ -125,11 +127,12 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
                   kClassTileRecordBytes + tile_coding::kTileBytes <=
               protection::kMaxMessageBytes);
 
-// Composes tile messages one at a time, with free space for the protection header at the start.
+// Composes tile messages one at a time, and leaves space for the protection header at the start of
+// each message.
 class TilesWriter {
  public:
-  // Starts a grid and its first message at tile 0. `header` is the header of the frame, whose type
-  // and sequence number are ignored.
+  // Starts a grid, and starts the grid's first message at tile 0. `header` is the header of the
+  // frame, whose type and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered as in window/area.hpp.
   void begin_classes(const Header& header, const ClassWindow& window,
@@ -147,8 +150,8 @@ class TilesWriter {
                             std::span<const std::byte> payload);
 
   // Ends the message and starts the next one at `end_tile`. The ended message covers all tiles
-  // before `end_tile`. The returned bytes are valid until the next call to append() or to a begin
-  // function.
+  // before `end_tile`. The returned bytes are valid until the next call to append(),
+  // begin_message(), begin_grid() or begin_classes().
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
   // Returns the number of tiles in the current message.
@@ -196,7 +199,8 @@ class TileRecords {
 // Reads the body of a tile message. Returns kOk, kTooShort or kInconsistent. A message is
 // inconsistent in any of these cases:
 //   * The message covers tiles outside its grid, or contains a tile that it does not cover.
-//   * The message repeats a tile, or contains a tile longer than a raw tile.
+//   * The message contains a tile twice, or the payload of a tile is longer than that of a raw
+//     tile.
 //   * The number of tiles is wrong.
 [[nodiscard]] ReadStatus read_tiles(std::span<const std::byte> body, TilesHeader& header,
                                     TileRecords& records);

@@ -1,15 +1,14 @@
 // The undo log for tasks that change data in place. A partially completed task can be undone and
 // repeated.
 //
-// Each helper has one image. The helper copies the data that its item is about to change into the
-// image. The helper then records the number of the item, and only then changes the data. Before
-// core 0 repeats an item of a lost core, it restores the image that belongs to the item. If no
-// image belongs to the item, no data has been changed yet. Core 0 needs no image because its items
-// are never repeated.
+// Each helper has one image. Before an item changes data, the helper copies this data into the
+// image and then records the number of the item. Before core 0 repeats an item of a lost core, it
+// restores the image that belongs to the item. If no image belongs to the item, no data has been
+// changed yet. Core 0 needs no image because its items are never repeated.
 //
-// Core 0 reads a helper's image only after the helper has ended. If core 0 then sees one of the
-// helper's stores, it also sees all earlier stores of the helper. A compiler barrier between the
-// stores is therefore enough.
+// Core 0 reads a helper's image only after the helper has stopped. If core 0 then sees one of the
+// helper's stores, core 0 also sees all earlier stores of this helper. A compiler barrier between
+// the stores is therefore enough.
 #pragma once
 
 #include <array>
@@ -22,8 +21,8 @@
 
 namespace iog::work {
 
-// A compiler barrier between two stores of the current core. When this core has ended, core 0 may
-// see a store after the barrier. In this case, core 0 also sees all stores before the barrier.
+// A compiler barrier between two stores of the current core. After this core has stopped, core 0
+// sees all stores before the barrier if it sees any store after the barrier.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // If the image is large, the object must be in static memory.

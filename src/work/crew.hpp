@@ -1,4 +1,5 @@
-// The executor of a round's tasks. The executor is a team, a platform with a team, or core 0 alone.
+// The executor of a round's tasks. The executor is a work::Team, a platform that has a work::Team,
+// or core 0 alone.
 //
 // A crew is only a reference, so code that splits its work does not depend on the executor.
 #pragma once
@@ -10,7 +11,7 @@
 
 namespace iog::work {
 
-// A sharer has the same interface as work::Team.
+// A Sharer provides cores() and share(), as work::Team does.
 template <typename T>
 concept Sharer = requires(T& sharer, std::size_t items, Work work, Beside beside) {
   { sharer.cores() } -> std::same_as<std::size_t>;
@@ -41,7 +42,7 @@ class Crew {
   void share(std::size_t items, DoItem do_item) const {
     share_work(items, work_of(do_item), Beside{});
   }
-  // Same as above, but core 0 also runs `beside` once.
+  // Like share() without `beside`, but core 0 also runs the extra task `beside` once.
   template <typename DoItem>
   void share(std::size_t items, DoItem do_item, Beside beside) const {
     share_work(items, work_of(do_item), beside);
@@ -61,8 +62,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// Returns the number of items needed for `things` elements with `in_each` elements per item. The
-// last item may contain fewer elements.
+// Returns how many items are needed for `things` elements if each item contains `in_each` elements.
+// The last item may contain fewer elements.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

@@ -62,8 +62,8 @@ template <typename Callable>
 }
 
 // Adds to a counter that only one core writes. Other cores may read the counter. A load and a store
-// are enough because no other core writes in between. A load and a store also avoid an exclusive
-// access, which could follow a store to a device.
+// are enough because no other core writes to the counter. They also avoid an exclusive access,
+// which could deadlock after a store to a device (docs/errata.md, 782772).
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -105,9 +105,9 @@ class Round {
   std::size_t redo();
 
  private:
-  // The ticket and the work share a cache line because a core that claims an item needs the work
-  // next. The members declared after `ticket_` are written only by core 0, and only when no items
-  // remain.
+  // The ticket and the work share a cache line because a core reads the work immediately after it
+  // has claimed an item. The members declared after `ticket_` are written only by core 0, and only
+  // when no items remain.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;
   std::size_t checked_ = 0;  // for core 0: the flags of all items below this one are set

@@ -1,9 +1,10 @@
 // Splits a sequence into runs (guided chunks). Each run is an item of a round. The first runs are
 // long, and later runs become shorter and shorter.
 //
-// Cores claim the runs in order. As a result, a sequence has few runs, and the last runs are so
-// short that no core waits long. The algorithm is guided self-scheduling (Polychronopoulos and
-// Kuck, IEEE Transactions on Computers C-36, 1987), but its runs are half as long.
+// Cores claim the runs in order. As a result, a sequence is split into few runs, and the last runs
+// are so short that no core waits long for another core. The algorithm is guided self-scheduling
+// (Polychronopoulos and Kuck, IEEE Transactions on Computers C-36, 1987), but its runs are half as
+// long.
 #pragma once
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
 // faults or hangs while it runs an item, it is stopped and never used again, and core 0 repeats the
 // item. If a helper does not answer a wake-up, it has not claimed an item, and it may answer later.
-// The loss of a core therefore only costs time. No wait is longer than patience_us, unless an item
-// takes longer.
+// The loss of a core therefore only costs time. A wait exceeds `patience_us` only if an item takes
+// longer.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +67,8 @@ class Team {
     return cores();
   }
 
-  // Runs every item on any core, and returns when all items are done. Core 0 runs `beside` first,
-  // while the helpers already run items.
+  // Runs every item on any core, and returns when all items are done. Core 0 runs `beside` first.
+  // Meanwhile, the helpers run items.
   void share(std::size_t items, Work work, Beside beside = {}) {
     look_around();
     if (items < 2 || cores() == 1) {
@@ -84,8 +84,8 @@ class Team {
     redone_ += static_cast<std::uint32_t>(round_.redo());
   }
 
-  // Wakes every available helper without giving it work. Afterwards, comes() shows which helpers
-  // are alive. Use call() between rounds.
+  // Wakes every available helper without giving it work. Each helper that is alive then increments
+  // its comes() counter. Use call() between rounds.
   void call() {
     lose_faulted();
     for_each_helper([this](std::size_t core) { cores_->wake(core); });
@@ -109,8 +109,8 @@ class Team {
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // Returns the number of times that a helper has answered a wake-up and become idle again, since
-  // start-up and modulo 2^32.
+  // Returns how often a helper has answered a wake-up and become idle again since start-up, modulo
+  // 2^32.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
@@ -128,7 +128,8 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Returns how many times a core was lost, plus how many times a core first failed to answer.
+  // Returns the number of cores that were lost plus the number of cores that have failed to answer
+  // at least one wake-up in time.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
@@ -147,7 +148,7 @@ class Team {
   static void help_from(void* context, std::size_t core) {
     Team& team = *static_cast<Team*>(context);
     Seat& seat = team.seats_[core];
-    // The claim of the first item has release semantics, so it also publishes this store.
+    // Claiming the first item is a release operation, so the claim also publishes this store.
     seat.place.store(kInside, std::memory_order_relaxed);
     const Round::Ticket last = team.round_.help(core, seat.items);
     count_up(seat.comes, 1);
@@ -163,8 +164,9 @@ class Team {
     }
   }
 
-  // Updates the state of each helper. A helper that has ended is lost. A helper that did not answer
-  // its wake-up in time is silent. A helper that has answered will be woken again.
+  // Updates the state of each helper. A helper that has stopped counts as lost. A helper that has
+  // not answered its wake-up in time counts as silent. A silent helper that answers later counts as
+  // working again.
   void look_around() {
     const std::uint64_t now_us = cores_->now_us();
     lose_faulted();
@@ -190,7 +192,7 @@ class Team {
   }
 
   // Waits until every item is done or no helper is running an item. All items have already been
-  // claimed. If a helper has an item, its `place` is kInside.
+  // claimed. While a helper runs an item, the helper's `place` is kInside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -209,8 +211,8 @@ class Team {
     }
   }
 
-  // Stops helpers that hang. If a core cannot be stopped, it could overwrite the output of the
-  // repeated item. The run therefore ends.
+  // Stops helpers that hang. A core that cannot be stopped could overwrite the output of the
+  // repeated item, so the run ends in this case.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {
