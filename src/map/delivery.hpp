@@ -73,8 +73,8 @@ class Delivery {
   // immediately. If the block is rejected, the report counts the rejection.
   void begin_with(std::span<const std::uint8_t> block);
 
-  // Continues the check for about kCheckBytesPerFrame bytes. Only this function can change the
-  // block in use. Call this function once per frame.
+  // Continues the check for about kCheckBytesPerFrame bytes. Once frames have begun, only this
+  // function can change the block in use. Call this function once per frame.
   void work();
 
   // Returns the block in use, which is valid until the next work(). Returns null if no block is in
