@@ -2,8 +2,8 @@
 //
 // If a target is too slow for its sensors, the loop never empties the receive ring. The waiting
 // Ethernet frames become stale, and eventually the controller drops new frames unread. If the ring
-// has been non-empty without interruption for kLongestUs, the loop sheds and counts the waiting
-// datagrams. As a result, the delay of the target's grids never exceeds kLongestUs.
+// has been continuously non-empty for kLongestUs, the loop sheds and counts the waiting datagrams.
+// As a result, the delay of the target's grids never exceeds kLongestUs.
 #pragma once
 
 #include <cstdint>

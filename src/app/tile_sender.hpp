@@ -8,7 +8,7 @@
 // do other work. Tiles whose cells change are collected in batches. If there is only one core, it
 // encodes each tile immediately, while the tile is still in the cache.
 //
-// Encoded tiles of classes are cached. The cells of a tile are read again only if the cells or the
+// Encoded class tiles are cached. The cells of a tile are read again only if the cells or the
 // tile's reference have changed.
 #pragma once
 

@@ -48,8 +48,8 @@ struct Freshness {
 void sign(const CmacKey& key, std::uint16_t data_id, Freshness freshness,
           std::span<std::byte> secured);
 
-// Returns true if the datagram's length fields match a signed message. The MAC is checked only by a
-// Verifier.
+// Returns true if the datagram's length fields indicate a signed message. The MAC is checked only
+// by a Verifier.
 [[nodiscard]] bool is_signed(std::span<const std::byte> datagram);
 
 // Restores the unsigned message. Requires message.size() + kTrailerBytes == secured.size().

@@ -48,8 +48,8 @@ class ReflectedCrc32 {
   [[nodiscard]] constexpr std::uint32_t state() const { return state_; }
   constexpr void set_state(std::uint32_t state) { state_ = state; }
 
-  // Returns the state times x^8. The result is the state after a zero byte. If the caller has
-  // already added a byte to `state`, the result is the state after that byte.
+  // Returns the state times x^8. The result is the state after processing a zero byte. If the
+  // caller has already added a byte to `state`, the result is the state after processing that byte.
   static constexpr std::uint32_t after_byte(std::uint32_t state) {
     return (state >> 8) ^ kTables[0][state & 0xFFU];
   }

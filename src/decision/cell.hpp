@@ -1,5 +1,5 @@
-// Determines the class and the bits of one cell. This file specifies the result in plain integers.
-// `decision_neon.cpp` computes the same results for eight cells at once.
+// Determines the class and the bits of one cell. This file specifies the result in plain integer
+// arithmetic. `decision_neon.cpp` computes the same results for eight cells at once.
 //
 // The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767, where P = O + M + K. At most
 // one of F and P is therefore 2^14 or more. P consists of a moving part m <= M + O and a static
@@ -24,8 +24,8 @@ inline constexpr std::int32_t kSeenAbove = 22'938;
 inline constexpr std::int32_t kStandsAbove = 4096;
 inline constexpr std::int32_t kTakenAbove = 8192;
 
-// A table that is indexed by mask. The mask is the sum of the map classes that are possible in a
-// cell. Mask 0 has the same classes as mask 7.
+// A table indexed by mask. The mask is the sum of the map classes that are possible in a cell. Mask
+// 0 has the same classes as mask 7.
 using ByMask = std::array<std::uint8_t, 8>;
 
 consteval ByMask by_mask(Class other, Class building, Class road, Class beside_roads) {

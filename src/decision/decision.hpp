@@ -1,8 +1,8 @@
 // Classifies the cells of a group from their masses, and computes bits for later frames.
 //
 // A cell gets a class only if at least half of the total mass supports the class. Ignorance
-// therefore never results in a class. The map refines the classes that the sensors support. The map
-// never overrules the sensors, and it never determines a class without them.
+// therefore never counts towards a class. The map refines the classes that the sensors support. The
+// map never overrules the sensors, and it never determines a class without them.
 #pragma once
 
 #include <array>

@@ -49,7 +49,7 @@ inline constexpr std::size_t kEndpointBytes = 12;
 
 enum class EntryType : std::uint8_t { kFind = 0, kOffer = 1, kSubscribe = 6, kSubscribeAck = 7 };
 
-// A run of options, given by the index of its first option and by the number of its options.
+// A run of consecutive options, given by its first index and its length.
 struct OptionRun {
   std::uint8_t first = 0;
   std::uint8_t count = 0;

@@ -1,7 +1,7 @@
-// Schedules the offers of a service in the phases of a server (AUTOSAR
-// PRS_SOMEIPServiceDiscoveryProtocol, "Startup Behavior"). The first offer is sent after a random
-// delay. The next few offers follow at intervals that double each time. After that, one offer is
-// sent per second.
+// Schedules a service's offers according to the server phases of AUTOSAR
+// PRS_SOMEIPServiceDiscoveryProtocol (section "Startup Behavior"). The first offer is sent after a
+// random delay. The next few offers follow at intervals that double each time. After that, one
+// offer is sent per second.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Ages and fuses one cell (Kurdej 2015, chapters 5 and 6). This file specifies the result in plain
-// integers. `fusion_neon.cpp` computes the same results for eight cells at once.
+// integer arithmetic. `fusion_neon.cpp` computes the same results for eight cells at once.
 //
 // All values are in units of 2^-15. `a.b` is floor(a * b / 2^15), and `~a` is 32767 - a. `o` and
-// `f` are evidence, and `c` and `x` are conflict. F, O, M and K are masses. P is O + M + K, and the
-// ignorance W is 32767 - F - P.
+// `f` denote evidence, and `c` and `x` denote conflict. F, O, M and K are masses. P is O + M + K,
+// and the ignorance W is 32767 - F - P.
 //
 // A cell is valid if F, O, M, K and the persistence are in the range 0 ... 32767 and W >= 0.
 // Factors and evidence are in the range 0 ... 32767, and at least one of o and f is 0. Under these
@@ -89,9 +89,9 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Returns the masses after the evidence. `c` is the conflict of a cell that was free and is now
-// occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O. `x`
-// is the conflict of a cell that was occupied and is now free, and is added to ignorance.
+// Returns the masses after fusing the evidence. `c` is the conflict of a cell that was free and is
+// now occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O.
+// `x` is the conflict of a cell that was occupied and is now free, and is added to ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);

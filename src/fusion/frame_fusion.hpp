@@ -39,12 +39,12 @@ class FrameFusion {
   FrameFusion(const FrameFusion&) = delete;
   FrameFusion& operator=(const FrameFusion&) = delete;
 
-  // Sets the ground models that are used to classify the packets of sensors with an estimated
-  // ground. The lowest returns of these sensors are also collected. The models must belong to the
-  // vehicle and outlive this object. The models may change only while no beams are pending.
+  // Sets the ground models that are used to classify the packets of sensors with a ground estimate.
+  // The lowest returns of these sensors are also collected. The models must belong to the vehicle
+  // and outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
   // Returns the collection of a sensor's lowest returns. `place` is the sensor's index among the
-  // sensors with an estimated ground.
+  // sensors with a ground estimate.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
   // Stores the mark for this point or, if `sensor.arc` is given, the marks for the point's arc.
@@ -161,7 +161,7 @@ class FrameFusion {
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // The lambda is not inlined because processing a point with an estimated ground needs more
+      // The lambda is not inlined because processing a point with a ground estimate needs more
       // registers than the processor has.
       packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
                                 const lidar::ScanPoint& point) { count(turn.add(point)); });

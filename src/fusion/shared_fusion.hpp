@@ -39,7 +39,7 @@ using Fates = std::array<std::uint32_t, vehicle::kFateCount>;
 // The maximum number of fused parts that have not been joined yet.
 inline constexpr std::size_t kPartPlaces = FrameParts::kMostOfARound;
 
-// The result of a part, which is written by the core that fuses the part.
+// The result of fusing one part, written by the core that fuses it.
 struct FusedPart {
   Fates fates{};
   FrameTiles tiles;

@@ -33,9 +33,8 @@ class AzimuthCarver {
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // Same as above, for a rotating sensor with an estimated ground (docs/ground.md). Carving uses
-  // the height band here too, but the height above the estimated ground determines where a beam is
-  // low.
+  // Same as above, for a rotating sensor with a ground estimate (docs/ground.md). Carving uses the
+  // height band here too, but the height above the estimated ground determines where a beam is low.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,

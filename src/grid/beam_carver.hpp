@@ -30,9 +30,8 @@ struct WaitingBeam {
   bool ends_on_ground = false;
 };
 
-// The line of a beam, the part of the line that the beam can free, and the range up to which the
-// beam carves if it has no echo. `limits` is null if the beam can free the whole line within the
-// grid.
+// A beam's line, the part of the line that the beam can free, and the range up to which a beam
+// without an echo carves. `limits` is null if the beam can free the whole line within the grid.
 struct BeamOnLine {
   const KeptLine& line;
   const FreePart* limits;

@@ -81,7 +81,7 @@ struct FreePart {
   std::uint32_t free_from_mm = 0;  // > 0
 };
 
-// The line of a sensor's beams at one azimuth, with cached properties.
+// Caches a line and its properties for one azimuth of a sensor.
 class alignas(kCacheLineBytes) KeptLine {
  public:
   void find(const vehicle::Sensor& sensor, const vehicle::Layer& layer, std::uint32_t azimuth_step);

@@ -35,8 +35,8 @@ using BlockEntry = std::uint32_t;
   return u == 0 ? 0 : u + 3;
 }
 
-// A shape consists of the entry and four bits. Bit j is set if the line crosses a row border in the
-// column that is j columns after the entry's column.
+// A shape combines a BlockEntry with four bits. Bit j is set if the line crosses a row border in
+// the column that is j columns after the entry's column.
 inline constexpr std::uint32_t kShapeCount = 128;
 [[nodiscard]] constexpr std::uint32_t shape_of(BlockEntry entry, std::uint32_t bits) {
   return entry << 4 | bits;

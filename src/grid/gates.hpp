@@ -42,7 +42,7 @@ struct BandJudge {
   }
 };
 
-// With an estimated ground, each layer has its own limits in each sector.
+// With a ground estimate, each layer has its own limits in each sector.
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
@@ -76,8 +76,8 @@ class BandGate {
   // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
   // greatest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // If a hit is at least far_mm() away, its beam frees the whole part() of each layer whose rank is
-  // at least TurnLayers::near_rank.
+  // A hit at a distance of at least far_mm() frees every cell in the band that layers with a rank
+  // of at least TurnLayers::near_rank can free.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
   // `part()` returns the part of the line that the layer can free. `end()` returns the end of this
   // part if the part is not empty.

@@ -58,7 +58,7 @@ class TurnCarver {
     begin_turning(sensor, nullptr);
     return {*this, sensor, {layers_}};
   }
-  // Same as above, for a packet of a sensor with an estimated ground (docs/ground.md). The ground
+  // Same as above, for a packet of a sensor with a ground estimate (docs/ground.md). The ground
   // must not change while beams are pending.
   Turn<GroundJudge> turn_to(const vehicle::Sensor& sensor, const ground::Ground& ground,
                             const ground::PacketJudge& judge) {

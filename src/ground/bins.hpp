@@ -24,8 +24,8 @@ class Bins {
   // Returns the base-2 logarithm of a bin's length in mm.
   [[nodiscard]] constexpr int shift() const { return shift_; }
   [[nodiscard]] constexpr std::uint32_t length_mm() const { return std::uint32_t{1} << shift_; }
-  // Returns the bin at a distance along a line. If the result is kBins or more, the distance is
-  // beyond the last bin.
+  // Returns the bin at a given distance along a line. If the result is kBins or more, the distance
+  // is beyond the last bin.
   [[nodiscard]] constexpr std::uint32_t bin_of(std::uint32_t along_mm) const {
     return along_mm >> shift_;
   }

@@ -51,8 +51,8 @@ class Ground {
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
   // Returns the part of a beam that is low enough to open cells, as distances along the beam's
-  // line. If beams at any height open cells, this part is the entire line. If the sensor's layers
-  // share lines, this part ends at the exit range of the beam.
+  // line. If all beams are low, this part is the entire line. If the sensor's layers share lines,
+  // this part ends at the exit range of the beam.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -66,7 +66,7 @@ class Ground {
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // Returns how far above the highest ground nearby a return must be to be tall. For example, a
+  // Returns the minimum height of a tall return above the highest ground nearby. For example, a
   // return within two bins of a bank is compared with the height of the bank, not with the lower
   // ground in front of it. If the value is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
@@ -112,10 +112,10 @@ class Ground {
   LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return is never tall if it is more than kMostOffPlaneMm above or below the car's plane. A
-// return is assigned to a cell by its projection onto the car's plane. If the car tilts by 2
-// degrees, the projection of a return this far from the plane moves by more than one cell, and a
-// static object would appear to approach.
+// A return more than kMostOffPlaneMm above or below the car's plane never counts as tall. A return
+// is assigned to a cell by its projection onto the car's plane. If the car tilts by 2 degrees, the
+// projection of a return this far from the plane moves by more than one cell, and a static object
+// would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.
@@ -143,7 +143,7 @@ class PacketJudge {
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
     // The ground at the return is never higher than the highest ground nearby. Most returns can
-    // therefore be rejected by their height above the ground at the return.
+    // therefore be rejected using only their height above the ground directly below them.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,

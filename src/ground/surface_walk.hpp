@@ -6,10 +6,11 @@
 // predicts. In addition, the first ground in a sector must be close to the car's plane or no more
 // than slightly above the surface of the previous turn. If the first ground is far away and high,
 // the height steps that follow must be small. A lowest return far below the prediction is always
-// ground, because the supposed ground before it must have been an object. A lowest return is also
-// ground if it is not much higher than the lowest return in the nearest adjacent sectors. A bin
-// without its own ground uses the ground of the adjacent sectors if their heights fit. Otherwise,
-// its ground is interpolated between the nearest bins with ground.
+// ground, because whatever was taken for ground before must have been an object. A lowest return is
+// also ground if it is not much higher than the lowest return in the nearest adjacent sectors. A
+// bin without its own ground uses the mean ground of the nearest adjacent sectors if this mean is
+// close to the prediction. Otherwise, its ground is interpolated between the nearest bins with
+// ground.
 //
 // To suppress mirror images below the road, each height is the median of three sectors. In
 // addition, the surface is at most 150 mm above the lowest return of each bin. A return whose

@@ -29,8 +29,8 @@ class MemoryCheck {
  public:
   static constexpr std::size_t kSliceBytes = 1408;
   // The duration of a round if the loop runs on time. A round takes longer if more than one slice
-  // per millisecond would be due. If all bytes are read from DDR and each byte takes 4 cycles, the
-  // load is 0.7 % of a 792 MHz core.
+  // per millisecond would otherwise be due. If all bytes are read from DDR and each byte takes 4
+  // cycles, the load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
   // The maximum number of slices per step. Checking their 45 KB takes a quarter of a millisecond at

@@ -22,10 +22,11 @@
 // 32 scans without a return, and is unblocked after two scans with a return. After three scans
 // without any return, all sectors of the unit are reported as blocked.
 //
-// Open sectors are all sectors of a unit, such as a level 2D scanner, whose beams never meet the
-// car's plane within the unit's range. Only beams that have an echo are evaluated. An open sector
-// becomes blocked after 32 scans in which fewer than 1/16 of the echoes count as returns. An open
-// sector is unblocked after two scans in which at least 1/16 of the echoes count as returns.
+// If no beam of a unit meets the car's plane within the unit's range, all sectors of the unit are
+// open sectors. An example is a level 2D scanner. In open sectors, only beams that have an echo are
+// evaluated. An open sector becomes blocked after 32 scans in which fewer than 1/16 of the echoes
+// count as returns. An open sector is unblocked after two scans in which at least 1/16 of the
+// echoes count as returns.
 //
 // Returns are ignored if they are closer than the sensor's minimum range or if the sensor flags
 // them as dirt or rain. Only whole turns and scans are evaluated, as sums over their packets, so

@@ -96,9 +96,9 @@ class ScanTracker {
     return since_us != 0 && since_us < kShortestScanUs;
   }
   // For a packet that sweeps the same azimuths again, returns true if the timestamps of both sweeps
-  // span less than kShortestTurnUs. Returns false if the clock has stepped by at least this time
-  // between the sweeps. For example, a clock that counts from the start of the hour steps every
-  // hour.
+  // span less than kShortestTurnUs. Returns false if the clock has stepped by at least
+  // kShortestTurnUs between the sweeps. For example, a clock that counts from the start of the hour
+  // steps every hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

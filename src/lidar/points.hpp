@@ -6,8 +6,8 @@
 // degree. In this unit, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers. The
 // car file specifies the elevations of the layers. Each point belongs to the nearest layer.
 //
-// Two formats use this layout. The decoder of spinning units is PointsTurning, whose kTurns is
-// true. The decoder of all other units is Points.
+// Two formats use this layout. Spinning units are decoded by PointsTurning, for which kTurns is
+// true. All other units are decoded by Points.
 #pragma once
 
 #include <algorithm>

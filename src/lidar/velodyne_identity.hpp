@@ -7,8 +7,8 @@
 // units. This duration can be computed from any two packets, even if packets between them were
 // lost. To compute this duration, take the azimuth increment per block of a packet. Multiply this
 // increment by the time between the two packets, and divide by the azimuth increment in that time.
-// A single packet is enough only if just one of the units could produce its azimuth increment at 5
-// to 20 turns per second.
+// A single packet identifies one of these units only if no other unit could produce the packet's
+// azimuth increment at 5 to 20 turns per second.
 #pragma once
 
 #include <array>

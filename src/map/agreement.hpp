@@ -3,10 +3,10 @@
 //
 // The detector counts free cells deep inside buildings, that is, cells whose only possible class is
 // `building` even after the map has been blurred. The blur is wide enough to cover the errors of
-// both the map and the poses. In simulated drives, no free cells are inside buildings if the map is
-// correct or if its houses are offset by 25 cm. If the map is offset by 7 m, up to 8 % of the free
-// cells are inside buildings (see docs/map.md). Standing cells on roads are not evidence against a
-// map, because cars park on roads.
+// both the map and the poses. In simulated drives, no free cells are inside buildings, even if the
+// map's houses are offset by 25 cm. If the map is offset by 7 m, up to 8 % of the free cells are
+// inside buildings (see docs/map.md). Standing cells on roads are not evidence against a map,
+// because cars park on roads.
 #pragma once
 
 #include <cstdint>

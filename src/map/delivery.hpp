@@ -1,5 +1,5 @@
-// Receives map blocks in chunks. Of the two buffers, the one that does not hold the block in use
-// stores the chunks.
+// Receives map blocks in chunks. The chunks are stored in whichever of two buffers does not hold
+// the block in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A

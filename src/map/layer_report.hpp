@@ -29,8 +29,8 @@ inline constexpr std::uint16_t kMaxSigmaMm = 300;
 
 struct LayerReport {
   Cause cause = Cause::kNoMap;
-  // How often each cause has begun to apply since start-up. The entry for kNone counts how often
-  // the map has taken effect.
+  // How often each cause has become active since start-up. The entry for kNone counts how often the
+  // map has taken effect.
   std::array<std::uint32_t, kCauseCount> begun{};
 
   std::uint32_t crc = 0;                          // identifies the map; 0 if there is none

@@ -265,8 +265,8 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
 }
 
 // According to RFC 826, "Packet Reception", the address of the sender is learned first, and then
-// the request is answered. A request from the peer is both learned and answered, but is counted
-// only as answered.
+// the request is answered. A request from the peer updates the peer's address and is answered, but
+// is counted only as answered.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {

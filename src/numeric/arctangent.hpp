@@ -1,10 +1,10 @@
 // Computes the angle of a direction.
 //
 // The angle is computed bit by bit, starting with the highest bit. Each of the 2^16 possible angles
-// has a lower bound. The result is the largest angle whose lower bound is not beyond the direction.
-// The sign of a cross product shows whether the bound is beyond the direction. The result is the
-// angle nearest to the direction, except that the sine error of 2^-21 can shift the lower bound by
-// up to 0.005 steps. The computation takes 15 steps, each with one sine and one cosine.
+// has a lower bound. The result is the largest angle whose lower bound does not exceed the angle of
+// the direction. The sign of a cross product shows whether a bound exceeds this angle. The result
+// is the angle nearest to the direction, except that the sine error of 2^-21 can shift the lower
+// bound by up to 0.005 steps. The computation takes 15 steps, each with one sine and one cosine.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Defines all parameters of tracking (docs/objects.md).
 //
 // Unless a name indicates otherwise, lengths are in mm, speeds in mm/s and times in ms. The values
-// belong to the algorithm and are the same for all cars.
+// are part of the algorithm and are the same for all cars.
 #pragma once
 
 #include <cstddef>
@@ -151,11 +151,12 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 
 // Parameters of the trail of a receding track. The trail consists of the places that the track has
 // left. A frame supports the trail if the track's own beams pass at least kTrailPlaces of these
-// places, and at least kGoodOverBad times as many places as are hit again. A beam passes a place if
-// it misses the place by at most kBesideMm. A place that is still occupied is hit again within
-// kLayersMs, even if the sensor scans its layers one after the other. Recent hits on a place
-// therefore also count if the track is slower than kLayersSpeed. Hits behind a track that is faster
-// than kLayersSpeed may belong to the track itself, because its speed is not known well enough.
+// places, and if they pass at least kGoodOverBad places for each place that is hit again. A beam
+// passes a place if it misses the place by at most kBesideMm. A place that is still occupied is hit
+// again within kLayersMs, even if the sensor scans its layers one after the other. Recent hits on a
+// place therefore also count if the track is slower than kLayersSpeed. Hits behind a track that is
+// faster than kLayersSpeed may belong to the track itself, because its speed is not known well
+// enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -205,8 +206,8 @@ inline constexpr std::int32_t kMovingConfidence = 5;
 // Standing hits in the box of a car-sized track belong to the track if its confidence is at least
 // kSureConfidence and at least kSureUnopposed frames have supported its motion. A frame opposes the
 // motion if, for each bad place, fewer than kGoodOverBad places are good or neutral. Each frame
-// that opposes the motion cancels kOpposed frames that support it. A frame supports the motion if
-// it has at least kSteadyHits good places and does not oppose the motion.
+// that opposes the motion cancels kOpposed frames that support it. A frame that does not oppose the
+// motion supports it if at least kSteadyHits places are good.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

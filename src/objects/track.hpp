@@ -92,9 +92,8 @@ class Track {
   [[nodiscard]] bool is_sure_car() const;
   // Updates is_receding from the track's velocity and its position relative to the car.
   void look_from(Point car);
-  // Returns true if the track is receding and is larger than a pedestrian. The rear of such an
-  // object is in places that the object has already covered for a long time, so hits there may look
-  // stationary.
+  // Returns true if the track is receding and is larger than a pedestrian. Such an object has
+  // already covered the area at its rear for a long time, so hits there may look stationary.
   [[nodiscard]] bool may_have_a_standing_face() const;
   // Updates `trail` from `seen`. Call follow_trail() once per frame.
   void follow_trail();
@@ -104,9 +103,9 @@ class Track {
   // Returns true if the track has the size and speed of a pedestrian.
   [[nodiscard]] bool is_small() const;
   // Returns true if the track is a streak, that is, a line of hits from a beam that grazes the
-  // ground. A real object of the same length has more hits or is wider. Sparse hits alone do not
-  // make a moving track or a group of pedestrians a streak: moving tracks may lose hits, and groups
-  // have gaps.
+  // ground. A real object of the same length has more hits or is wider. A moving track or a group
+  // of pedestrians is not classified as a streak merely because its hits are sparse: moving tracks
+  // may lose hits, and groups have gaps.
   [[nodiscard]] bool is_streak() const;
 
   State state = State::kNone;

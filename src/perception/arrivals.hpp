@@ -1,8 +1,8 @@
 // Detects motion onset. The Arrivals class distinguishes hits on moving objects from hits on the
 // flickering edges of stationary objects.
 //
-// The square sizes below apply to cells of 0.1 m. If cells are larger, a square keeps its size in
-// metres (Rules::around), and the required numbers of new hits stay the same.
+// The square sizes below apply to cells of 0.1 m. With larger cells, each square keeps its size in
+// metres (Rules::around), and the required number of new hits stays the same.
 //
 // If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
 // beam has freed its cell and a tall return lies within Rules::tall_within cells of the hit. An

@@ -5,12 +5,12 @@
 //   Step 1: Neighbouring cells are looked up as they were before the frame. If only low beams open
 //     cells (perception/opening.hpp), evidence without effect is removed.
 //   Step 2: Groups with evidence are aged, fused and classified.
-//   Step 3: A tile is refreshed if its slot plus the frame number is a multiple of 8. The groups
-//     that were not fused are then aged and classified without evidence. Only frames in which the
-//     window has a position are counted.
+//   Step 3: A tile is refreshed if its slot number plus the frame number is a multiple of 8. The
+//     groups that were not fused are then aged and classified without evidence. Only frames in
+//     which the window has a position are counted.
 //   Step 4: Tracking relabels moving cells (perception/moving_names.hpp).
 //   Step 5: If a slice was registered, the frame counts as fused. The ground of a tile is updated
-//     if its slot plus the number of fused frames, including this frame, is even.
+//     if the tile's slot number plus the number of fused frames, including this frame, is even.
 // The result does not depend on the order of slices or tiles.
 //
 // Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile run in
@@ -19,7 +19,7 @@
 //
 // Each frame has a budget of groups. Groups with hits are fused first, followed by the other
 // groups. Within each of these two kinds, groups are ordered by slot and group number. Groups that
-// are over budget are only aged.
+// exceed the budget are aged but not otherwise updated.
 #pragma once
 
 #include <array>

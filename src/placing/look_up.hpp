@@ -22,17 +22,17 @@ namespace iog::placing {
 // grid. Perpendicular to the run, a step is at most 2^16 / sqrt(2) + 1/2 units. Seven such steps
 // span less than five cells, so a run covers at most six rows.
 //
-// The step values of a cell are its distances from the lowest x and y of its run. A cell's offset
-// from the lowest column (or row) of its run is the integer part of its step value. The offset is
-// larger by one if the fraction of the step value and the fraction of the lowest x (or y) add up to
-// 1 or more. The result is exact.
+// A cell's step values are its distances, in x and y, from the minimum x and y of its run. A cell's
+// offset from the lowest column (or row) of its run is the integer part of its step value. The
+// offset is larger by one if the fraction of the step value and the fraction of the minimum x (or
+// y) add up to 1 or more. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
   static constexpr std::int32_t kMostRows = 6;
   using Eight = std::array<std::uint16_t, kCount>;
 
-  // `step` is the image of the step from one window cell to the next along x.
+  // `step` is the step from one window cell to the next along x, transformed into the slice grid.
   explicit EightSteps(FinePoint step);
 
   FinePoint step;
@@ -43,7 +43,7 @@ struct EightSteps {
   // For each cell, kColumns times its row offset plus its column offset. The offsets are the
   // integer parts of the cell's step values.
   alignas(16) Eight wholes;
-  // For each cell, the largest fraction of the lowest x (or y) that, added to the fraction of the
+  // For each cell, the largest fraction of the minimum x (or y) that, added to the fraction of the
   // cell's step value, gives less than 1.
   alignas(16) Eight most_x;
   alignas(16) Eight most_y;

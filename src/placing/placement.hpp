@@ -69,7 +69,7 @@ class CellMap {
     return {x_ + 2 * (cos_ * cell.x - sin_ * cell.y), y_ + 2 * (sin_ * cell.x + cos_ * cell.y)};
   }
 
-  // Returns the image of the point that is one tile farther along x or y, without rounding.
+  // Move a point in the target grid by one tile along x or y of the source grid, without rounding.
   [[nodiscard]] ExactPoint a_tile_along_x(ExactPoint at) const {
     return {at.x + kTwoTiles * cos_, at.y + kTwoTiles * sin_};
   }
@@ -77,8 +77,8 @@ class CellMap {
     return {at.x - kTwoTiles * sin_, at.y + kTwoTiles * cos_};
   }
 
-  // Returns the image of a step of one cell along x. If this image is (x, y), the image of a step
-  // along y is (-y, x).
+  // Returns a one-cell step along x of the source grid, transformed into the target grid. If this
+  // step is (x, y), the step along y is (-y, x).
   [[nodiscard]] FinePoint step() const { return {rounded(cos_), rounded(sin_)}; }
 
  private:

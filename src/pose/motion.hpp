@@ -1,4 +1,4 @@
-// Predicts and interpolates poses in integers (docs/spec.md, section 5.4).
+// Predicts and interpolates poses using integer arithmetic (docs/spec.md, section 5.4).
 #pragma once
 
 #include <cstdint>

@@ -6,8 +6,8 @@
 //    4  u32 data id: unique in the vehicle, reveals misrouted messages
 //    8  u32 CRC-32/P4 over all data except these four bytes
 //
-// The counter starts at 0 because receivers expect 0 in the first message. A receiver that starts
-// after the sender reports kWrongSequence once.
+// The counter starts at 0 because receivers expect 0 in the first message. If a receiver starts
+// after the sender, the receiver reports kWrongSequence once.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 // represents one byte.
 //
 // The port's ring buffer holds far more bytes than the link can send in time, and bytes become
-// stale while they wait in it. Bytes are therefore passed to the port at the link's data rate, with
-// at most a short burst ahead of it. On an emulated link, the token bucket is the only rate limit.
+// stale while they wait in it. Bytes are therefore passed to the port at no more than the link's
+// data rate, apart from short bursts. On an emulated link, the token bucket is the only rate limit.
 #pragma once
 
 #include <algorithm>

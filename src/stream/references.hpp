@@ -31,8 +31,8 @@ class References {
 
   // Records the payload length of a tile that was encoded as the difference from its reference. If
   // this length exceeds seven eighths of the self-contained length, the tile is sent in
-  // self-contained form the next time. Compared with this new version, later versions of the tile
-  // differ less and are encoded in fewer bytes.
+  // self-contained form the next time. Later versions of the tile then differ less from the new
+  // reference than from the old one, and are encoded in fewer bytes.
   void note_changes(std::size_t tile, std::size_t payload_bytes);
 
   // Returns the stored reference of a tile. Returns std::nullopt if no self-contained version of

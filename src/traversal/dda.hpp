@@ -22,9 +22,9 @@
 // that is at most w_u - 1 in a column without a carry. No false carry therefore occurs while the
 // excess is below 2^32 / w_u. This requires
 //     (n + 1) * w_u < 2^32.
-// Use most_columns() to check this condition. If w_u = w_v, the line rises in every column, and the
-// step would be 2^32. The code therefore uses a phase of 2^31 and a step of 2^32 - 1, so the sum
-// carries in each of the first 2^31 columns.
+// Use most_columns() to check this condition. If w_u = w_v, the line rises in every column, which
+// would require a step of 2^32. The code therefore uses a phase of 2^31 and a step of 2^32 - 1, so
+// the sum carries in each of the first 2^31 columns.
 //
 // Borders: A line that does not pass through a corner (traversal/corner.hpp) has no e_c = 0 after
 // its start. The start of a line may be on a border. If the start is on the lower or left border of

@@ -1,6 +1,6 @@
-// The line of a beam on the grid, computed in integers. A Line computes the points at which the
-// line crosses cell borders, and the number of borders crossed up to any fraction of the line's
-// length.
+// The line of a beam on the grid, computed using integer arithmetic. A Line computes the points at
+// which the line crosses cell borders, and the number of borders crossed up to any fraction of the
+// line's length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -186,7 +186,7 @@ class Line {
   // Returns the error term of the walk at a position. The sign of the error term indicates on which
   // side of the line the next corner is. If the error term is negative, the line crosses the column
   // border first. If the error term is positive, the line crosses the row border first. If the
-  // error term is 0, the line crosses the corner itself.
+  // error term is 0, the line passes exactly through the corner.
   [[nodiscard]] constexpr std::int32_t error(Position at) const {
     return static_cast<std::int32_t>(x_.to_border(at.x) * std::int64_t{y_.length()} -
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
@@ -203,7 +203,7 @@ class Line {
   }
 
  private:
-  // Limits the stretch to the part in which `axis` is inside [0, cells). `other` is the other axis.
+  // Clips `stretch` to the part in which `axis` is inside [0, cells). `other` is the other axis.
   // `swapped` is true if `axis` is y. Returns false if `axis` is never inside [0, cells).
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {

@@ -25,11 +25,12 @@
 //
 // For MeasuredShare, a fraction of the length is converted to a distance in units of 2^-14 mm,
 // rounded down. Only the upper word of the product of distance and slope is used, so the result for
-// each axis is in units of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is
-// less than 2^-14 borders. The values of base and of the product are each too small by at most one
-// unit. The value of slope is too small by less than 2 units of 2^-32 borders per millimetre. Over
-// the entire distance, the slope error accumulates to less than 2^19 units of 2^-32 borders, that
-// is, 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5 units.
+// each axis is a number of borders in units of 2^-14. The distance is too small by less than 2^-14
+// mm, which is less than 2^-14 borders. The values of base and of the product are each too small by
+// at most one unit. The value of slope is too small by less than 2 units of 2^-32 borders per
+// millimetre. Over the entire distance, the slope error accumulates to less than 2^19 units of
+// 2^-32 borders, that is, 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5
+// units.
 //
 // Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses fewer than 2^17
 // borders of an axis.

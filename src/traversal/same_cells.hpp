@@ -17,8 +17,8 @@
 // terms are divided by r and rounded down, each step adds A_y modulo A, so the terms form a
 // rotation. Let t = floor((n + 2) * |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
 // [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
-// rotation by A_x. A variant of Euclid's algorithm finds, in about ten steps, the first time that a
-// rotation enters [0, t].
+// rotation by A_x. A variant of Euclid's algorithm finds, in about ten steps, the first term of a
+// rotation that lies in [0, t].
 //
 // Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
 // < 2^12, because lines in different directions are not worth examining further.
@@ -54,9 +54,9 @@ struct Turn {
 // The first term that is at most `threshold` is a new minimum: it is smaller than all terms before
 // it. The algorithm moves from each minimum x to the next by the downward Turn that has the fewest
 // steps and an angle of at most x. As in Euclid's algorithm, it finds downward Turns with smaller
-// and smaller angles. To find them, it subtracts the smallest upward angle so far from the smallest
-// downward angle so far, and vice versa. The two angles add up to at most down_angle + up_angle,
-// and so do the two step counts, so nothing overflows.
+// and smaller angles. To find them, it alternately reduces the smallest downward angle and the
+// smallest upward angle found so far by multiples of each other. The two angles add up to at most
+// down_angle + up_angle, and so do the two step counts, so nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {

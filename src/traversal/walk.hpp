@@ -1,5 +1,5 @@
-// Walks along a line cell by cell in integers. This loop is the innermost loop of the entire
-// computation (docs/model.md section 5).
+// Walks along a line cell by cell, using integer arithmetic. This loop is the innermost loop of the
+// entire computation (docs/model.md section 5).
 //
 // As in appendix B.3 of the thesis, a step crosses a column border (c_x), a row border (c_y), or
 // both at a corner (c_xy). The code differs from the algorithms in the thesis in two ways. First,

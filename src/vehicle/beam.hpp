@@ -54,7 +54,7 @@ struct Beam {
   std::int32_t end_z;  // height of the line's end in subcells
 };
 
-// An interval of ranges in mm, including both ends. The interval may be empty.
+// A closed interval of ranges, in mm. The interval may be empty.
 struct Ranges {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t width = 0;

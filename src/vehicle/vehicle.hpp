@@ -69,8 +69,9 @@ struct Layer {
   // The index of the first layer that has the same lines on the grid. If the sensor is level, two
   // layers with opposite elevations share their lines.
   std::uint8_t line = 0;
-  // The ratio of the horizontal range to the measured range, in units of 2^-30. If all layers share
-  // the line of elevation 0, this ratio is the cosine of the layer's elevation. Otherwise, it is 1.
+  // The ratio of the horizontal range to the measured range, in units of 2^-30. If all layers use
+  // the line for elevation 0, this ratio is the cosine of the layer's elevation. Otherwise, the
+  // ratio is 1.
   std::uint32_t range_share = std::uint32_t{1} << numeric::kSineFractionBits;
 
   [[nodiscard]] constexpr std::uint32_t along_line_mm(std::uint32_t range_mm) const {
@@ -111,7 +112,7 @@ struct MovedLimits {
   [[nodiscard]] constexpr bool are_given() const { return low_mm != kAnyHeight || tall_mm != 0; }
 };
 
-// The limits of the height above the car's plane, in subcells. Both limits are inclusive.
+// The limits for heights above the car's plane, in subcells. Both limits are inclusive.
 struct HeightBand {
   std::int32_t low = 0;
   std::int32_t high = 0;
@@ -137,8 +138,8 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // The fraction of a beam's length over which a beam that ends on the ground is above the height
-  // band's lower limit, in units of 2^-30. Heights are measured from a straight line between the
+  // For beams that end on the ground: the fraction of the beam's length, in units of 2^-30, that is
+  // above the lower limit of the height band. Heights are measured from a straight line between the
   // ground below the sensor and the end of the beam. The fraction is 1 if the sensor is below the
   // band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;

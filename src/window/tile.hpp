@@ -108,7 +108,7 @@ inline void Tile::clear() {
   from_below = {};
 }
 
-// The location of a cell of the local frame in the window's memory.
+// Describes where the window stores a cell of the local frame.
 struct CellPlace {
   std::size_t slot = 0;
   std::uint32_t x = 0;  // within the tile

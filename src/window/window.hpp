@@ -2,9 +2,9 @@
 // window has 32 by 32 tiles, unless the car file specifies fewer. Memory for 32 by 32 tiles is
 // always allocated.
 //
-// When a tile enters the window, it is only marked as unknown. The memory of a tile is cleared just
-// before the first write to the tile, and the memory of each group is cleared just before the first
-// write to the group. Moving the window therefore costs only one flag per tile.
+// When a tile enters the window, it is only marked as unknown. The memory of each tile, and of each
+// group in it, is cleared just before the first write to it. Moving the window therefore costs only
+// one flag per tile.
 #pragma once
 
 #include <algorithm>

@@ -80,7 +80,7 @@ class ByteWriter {
   // Skips `count` bytes without writing, for a field that is filled in later.
   constexpr void skip(std::size_t count) { static_cast<void>(claim(count)); }
 
-  // Returns all bytes so far, including skipped bytes.
+  // Returns the bytes written so far, including skipped bytes.
   [[nodiscard]] constexpr std::span<std::byte> written() const { return buffer_.first(position_); }
 
   // Returns the number of free bytes, or 0 after a failed write.

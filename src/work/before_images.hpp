@@ -3,8 +3,8 @@
 //
 // Each helper has one image. Before an item changes data, the helper copies this data into the
 // image and then records the number of the item. Before core 0 repeats an item of a lost core, it
-// restores the image that belongs to the item. If no image belongs to the item, no data has been
-// changed yet. Core 0 needs no image because its items are never repeated.
+// restores the image that belongs to the item. If the item has no image, the item has not changed
+// any data yet. Core 0 needs no image because its items are never repeated.
 //
 // Core 0 reads a helper's image only after the helper has stopped. If core 0 then sees one of the
 // helper's stores, core 0 also sees all earlier stores of this helper. A compiler barrier between

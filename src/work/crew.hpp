@@ -1,7 +1,7 @@
 // The executor of a round's tasks. The executor is a work::Team, a platform that has a work::Team,
 // or core 0 alone.
 //
-// A crew is only a reference, so code that splits its work does not depend on the executor.
+// A crew is only a reference to an executor, so code that splits its work can run on any executor.
 #pragma once
 
 #include <concepts>

@@ -1,11 +1,11 @@
 // A round is work that is split into items. Any core may claim an item, and every item is
 // completed.
 //
-// One word, the ticket, contains the number of the round and the number of remaining items. A core
-// claims an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and
-// sets the item's flag. Core 0 opens a round only after the flags of all items of the previous
-// round have been set. After an item has been claimed, the data of the round therefore does not
-// change until the item's flag is set. The memory order is described in docs/cores.md.
+// One word, the ticket, contains the round number and the count of remaining items. A core claims
+// an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and sets the
+// item's flag. Core 0 opens a round only after the flags of all items of the previous round have
+// been set. After an item has been claimed, the data of the round therefore does not change until
+// the item's flag is set. The memory order is described in docs/cores.md.
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
 // reads or writes. If a core is stopped while it runs an item, core 0 repeats the item from the
@@ -72,7 +72,7 @@ class Round {
  public:
   static constexpr std::size_t kMaxItems = 1024;
 
-  // The number of the round, modulo 2^16, and the number of remaining items.
+  // The round number, modulo 2^16, and the count of remaining items.
   struct Ticket {
     std::uint32_t word = 0;
 

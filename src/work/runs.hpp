@@ -3,8 +3,8 @@
 //
 // Cores claim the runs in order. As a result, a sequence is split into few runs, and the last runs
 // are so short that no core waits long for another core. The algorithm is guided self-scheduling
-// (Polychronopoulos and Kuck, IEEE Transactions on Computers C-36, 1987), but its runs are half as
-// long.
+// (Polychronopoulos and Kuck, IEEE Transactions on Computers C-36, 1987), except that the runs are
+// half as long.
 #pragma once
 
 #include <algorithm>
