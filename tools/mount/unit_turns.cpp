@@ -19,6 +19,11 @@ constexpr double kLaneHalfWidthM = 2;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
+description::SensorConfig rolled(description::SensorConfig sensor, double by_deg) {
+  sensor.mount.roll_deg += by_deg;
+  return sensor;
+}
+
 }  // namespace
 
 // The ground's normal, turned back into the sensor frame by the file's mount, is the lowest row of
@@ -35,11 +40,13 @@ TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_
           .residual_m = plane.residual_m};
 }
 
-UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor)
+UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every,
+                     double rolled_deg)
     : sensor_(&car.vehicle->sensors[sensor]),
-      mount_(car.sensors[sensor].mount),
+      every_(every),
+      mount_(rolled(car.sensors[sensor], rolled_deg).mount),
       footprint_(car.description->footprint),
-      placer_(car.sensors[sensor]),
+      placer_(rolled(car.sensors[sensor], rolled_deg)),
       cutter_(sensor_->format) {}
 
 void UnitTurns::take(const CapturedDatagram& datagram) {
@@ -56,6 +63,9 @@ void UnitTurns::take(const CapturedDatagram& datagram) {
     end_turn();
   }
   last_us_ = datagram.time_us;
+  if (turns_ % every_ != 0) {
+    return;
+  }
   for (const lidar::ScanPoint& point : points_of(packet)) {
     if (point.range_mm >= sensor_->range_min_mm && point.range_mm > 0) {
       keep(placer_.place(point));

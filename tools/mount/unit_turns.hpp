@@ -28,8 +28,10 @@ struct TurnMount {
 
 class UnitTurns {
  public:
-  // sensor: of a unit that turns. car outlives this.
-  UnitTurns(const CatalogueEntry& car, std::size_t sensor);
+  // sensor: of a unit that turns. car outlives this. Of each `every` turns, the first is looked at,
+  // as if the unit's roll were larger than the file's by so much.
+  UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every = 1,
+            double rolled_deg = 0);
 
   // The next datagram of the capture; what is not for the unit is left alone.
   void take(const CapturedDatagram& datagram);
@@ -46,6 +48,7 @@ class UnitTurns {
   void keep(const PointPlace& place);
 
   const vehicle::Sensor* sensor_;
+  std::uint64_t every_;
   description::MountConfig mount_;
   description::FootprintConfig footprint_;
   PointPlacer placer_;
