@@ -293,7 +293,7 @@ TEST(ConvertedLog, AnOutlierIsLeftOutWithItsLine) {
       EXPECT_NEAR(sample.speed_mps, 10, 1e-6) << i;
     }
     ASSERT_EQ(result.remarks.size(), 1U) << i;
-    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " poses ")) << i;
+    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " pose")) << i;
     EXPECT_NE(result.remarks[0].find("line " + std::to_string(cases[i].first_line) + ')'),
               std::string::npos)
         << result.remarks[0];
