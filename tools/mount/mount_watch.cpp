@@ -1,5 +1,6 @@
 #include "tools/mount/mount_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -40,31 +41,29 @@ std::string words_of(const MountFit& fit, const description::MountConfig& mount)
 MountWatch::MountWatch(const CatalogueEntry& car, std::uint64_t every) {
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     if (lidar::turns(car.sensors[i].format)) {
-      units_.push_back({&car.sensors[i], UnitTurns(car, i, every), UnitTurns(car, i, every, 180)});
+      units_.emplace_back(&car.sensors[i], UnitTurns(car, i, every));
     }
   }
 }
 
 void MountWatch::take(const CapturedDatagram& datagram) {
-  for (Unit& unit : units_) {
-    unit.turns.take(datagram);
-    unit.turned_over.take(datagram);
+  for (auto& [sensor, turns] : units_) {
+    turns.take(datagram);
   }
 }
 
 std::string MountWatch::rows() {
   std::string text;
-  for (Unit& unit : units_) {
-    unit.turns.finish();
-    unit.turned_over.finish();
-    const MountFit fit = fit_of(unit.turns.mounts(), unit.turns.turns(), {}, kFewestSeen);
-    const std::size_t above = unit.turned_over.mounts().size();
-    const bool is_below = above > 5 * unit.turns.mounts().size() || fit.z_m.value < 0;
-    const std::string words = above >= kFewestSeen && is_below
-                                  ? "is the other way up: its roll_deg differs by 180"
-                                  : words_of(fit, unit.sensor->mount);
+  for (auto& [sensor, turns] : units_) {
+    turns.finish();
+    const MountFit fit = fit_of(turns.mounts(), turns.turns(), {}, kFewestSeen);
+    const bool is_other_way_up =
+        turns.turned_over() >= std::max(kFewestSeen, 5 * turns.mounts().size()) ||
+        fit.z_m.value < 0;
+    const std::string words = is_other_way_up ? "is the other way up: its roll_deg differs by 180"
+                                              : words_of(fit, sensor->mount);
     text += row_if(!words.empty(), "MOUNT?",
-                   "by the road, the mount of " + std::string(unit.sensor->name) + " " + words);
+                   "by the road, the mount of " + std::string(sensor->name) + " " + words);
   }
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/mount/unit_turns.hpp"
@@ -20,12 +21,7 @@ class MountWatch {
   [[nodiscard]] std::string rows();
 
  private:
-  struct Unit {
-    const description::SensorConfig* sensor;
-    UnitTurns turns;
-    UnitTurns turned_over;
-  };
-  std::vector<Unit> units_;
+  std::vector<std::pair<const description::SensorConfig*, UnitTurns>> units_;
 };
 
 }  // namespace iog::tools

@@ -1,8 +1,10 @@
 #include "tools/mount/unit_turns.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
@@ -19,9 +21,15 @@ constexpr double kLaneHalfWidthM = 2;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-description::SensorConfig rolled(description::SensorConfig sensor, double by_deg) {
-  sensor.mount.roll_deg += by_deg;
-  return sensor;
+// By half a turn about the unit's x.
+std::vector<RoadReturn> turned_over(std::vector<RoadReturn> returns,
+                                    const description::Rotation& turn) {
+  const std::array<double, 3>& x = turn.forward;
+  for (RoadReturn& point : returns) {
+    const double along = 2 * (point.x_m * x[0] + point.y_m * x[1] + point.z_m * x[2]);
+    point = {along * x[0] - point.x_m, along * x[1] - point.y_m, along * x[2] - point.z_m};
+  }
+  return returns;
 }
 
 }  // namespace
@@ -40,13 +48,12 @@ TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_
           .residual_m = plane.residual_m};
 }
 
-UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every,
-                     double rolled_deg)
+UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every)
     : sensor_(&car.vehicle->sensors[sensor]),
       every_(every),
-      mount_(rolled(car.sensors[sensor], rolled_deg).mount),
+      mount_(car.sensors[sensor].mount),
       footprint_(car.description->footprint),
-      placer_(rolled(car.sensors[sensor], rolled_deg)),
+      placer_(car.sensors[sensor]),
       cutter_(sensor_->format) {}
 
 void UnitTurns::take(const CapturedDatagram& datagram) {
@@ -90,6 +97,10 @@ void UnitTurns::end_turn() {
   if (const std::optional<GroundPlane> plane = ground_plane_of(returns_, mount_.z_m)) {
     mounts_.push_back(mount_of(*plane, mount_));
     mounts_.back().time_us = last_us_;
+  } else if (ground_plane_of(
+                 tools::turned_over(std::move(returns_), description::rotation_of(mount_)),
+                 mount_.z_m)) {
+    ++turned_over_;
   }
   returns_.clear();
 }
