@@ -25,7 +25,7 @@ constexpr double kMostTurnShare = 0.5;
 constexpr double kMostDeg = 15;
 // A stretch of check_of() with the two turns that begin it.
 constexpr std::uint64_t kSampleUs = 1'400'000;
-constexpr std::uint64_t kSamplesApartUs = 6'000'000;
+constexpr std::uint64_t kSamplesApartUs = 6'000'000;  // the first two; then ever more
 constexpr std::uint64_t kMostSamples = 20;
 
 // Between two poses.
@@ -127,7 +127,7 @@ void MotionWatch::take_pose(const CapturedDatagram& datagram) {
 void MotionWatch::take_packet(const CapturedDatagram& datagram) {
   const std::uint64_t since_us = datagram.time_us - begin_us_;
   if (!points_ && !poses_.empty() && samples_ < kMostSamples &&
-      (samples_ == 0 || since_us >= kSamplesApartUs)) {
+      (samples_ == 0 || since_us >= samples_ * kSamplesApartUs)) {
     begin_us_ = datagram.time_us;
     ++samples_;
     points_.emplace(*car_);
