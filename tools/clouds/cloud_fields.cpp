@@ -13,6 +13,7 @@
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -167,8 +168,9 @@ void set_stride(CloudRecords& records, std::size_t stride, const std::string& wh
     }
   }
   if (records.count * stride != records.bytes.size()) {
-    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
-                     std::to_string(stride) + " bytes do not fill its " +
+    throw UsageError(what + ": its " +
+                     counted(records.count, "point|points of " + std::to_string(stride) +
+                                                " bytes does|do not fill its ") +
                      std::to_string(records.bytes.size()) + " bytes");
   }
 }

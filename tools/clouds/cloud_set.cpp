@@ -45,9 +45,9 @@ void read_times(CloudSet& set, const TimeIn& its_time_in, const CloudAt& cloud_a
     throw UsageError(set.times + ": no cloud of its times is there; the first would be " +
                      cloud_at(0));
   }
-  remark(missing, "times without a cloud", set.remarks);
+  remark(missing, "time|times without a cloud", set.remarks);
   const std::string folder = std::filesystem::path(cloud_at(0)).parent_path();
-  remark(files_beside(folder, ".bin", set.clouds.size() - missing), "clouds without a time",
+  remark(files_beside(folder, ".bin", set.clouds.size() - missing), "cloud|clouds without a time",
          set.remarks);
 }
 

@@ -23,12 +23,13 @@ PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
                   .time_us = cloud.time_us,
                   .sector_begin = static_cast<std::uint32_t>((turn - width / 2) % turn),
                   .sector_width = static_cast<std::uint32_t>(width),
-                  .turns = lidar::turns(sensor_->format),
                   .points = std::move(cloud.points)};
   if (cloud.has_times) {
     std::ranges::stable_sort(scan.points, {}, &WirePoint::after_us);
-  } else if (lidar::turns(sensor_->format)) {
-    std::ranges::stable_sort(scan.points, {}, &WirePoint::first);
+  } else {
+    std::ranges::stable_sort(scan.points, {}, [&](const WirePoint& point) {
+      return (static_cast<std::uint64_t>(point.first) + turn - scan.sector_begin) % turn;
+    });
   }
   return scan;
 }

@@ -30,8 +30,8 @@ class PointsSender {
   // The car outlives it, and its sensor is a unit of points.
   PointsSender(const CatalogueEntry& car, std::size_t sensor);
 
-  // Sends a scan in the order of the points' times or, for a turning unit without times, of their
-  // azimuths. UsageError if the scan has more points than the car file allows, for the reasons of
+  // Sends a scan in the order of the points' times or, if they have none, of their azimuths.
+  // UsageError if the scan has more points than the car file allows, for the reasons of
   // demand_metres(), or if times go back.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
 

@@ -13,6 +13,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -109,8 +110,9 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
   // The last point may lack the byte that aligns the next, and the message may be filled up to 4.
   const std::size_t whole = records.count * kStride;
   if (records.bytes.size() + 1 < whole || records.bytes.size() > whole + 3) {
-    throw UsageError(what + ": its " + std::to_string(records.count) + " points of " +
-                     std::to_string(kStride) + " bytes do not fill its " +
+    throw UsageError(what + ": its " +
+                     counted(records.count, "point|points of " + std::to_string(kStride) +
+                                                " bytes does|do not fill its ") +
                      std::to_string(records.bytes.size()) + " bytes");
   }
   records.fields = {{.name = "offset_time", .kind = Kind::kUnsigned, .at = 0, .stride = kStride},

@@ -43,8 +43,8 @@ Track::Track(PoseLog& log) {
       poses_.push_back(pose);
     }
   }
-  remark(without_heading, "poses without a heading", log.remarks);
-  remark(not_newer, "poses that are not newer than the one before", log.remarks);
+  remark(without_heading, "pose|poses without a heading", log.remarks);
+  remark(not_newer, "pose|poses that is|are not newer than the one before", log.remarks);
 }
 
 LoggedPose Track::at(double time_us) const {

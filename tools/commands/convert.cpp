@@ -21,6 +21,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -84,7 +85,7 @@ Input cloud_input_of(const std::string& text, const CatalogueEntry& car) {
 // "; not sent: 3 that are no number, ..."
 std::string words_of(const PointFates& fates) {
   std::vector<std::string> words;
-  remark(fates.not_finite, "that are no number", words);
+  remark(fates.not_finite, "that is|are no number", words);
   remark(fates.no_laser, "where no laser looks", words);
   remark(fates.out_of_range, "out of range", words);
   remark(fates.taken, "beside others of one firing", words);
@@ -118,14 +119,14 @@ void convert_clouds(const ConvertOptions& options) {
   for (const std::string& remark : set.remarks) {
     std::cout << input.path << ": " << remark << '\n';
   }
-  std::cout << input.path << ": " << conversion.clouds_read() << " clouds, "
+  std::cout << input.path << ": " << counted(conversion.clouds_read(), "cloud|clouds") << ", "
             << (set.is_corrected ? "corrected for the car's motion, which is taken back"
                                  : "each point as the unit saw it")
             << '\n'
             << conversion.fates().sent << " of " << conversion.fates().seen() << " points sent by "
             << car.sensors[input.sensor].name << words_of(conversion.fates()) << '\n'
-            << datagrams - conversion.poses() << " packets and " << conversion.poses()
-            << " poses in " << options.out << '\n';
+            << counted(datagrams - conversion.poses(), "packet|packets and ")
+            << counted(conversion.poses(), "pose|poses in ") << options.out << '\n';
 }
 
 void convert_messages(const ConvertOptions& options) {
@@ -134,7 +135,7 @@ void convert_messages(const ConvertOptions& options) {
   for (const std::string& text : options.raw) {
     const Input input = input_of("--raw", text, car);
     RawRecording recording = read_raw_recording(input.path, car, input.sensor);
-    std::cout << input.path << ": " << recording.datagrams.size() << " packets of "
+    std::cout << input.path << ": " << counted(recording.datagrams.size(), "packet|packets of ")
               << car.sensors[input.sensor].name
               << (recording.remark.empty() ? "" : "; not used: " + recording.remark) << '\n';
     std::ranges::move(recording.datagrams, std::back_inserter(datagrams));
@@ -149,8 +150,8 @@ void convert_messages(const ConvertOptions& options) {
   }
   capture.finish();
   const std::uint64_t span_us = datagrams.back().time_us - datagrams.front().time_us;
-  std::cout << datagrams.size() << " packets over " << span_us / 1000 << " ms in " << options.out
-            << '\n';
+  std::cout << counted(datagrams.size(), "packet|packets over ") << span_us / 1000 << " ms in "
+            << options.out << '\n';
 }
 
 // Of a driver's recording, each with the time at which it came.
@@ -182,11 +183,12 @@ void convert_packets(const ConvertOptions& options) {
     throw UsageError(input.path + ": all its packets are longer than a UDP datagram");
   }
   capture->finish();
-  remark(too_long, "packets longer than a UDP datagram were not sent", remarks);
+  remark(too_long, "packet|packets longer than a UDP datagram was|were not sent", remarks);
   for (const std::string& remark : remarks) {
     std::cout << remark << '\n';
   }
-  std::cout << packets << " packets of " << sensor.name << " in " << options.out << '\n';
+  std::cout << counted(packets, "packet|packets of ") << sensor.name << " in " << options.out
+            << '\n';
 }
 
 }  // namespace

@@ -21,11 +21,14 @@
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
 #include "tools/map/block_file.hpp"
+#include "tools/mount/mount_watch.hpp"
+#include "tools/odometry/motion_check.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/receive/class_record.hpp"
+#include "tools/receive/own_car_watch.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/record/stream_file.hpp"
 #include "tools/vehicles/car_words.hpp"
@@ -86,13 +89,41 @@ const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t
   return *chosen.get();
 }
 
+// What the packets and frames of a drive say of the car's file.
+class Signs {
+ public:
+  explicit Signs(const CatalogueEntry& car)
+      : car_(&car), mount_(car), motion_(car), own_car_(car) {}
+
+  void take(const CapturedDatagram& datagram) {
+    identity_.add(datagram);
+    mount_.take(datagram);
+    motion_.take(datagram);
+  }
+  void take(const GridFrame& frame) { own_car_.add(frame); }
+
+  [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
+  [[nodiscard]] std::string rows() {
+    const std::string motion = motion_.words();
+    return mount_.rows() + own_car_.row_of_footprint() +
+           row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
+  }
+
+ private:
+  const CatalogueEntry* car_;
+  CaptureIdentity identity_;
+  MountWatch mount_;
+  MotionWatch motion_;
+  OwnCarWatch own_car_;
+};
+
 // What the target has no port for is left out.
 std::uint64_t feed(CarCapture& capture, const CatalogueEntry& car, OfflineTarget& target,
-                   CaptureIdentity& identity) {
+                   Signs& signs) {
   Progress progress("packets");
   std::uint64_t other_ports = 0;
   while (const std::optional<CapturedDatagram> datagram = capture.next()) {
-    identity.add(*datagram);
+    signs.take(*datagram);
     if (takes_port(car, datagram->destination.port)) {
       static_cast<void>(target.take(*datagram));
     } else {
@@ -106,8 +137,7 @@ std::uint64_t feed(CarCapture& capture, const CatalogueEntry& car, OfflineTarget
 
 // Each datagram when the target of a recorded stream took it.
 std::uint64_t feed_as_received(const std::string& stream, CarCapture& capture,
-                               const CatalogueEntry& car, OfflineTarget& target,
-                               CaptureIdentity& identity) {
+                               const CatalogueEntry& car, OfflineTarget& target, Signs& signs) {
   RepeatedRun run(target.vehicle());
   // What of its last frames is not whole is none.
   FrameAssembler received([&run](GridFrame&& frame) { run.add(frame); });
@@ -117,7 +147,7 @@ std::uint64_t feed_as_received(const std::string& stream, CarCapture& capture,
   }
   std::uint64_t other_ports = 0;
   while (std::optional<CapturedDatagram> datagram = capture.next()) {
-    identity.add(*datagram);
+    signs.take(*datagram);
     if (takes_port(car, datagram->destination.port)) {
       run.add(*std::move(datagram));
     } else {
@@ -210,8 +240,10 @@ void fuse(const FuseOptions& options) {
   ChosenFrame chosen(options.frame);
   FrameWriter pictures(options.pictures);
   ClassDrawing drawing(options);
+  Signs signs(car);
   FrameAssembler assembler([&](GridFrame&& frame) {
     statistics.add(frame);
+    signs.take(frame);
     pictures.offer(frame);
     drawing.offer(frame);
     chosen.offer(std::move(frame));
@@ -234,21 +266,19 @@ void fuse(const FuseOptions& options) {
   if (!options.map.empty()) {
     target->begin_with_map(read_block(options.map));
   }
-  CaptureIdentity identity;
   const std::uint64_t other_ports =
       options.as_received.empty()
-          ? feed(capture, car, *target, identity)
-          : feed_as_received(options.as_received, capture, car, *target, identity);
+          ? feed(capture, car, *target, signs)
+          : feed_as_received(options.as_received, capture, car, *target, signs);
   assembler.finish();
   if (recorder) {
     recorder->finish();
   }
 
   print_input(capture, other_ports);
-  if (const std::string words = identity.words(car); !words.empty()) {
-    std::cout << row("OTHER VEHICLE?", words);
-  }
-  std::cout << statistics.table(false);
+  const std::string other_car = signs.words_of_other_car();
+  std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
+            << signs.rows();
   write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +

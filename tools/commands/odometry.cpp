@@ -1,6 +1,8 @@
 // iog odometry: the motion of a car by the scans of its spinning lidars.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -11,6 +13,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/identity/capture_identity.hpp"
+#include "tools/odometry/motion_check.hpp"
 #include "tools/odometry/motion_offset.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/exit_status.hpp"
@@ -32,6 +35,11 @@ void compare(const OdometryOptions& options, const CatalogueEntry& car,
     std::cout << options.drive.poses << ": " << words << '\n';
   }
   const MotionOffset offset = offset_by_motion(turns, log.samples);
+  const std::int64_t offset_us = offset.refusal.empty() ? std::llround(offset.seconds * 1e6) : 0;
+  if (const std::string words = words_of(check_of(turns, log.samples, offset_us)); !words.empty()) {
+    throw CheckFailed(options.drive.poses + ": " + words +
+                      ": the log, its headings or the mount's yaw_deg are wrong");
+  }
   if (!offset.refusal.empty()) {
     throw CheckFailed(options.drive.poses + ": no clock offset: " + offset.refusal);
   }

@@ -28,6 +28,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
 
@@ -75,7 +76,7 @@ class Destination {
       capture_->finish();
       return "in " + options_->out;
     }
-    remark(refused_, "datagrams were refused by the system", remarks);
+    remark(refused_, "datagram|datagrams was|were refused by the system", remarks);
     return "to " + options_->target;
   }
 
@@ -112,24 +113,28 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
 
 void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where,
             std::ostream& out) {
-  remark(sent.not_finite, "points that are no number were not sent", words);
-  remark(sent.nowhere, "points at the sensor or too near were not sent", words);
-  remark(sent.beyond_layers, "points are beyond the car's layers; the target does not use them",
-         words);
+  remark(sent.not_finite, "point|points that is|are no number was|were not sent", words);
+  remark(sent.nowhere, "point|points at the sensor or too near was|were not sent", words);
+  remark(sent.beyond_layers,
+         "point|points is|are beyond the car's layers; the target does not use it|them", words);
   remark(sent.beyond_width,
-         "points are outside the field of view (scan_width_ticks): the target does not watch there",
+         "point|points is|are outside the field of view (scan_width_ticks): the target does not "
+         "watch there",
          words);
-  remark(sent.without_stamp, "clouds have no stamp (0): frames and poses cannot be matched", words);
-  remark(sent.same_stamps, "clouds have the same stamp as the one before", words);
+  remark(sent.without_stamp,
+         "cloud|clouds has|have no stamp (0): frames and poses cannot be matched", words);
+  remark(sent.same_stamps, "cloud|clouds has|have the same stamp as the one before", words);
   remark(sent.without_times,
-         "clouds have points without times (field t, time or timestamp): while the car moves, a "
+         "cloud|clouds has|have points without times (field t, time or timestamp): while the car "
+         "moves, a "
          "spinning unit's points are misplaced",
          words);
   remark(sent.wrong_times,
-         "scans were sent without beams' times: time_increment is below 0, no number or too long",
+         "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
+         "too long",
          words);
-  out << sent.clouds << " clouds, " << sent.points << " points in " << sent.datagrams
-      << " datagrams " << where << '\n';
+  out << counted(sent.clouds, "cloud|clouds") << ", " << counted(sent.points, "point|points in ")
+      << counted(sent.datagrams, "datagram|datagrams ") << where << '\n';
   for (const std::string& word : words) {
     out << word << '\n';
   }

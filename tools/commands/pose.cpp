@@ -23,6 +23,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
 
@@ -90,7 +91,7 @@ void write(const std::vector<CapturedDatagram>& datagrams, const std::string& pa
     capture.write(datagram);
   }
   capture.finish();
-  std::cout << datagrams.size() << " poses in " << path << '\n';
+  std::cout << counted(datagrams.size(), "pose|poses in ") << path << '\n';
 }
 
 void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& options,
@@ -107,8 +108,8 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
     const std::vector<std::byte> message = signer.as_sent(pose::kPoseChannel, datagram.payload);
     ++(sender.send(0, message) ? sent : refused);
   }
-  std::cout << sent << " poses sent, " << refused << " refused by the system; worst delay "
-            << pace.worst_delay_us() << " us\n";
+  std::cout << counted(sent, "pose|poses sent, ") << refused
+            << " refused by the system; worst delay " << pace.worst_delay_us() << " us\n";
 }
 
 void convert(const PoseLogOptions& options) {
@@ -124,8 +125,8 @@ void convert(const PoseLogOptions& options) {
     }
     const std::uint64_t poses =
         write_with_standing_poses(options.standing, options.port, options.out);
-    std::cout << options.out << ": " << options.standing << " with " << poses
-              << " poses of a car that stands still\n";
+    std::cout << options.out << ": " << options.standing << " with "
+              << counted(poses, "pose|poses of a car that stands still\n");
     return;
   }
   if (!options.signing.key.empty() && options.target.empty()) {

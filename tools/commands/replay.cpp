@@ -25,6 +25,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 #include "tools/replay/frame_grouper.hpp"
 #include "tools/replay/map_sender.hpp"
 #include "tools/replay/pace.hpp"
@@ -98,9 +99,9 @@ class Replay {
   }
 
   void print_counts() const {
-    std::cout << sent_ << " packets, " << bytes_ << " bytes sent";
+    std::cout << counted(sent_, "packet|packets, ") << bytes_ << " bytes sent";
     if (options_->step) {
-      std::cout << " in " << frames_ << " frames";
+      std::cout << " in " << counted(frames_, "frame|frames");
     }
     std::cout << "; " << refused_ << " refused by the system, " << other_ports_
               << " for other ports, " << skipped_ << " skipped; worst delay "
@@ -170,7 +171,8 @@ class Replay {
     for (int round = 0; round < 2; ++round) {
       refused_ += map.send_all(kChunksPerSecond);
     }
-    std::cout << map.chunks() << " chunks of " << options_->map << " sent twice" << std::endl;
+    std::cout << counted(map.chunks(), "chunk|chunks of ") << options_->map << " sent twice"
+              << std::endl;
   }
 
   void play(CarCapture& capture) {

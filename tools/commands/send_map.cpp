@@ -17,6 +17,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/udp_receiver.hpp"
 #include "tools/replay/map_sender.hpp"
 #include "tools/replay/pace.hpp"
@@ -175,13 +176,13 @@ class SendMap {
              refusal_text(state->delivery.last_refusal);
     }
     const std::string delivery = words_of_delivery(state->delivery);
-    return "the target does not use the map after " + std::to_string(rounds_) + " rounds; " +
+    return "the target does not use the map after " + counted(rounds_, "round|rounds; ") +
            (delivery.empty() ? "no chunk of it came there" : delivery);
   }
 
   void print() const {
-    std::cout << sent_ << " chunks of " << options_->file << " sent in " << rounds_ << " rounds, "
-              << refused_ << " refused by the system\n";
+    std::cout << counted(sent_, "chunk|chunks of ") << options_->file << " sent in "
+              << counted(rounds_, "round|rounds, ") << refused_ << " refused by the system\n";
     if (answer_ && answer_->latest()) {
       std::cout << map_table(*answer_->latest());
     } else if (!answer_) {

@@ -20,6 +20,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 #include "tools/simulate/drives/drive.hpp"
 #include "tools/simulate/drives/pose_source.hpp"
 #include "tools/simulate/maps/osm_file.hpp"
@@ -110,10 +111,10 @@ class DriveRecording {
 
   void finish(std::uint32_t frames) {
     capture_.finish();
-    std::cout << frames << " frames, " << packets_ << " packets, " << bytes_
-              << " bytes of scans in " << path_;
+    std::cout << counted(frames, "frame|frames, ") << counted(packets_, "packet|packets, ")
+              << bytes_ << " bytes of scans in " << path_;
     if (poses_ > 0) {
-      std::cout << ", and " << poses_ << " poses";
+      std::cout << ", and " << counted(poses_, "pose|poses");
     }
     std::cout << '\n';
   }

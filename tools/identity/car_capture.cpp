@@ -376,7 +376,7 @@ std::string CarCapture::clock_words() const {
 
 std::vector<std::string> CarCapture::remarks() const {
   std::vector<std::string> remarks = log_words_;
-  remark(unused_poses_, "poses in the captures are not used", remarks);
+  remark(unused_poses_, "pose|poses in the captures is|are not used", remarks);
   return remarks;
 }
 

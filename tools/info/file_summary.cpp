@@ -19,6 +19,7 @@
 #include "tools/info/cloud_census.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/stream_census.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/stream_file.hpp"
@@ -57,8 +58,8 @@ std::string topics_of(const mcap::Reader& file,
     const auto schema = file.schemas().find(channel.schema_id);
     const auto found = census.find(id);
     const TopicCensus topic = found != census.end() ? found->second : TopicCensus{};
-    text << "  " << std::left << std::setw(20) << printable(channel.topic) << ' ' << topic.messages
-         << " messages, " << topic.bytes << " bytes";
+    text << "  " << std::left << std::setw(20) << printable(channel.topic) << ' '
+         << counted(topic.messages, "message|messages, ") << topic.bytes << " bytes";
     const auto duration_ns = static_cast<double>(topic.last_ns - topic.first_ns);
     text << rate_of(topic.messages, duration_ns / 1e9) << ", "
          << (schema != file.schemas().end() ? printable(schema->second.name) : "no schema") << ", "
@@ -122,8 +123,9 @@ std::string condition_of(const mcap::Reader& file) {
                              std::to_string(counts.chunks));
   }
   if (file.promised_messages().value_or(counts.messages) != counts.messages) {
-    text += row("missing", "the file speaks of " + std::to_string(*file.promised_messages()) +
-                               " messages, " + std::to_string(counts.messages) + " can be read");
+    text += row("missing", "the file speaks of " +
+                               counted(*file.promised_messages(), "message|messages, ") +
+                               std::to_string(counts.messages) + " can be read");
   }
   return text + count_row("broken chunks", counts.broken_chunks, "") +
          count_row("unreadable chunks", counts.unreadable_chunks,
@@ -230,7 +232,7 @@ std::string summary_of_mcap(const std::string& path) {
 // Its files one by one.
 std::string summary_of_bag(const std::string& path) {
   const std::vector<std::string> names = ros::files_of_recording(path);
-  std::string text = row("kind", "bag of ROS 2, " + std::to_string(names.size()) + " files");
+  std::string text = row("kind", "bag of ROS 2, " + counted(names.size(), "file|files"));
   for (const std::string& name : names) {
     text += name + '\n';
     const ros::PlainFile plain(name);
@@ -240,7 +242,7 @@ std::string summary_of_bag(const std::string& path) {
     }
     for (const ros::BagTopic& topic : ros::topics_in_sqlite(plain.path(), name)) {
       const double duration_s = static_cast<double>(topic.duration_ns) / 1e9;
-      text += "  " + printable(topic.name) + ' ' + std::to_string(topic.messages) + " messages" +
+      text += "  " + printable(topic.name) + ' ' + counted(topic.messages, "message|messages") +
               rate_of(topic.messages, duration_s) + ", " + printable(topic.type) + ", " +
               printable(topic.encoding) + '\n';
     }

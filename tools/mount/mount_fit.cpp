@@ -105,7 +105,8 @@ double FittedValue::difference() const {
   return most - least;
 }
 
-MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns, const MotionLog& motion) {
+MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns, const MotionLog& motion,
+                std::size_t fewest) {
   MountFit fit;
   std::vector<TurnMount> taken;
   for (const TurnMount& turn : mounts) {
@@ -116,7 +117,7 @@ MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns, const Mo
     }
   }
   fit.taken = taken.size();
-  if (fit.taken < kFewestTurns) {
+  if (fit.taken < fewest) {
     fit.refusal = words_of_too_few(fit, turns);
     return fit;
   }

@@ -45,8 +45,8 @@ struct MountFit {
   [[nodiscard]] bool has_roll() const { return roll_deg.difference() < kMostDifferenceDeg; }
 };
 
-// mounts: of the turns that show the ground, of `turns` in all.
+// mounts: of the turns that show the ground, of `turns` in all. Refused if they are too few.
 [[nodiscard]] MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns,
-                              const MotionLog& motion);
+                              const MotionLog& motion, std::size_t fewest = kFewestTurns);
 
 }  // namespace iog::tools

@@ -1,8 +1,10 @@
 #include "tools/mount/unit_turns.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
@@ -18,6 +20,17 @@ namespace {
 constexpr double kLaneHalfWidthM = 2;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+
+// By half a turn about the unit's x.
+std::vector<RoadReturn> turned_over(std::vector<RoadReturn> returns,
+                                    const description::Rotation& turn) {
+  const std::array<double, 3>& x = turn.forward;
+  for (RoadReturn& point : returns) {
+    const double along = 2 * (point.x_m * x[0] + point.y_m * x[1] + point.z_m * x[2]);
+    point = {along * x[0] - point.x_m, along * x[1] - point.y_m, along * x[2] - point.z_m};
+  }
+  return returns;
+}
 
 }  // namespace
 
@@ -35,8 +48,9 @@ TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_
           .residual_m = plane.residual_m};
 }
 
-UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor)
+UnitTurns::UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every)
     : sensor_(&car.vehicle->sensors[sensor]),
+      every_(every),
       mount_(car.sensors[sensor].mount),
       footprint_(car.description->footprint),
       placer_(car.sensors[sensor]),
@@ -56,6 +70,9 @@ void UnitTurns::take(const CapturedDatagram& datagram) {
     end_turn();
   }
   last_us_ = datagram.time_us;
+  if (turns_ % every_ != 0) {
+    return;
+  }
   for (const lidar::ScanPoint& point : points_of(packet)) {
     if (point.range_mm >= sensor_->range_min_mm && point.range_mm > 0) {
       keep(placer_.place(point));
@@ -80,6 +97,10 @@ void UnitTurns::end_turn() {
   if (const std::optional<GroundPlane> plane = ground_plane_of(returns_, mount_.z_m)) {
     mounts_.push_back(mount_of(*plane, mount_));
     mounts_.back().time_us = last_us_;
+  } else if (ground_plane_of(
+                 tools::turned_over(std::move(returns_), description::rotation_of(mount_)),
+                 mount_.z_m)) {
+    ++turned_over_;
   }
   returns_.clear();
 }

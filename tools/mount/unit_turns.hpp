@@ -28,8 +28,8 @@ struct TurnMount {
 
 class UnitTurns {
  public:
-  // sensor: of a unit that turns. car outlives this.
-  UnitTurns(const CatalogueEntry& car, std::size_t sensor);
+  // sensor: of a unit that turns. car outlives this. Of each `every` turns, the first is looked at.
+  UnitTurns(const CatalogueEntry& car, std::size_t sensor, std::uint64_t every = 1);
 
   // The next datagram of the capture; what is not for the unit is left alone.
   void take(const CapturedDatagram& datagram);
@@ -40,12 +40,15 @@ class UnitTurns {
   [[nodiscard]] std::uint64_t turns() const { return turns_; }
   // Of the turns that show the ground, in their order.
   [[nodiscard]] const std::vector<TurnMount>& mounts() const { return mounts_; }
+  // Turns that show it only if the unit is the other way up than the file says.
+  [[nodiscard]] std::uint64_t turned_over() const { return turned_over_; }
 
  private:
   void end_turn();
   void keep(const PointPlace& place);
 
   const vehicle::Sensor* sensor_;
+  std::uint64_t every_;
   description::MountConfig mount_;
   description::FootprintConfig footprint_;
   PointPlacer placer_;
@@ -55,6 +58,7 @@ class UnitTurns {
   std::uint64_t packets_ = 0;
   std::uint64_t turns_ = 0;
   std::vector<TurnMount> mounts_;
+  std::uint64_t turned_over_ = 0;
 };
 
 }  // namespace iog::tools

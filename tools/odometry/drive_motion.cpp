@@ -12,6 +12,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
 #include "tools/program/progress.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -75,9 +76,9 @@ std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const 
     std::cerr << "iog: " << joined(captures, ", ") << ": " << words << '\n';
   }
   if (turns.size() < 2) {
-    throw UsageError(joined(captures, ", ") + ": " + std::to_string(turns.size()) +
-                     " whole turns of a spinning lidar of " + std::string(car.vehicle->name) +
-                     ", and a motion needs two");
+    throw UsageError(joined(captures, ", ") + ": " +
+                     counted(turns.size(), "whole turn|turns of a spinning lidar of ") +
+                     std::string(car.vehicle->name) + ", and a motion needs two");
   }
   return turns;
 }
@@ -138,7 +139,7 @@ std::string words_of(std::span<const TurnPose> turns) {
   const auto unsure = std::ranges::count(turns, false, &TurnPose::is_sure);
   if (unsure > 0) {
     const auto first = std::ranges::find(turns, false, &TurnPose::is_sure);
-    text << "; in " << unsure << " turns, the first after "
+    text << "; in " << counted(static_cast<std::uint64_t>(unsure), "turn|turns, the first after ")
          << seconds_of(*first) - seconds_of(turns.front())
          << " s, the surroundings do not determine the motion (an empty plain, a tunnel, a small "
             "room, a gap in the capture): sigma is "

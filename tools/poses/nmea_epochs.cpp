@@ -136,7 +136,7 @@ void interpolate(std::vector<NmeaEpoch>& epochs, std::vector<std::string>& notes
       between.add(epochs[i].line);
     }
   }
-  remark(between, "headings are between two HDT", "line", notes);
+  remark(between, "heading|headings is|are between two HDT", "line", notes);
 }
 
 }  // namespace

@@ -135,10 +135,10 @@ class Reader {
     }
     PoseLog log = log_of(std::move(fixes), "line");
     log.notes.insert(log.notes.begin(), notes.begin(), notes.end());
-    remark(damaged_, "lines that are no sound NMEA sentence", log.unit, log.remarks);
-    remark(bare_, "sentences without a checksum", log.unit, log.remarks);
-    remark(others_, "sentences other than RMC, GGA, HDT and VTG", log.remarks);
-    remark(without_fix, "times without a fix", log.unit, log.remarks);
+    remark(damaged_, "line|lines that is|are no sound NMEA sentence", log.unit, log.remarks);
+    remark(bare_, "sentence|sentences without a checksum", log.unit, log.remarks);
+    remark(others_, "sentence|sentences other than RMC, GGA, HDT and VTG", log.remarks);
+    remark(without_fix, "time|times without a fix", log.unit, log.remarks);
     return log;
   }
 
@@ -277,7 +277,7 @@ PoseLog read_nmea_log(std::span<const std::byte> bytes) {
     }
   }
   PoseLog log = reader.log();
-  remark(messages, "UBX messages between the lines", log.remarks);
+  remark(messages, "UBX message|messages between the lines", log.remarks);
   return log;
 }
 

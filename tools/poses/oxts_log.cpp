@@ -83,9 +83,9 @@ PoseLog read_oxts_log(const std::string& folder) {
                          .sigma_heading_rad = std::nullopt,
                          .place = i + 1});
   }
-  remark(missing, "times without a file in data/", log.remarks);
-  remark(files_beside(folder + "/data", ".txt", log.poses.size()), "files in data/ without a time",
-         log.remarks);
+  remark(missing, "time|times without a file in data/", log.remarks);
+  remark(files_beside(folder + "/data", ".txt", log.poses.size()),
+         "file|files in data/ without a time", log.remarks);
   return log;
 }
 

@@ -13,6 +13,7 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/stated_motion.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -78,8 +79,7 @@ void note_gaps(const std::vector<LoggedPose>& poses, std::vector<std::string>& n
   }
   if (gaps > 0) {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << gaps
-         << (gaps == 1 ? " gap between poses is" : " gaps between poses are")
+    text << std::fixed << std::setprecision(3) << counted(gaps, "gap|gaps between poses is|are")
          << " longer than 0.150 s, the longest " << longest_s
          << " s: packets that have no pose within 0.100 s have no place";
     notes.push_back(text.str());
@@ -118,11 +118,11 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
       outliers.add(pose.place);
     }
   }
-  remark(without_heading, "poses without a heading", log.unit, log.remarks);
-  remark(unsayable, "poses beyond 1000 km, 100 m/s or 10 rad/s", log.unit, log.remarks);
-  remark(not_newer, "poses that are not newer than the one before", log.unit, log.remarks);
-  remark(too_close, "poses less than 8 ms after the one before", log.unit, log.remarks);
-  remark(outliers, "poses that no car reaches from those around them", log.unit, log.remarks);
+  remark(without_heading, "pose|poses without a heading", log.unit, log.remarks);
+  remark(unsayable, "pose|poses beyond 1000 km, 100 m/s or 10 rad/s", log.unit, log.remarks);
+  remark(not_newer, "pose|poses that is|are not newer than the one before", log.unit, log.remarks);
+  remark(too_close, "pose|poses less than 8 ms after the one before", log.unit, log.remarks);
+  remark(outliers, "pose|poses that no car reaches from those around them", log.unit, log.remarks);
   if (outliers.count > poses.size()) {
     log.notes.emplace_back(
         "no car moves as most poses say: check the units of positions, headings and times");
@@ -179,7 +179,7 @@ void remark(const Tally& tally, std::string_view what, std::string_view unit,
 
 void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks) {
   if (count > 0) {
-    remarks.push_back(std::to_string(count) + ' ' + std::string(what));
+    remarks.push_back(counted(count, what));
   }
 }
 
@@ -203,9 +203,9 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   const auto tilted =
       static_cast<std::size_t>(std::ranges::count(poses, true, &LoggedPose::is_tilted));
   if (tilted > poses.size() / 2) {
-    result.notes.push_back(std::to_string(tilted) +
-                           " poses are tilted by more than 45 degrees: check that z is up, and "
-                           "that quaternions are x, y, z, w");
+    result.notes.push_back(counted(tilted,
+                                   "pose|poses is|are tilted by more than 45 degrees: check that "
+                                   "z is up, and that quaternions are x, y, z, w"));
   }
   if (std::string words = words_of_misfit(poses, result.samples); !words.empty()) {
     result.notes.push_back(std::move(words));
@@ -235,9 +235,9 @@ std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion&
                                   const char* option) {
     if (count > 0) {
       std::ostringstream text;
-      text << "the log states no standard deviation of the " << of << " for " << count
-           << " poses: " << value * 1000 << unit << " is assumed (`iog pose " << option
-           << "` sets another)";
+      text << "the log states no standard deviation of the " << of << " for "
+           << counted(count, "pose|poses: ") << value * 1000 << unit << " is assumed (`iog pose "
+           << option << "` sets another)";
       words.push_back(text.str());
     }
   };

@@ -147,7 +147,8 @@ struct Tally {
   void add(std::size_t place) { first = count++ == 0 ? place : first; }
 };
 
-// "3 poses without a heading", of a tally with " (first: line 12)"; nothing for a count of 0.
+// "3 poses without a heading" as of counted(), of a tally with " (first: line 12)"; nothing for a
+// count of 0.
 void remark(std::size_t count, std::string_view what, std::vector<std::string>& remarks);
 void remark(const Tally& tally, std::string_view what, std::string_view unit,
             std::vector<std::string>& remarks);

@@ -69,10 +69,10 @@ class Directions {
         reversing.add(fix.place);
       }
     }
-    remark(open, "headings: forwards or in reverse from standstill, a course does not say",
+    remark(open, "heading|headings: forwards or in reverse from standstill, a course does not say",
            log.unit, log.remarks);
-    remark(assumed, "headings by course, assumed to begin forwards", log.unit, log.notes);
-    remark(reversing, "poses in reverse, by their course", log.unit, log.notes);
+    remark(assumed, "heading|headings by course, assumed to begin forwards", log.unit, log.notes);
+    remark(reversing, "pose|poses in reverse, by its|their course", log.unit, log.notes);
   }
 
  private:

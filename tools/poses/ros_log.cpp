@@ -50,11 +50,11 @@ std::optional<double> sigma_of(double variance) {
                                                  : std::nullopt;
 }
 
-LoggedPose pose_of_odometry(const ros::RecordedMessage& message) {
+LoggedPose pose_of_odometry(const ros::RecordedMessage& message, std::string& frame) {
   CdrReader in(message.data, message.where);
   LoggedPose pose{.time_us = in.stamp_us()};
-  static_cast<void>(in.text());  // the frame, and its child
-  static_cast<void>(in.text());
+  static_cast<void>(in.text());  // in which it is
+  frame = in.text();
   read_place(in, pose);
   std::array<double, 36> covariance{};  // x, y, z, about x, about y, about z
   std::ranges::generate(covariance, [&in] { return in.f64(); });  // of the place: it drifts
@@ -137,6 +137,7 @@ std::optional<std::string> robot_of(const std::string& frame) {
 PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
+  std::string frame;
   log.remarks = ros::for_each_message(path, kOdometry, topic, [&](const auto& message) {
     its = its.empty() ? std::string(message.topic) : its;
     if (message.topic != its) {
@@ -144,7 +145,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
                        printable(std::string(message.topic)) + " have poses: choose one by " +
                        path + ':' + printable(its));
     }
-    add(pose_of_odometry(message), message.where, log);
+    add(pose_of_odometry(message, frame), message.where, log);
   });
   if (log.poses.empty()) {
     Transforms transforms;
@@ -155,6 +156,11 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
                        (topic.empty() ? "" : ", on " + topic) +
                        (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
     }
+  }
+  if (!frame.empty() && !robot_of(frame)) {
+    log.notes.push_back("the poses are of " + printable(frame) + ", not of " +
+                        std::string(kVehicleFrame) +
+                        ": --poses-mount says where in the car that is");
   }
   ros::forget_unpacked();
   for (std::size_t i = 0; i < log.poses.size(); ++i) {

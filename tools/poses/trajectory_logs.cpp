@@ -10,6 +10,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -129,7 +130,7 @@ PoseLog read_kitti_log(const std::string& path) {
   const std::vector<std::string> lines = rows_in(path);
   const std::vector<std::string> times = rows_in(folder + "/times.txt");
   if (lines.size() != times.size()) {
-    throw UsageError(path + ": " + std::to_string(lines.size()) + " poses, and times of " +
+    throw UsageError(path + ": " + counted(lines.size(), "pose|poses, and times of ") +
                      std::to_string(times.size()));
   }
   const Rigid unit = unit_in_camera(folder + "/calib.txt");

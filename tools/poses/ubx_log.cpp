@@ -138,8 +138,8 @@ PoseLog read_ubx_log(std::span<const std::byte> bytes) {
     ++number;
   }
   PoseLog log = log_of(std::move(fixes), "NAV-PVT");
-  remark(skipped, "bytes that are no UBX message", log.remarks);
-  remark(others, "messages other than NAV-PVT", log.remarks);
+  remark(skipped, "byte|bytes that is|are no UBX message", log.remarks);
+  remark(others, "message|messages other than NAV-PVT", log.remarks);
   remark(without_fix, "NAV-PVT without a fix or a time", log.unit, log.remarks);
   return log;
 }

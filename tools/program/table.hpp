@@ -33,6 +33,9 @@ void add_facts(Facts& facts, std::string_view prefix, const Counts& counts, cons
   }
 }
 
+// "1 cloud has no stamp", "2 clouds have no stamp" by "cloud|clouds has|have no stamp".
+[[nodiscard]] std::string counted(std::uint64_t count, std::string_view words);
+
 // Rounded; all > 0.
 [[nodiscard]] std::string percent(std::uint64_t part, std::uint64_t all);
 

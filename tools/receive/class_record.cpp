@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/program/hexadecimal.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/record_file.hpp"
 #include "wire/byte_order.hpp"
@@ -77,13 +78,13 @@ std::optional<ClassRecord> class_record_in(const std::string& line) {
 }
 
 std::string place_of(const ClassRecord& record) {
-  return std::to_string(record.slices) + " slices up to " + std::to_string(record.stamp_us) +
+  return counted(record.slices, "slice|slices up to ") + std::to_string(record.stamp_us) +
          " us, packets placed " + std::to_string(record.packets_placed) + ", not placed " +
          std::to_string(record.packets_not_placed);
 }
 
 std::string grid_of(const ClassRecord& record) {
-  return hex(record.class_crc) + " (" + std::to_string(record.tiles) + " tiles from " +
+  return hex(record.class_crc) + " (" + counted(record.tiles, "tile|tiles from ") +
          std::to_string(record.corner_a) + ", " + std::to_string(record.corner_b) + ")";
 }
 
@@ -92,9 +93,9 @@ std::string words_of_time(const ClassRecord& received, const ClassRecord& expect
   if (received.frames_of_time == expected.frames_of_time) {
     return {};
   }
-  return "; until then the window's time went on in " + std::to_string(received.frames_of_time) +
-         " frames without evidence, expected " + std::to_string(expected.frames_of_time) +
-         "; was the host stalled?";
+  return "; until then the window's time went on in " +
+         counted(received.frames_of_time, "frame|frames without evidence, expected ") +
+         std::to_string(expected.frames_of_time) + "; was the host stalled?";
 }
 
 // A target that closes a frame before all of its poses have come places slices by older ones.
@@ -102,7 +103,7 @@ std::string words_of_poses(const ClassRecord& received, const ClassRecord& expec
   if (received.poses_used >= expected.poses_used) {
     return {};
   }
-  return "; until then " + std::to_string(received.poses_used) + " poses had come, of " +
+  return "; until then " + counted(received.poses_used, "pose|poses had come, of ") +
          std::to_string(expected.poses_used) + ": the others came late; was the host stalled?";
 }
 
@@ -177,7 +178,7 @@ std::optional<std::string> first_difference(const std::vector<ClassRecord>& rece
     }
   }
   if (received.size() != expected.size()) {
-    return std::to_string(received.size()) + " frames with evidence and classes received, " +
+    return counted(received.size(), "frame|frames with evidence and classes received, ") +
            std::to_string(expected.size()) + " expected; the common ones are equal";
   }
   return std::nullopt;

@@ -110,6 +110,9 @@ std::string ClassStatistics::table() const {
   }
   const auto spells = spells_of(last_);
   const bool had_spells = std::ranges::any_of(spells, [](auto times) { return times > 0; });
+  const auto slices = slices_of(last_);
+  const std::uint64_t all = std::accumulate(slices.begin(), slices.end(), std::uint64_t{0});
+  const std::uint64_t jumped = slices[static_cast<std::size_t>(pose::Cause::kJump)];
   const bool had_poses =
       std::ranges::any_of(last_.pose_fates, [](auto poses) { return poses > 0; });
   return row("class frames", std::to_string(frames_)) +
@@ -122,7 +125,11 @@ std::string ClassStatistics::table() const {
          row_if(tiles_not_sent_ > 0, "class tiles not sent", std::to_string(tiles_not_sent_)) +
          row("packets placed", std::to_string(packets_placed_) + ", and " +
                                    std::to_string(packets_not_placed_) + " without a place") +
-         row("slices", list_of(slices_of(last_), kPoseCauseNames)) +
+         row("slices", list_of(slices, kPoseCauseNames)) +
+         row_if(20 * jumped > all, "POSES?",
+                percent(jumped, std::max<std::uint64_t>(all, 1)) +
+                    " % of the slices are lost by jumps: are the poses' headings in degrees, "
+                    "counter-clockwise from x, and the car's?") +
          row_if(slices_over_budget_ + groups_left_ > 0, "over budget",
                 std::to_string(slices_over_budget_) + " slices, " + std::to_string(groups_left_) +
                     " groups of cells") +

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/program/hexadecimal.hpp"
+#include "tools/program/table.hpp"
 #include "tools/receive/record_file.hpp"
 
 namespace iog::tools {
@@ -143,7 +144,7 @@ std::optional<std::string> first_difference(const std::vector<FrameRecord>& rece
     }
   }
   if (received.size() != expected.size()) {
-    return std::to_string(received.size()) + " frames with evidence received, " +
+    return counted(received.size(), "frame|frames with evidence received, ") +
            std::to_string(expected.size()) + " expected; the common ones are equal";
   }
   return std::nullopt;

@@ -76,13 +76,13 @@ std::string ObjectStatistics::table() const {
   }
   return row("object frames", std::to_string(frames_)) +
          row_if(incomplete_ + not_known_ > 0, "objects not known",
-                std::to_string(incomplete_) + " frames incomplete, " + std::to_string(not_known_) +
+                counted(incomplete_, "frame|frames incomplete, ") + std::to_string(not_known_) +
                     " without a place") +
          row("objects, all frames", list_of(by_state_, kStateNames)) +
          row("objects that moved", std::to_string(moved_.size()) + ", at most " +
                                        std::to_string(most_moving_) + " in a frame") +
          row_if(tracks_refused_ + hits_left_ > 0, "objects without room",
-                std::to_string(tracks_refused_) + ", and " + std::to_string(hits_left_) + " hits") +
+                std::to_string(tracks_refused_) + ", and " + counted(hits_left_, "hit|hits")) +
          row("object run hash", hex(run_hash()));
 }
 

@@ -236,7 +236,7 @@ std::string RunStatistics::row_of_too_slow() const {
   const std::uint64_t left = fates_[static_cast<std::size_t>(vehicle::Fate::kNotTaken)];
   const std::uint64_t all = std::accumulate(fates_.begin(), fates_.end(), std::uint64_t{0});
   return left == 0 ? std::string()
-                   : row("TARGET TOO SLOW", std::to_string(left) + " points not taken, " +
+                   : row("TARGET TOO SLOW", counted(left, "point|points not taken, ") +
                                                 percent(left, all) + " % of all, in " +
                                                 std::to_string(too_slow_) + " of " +
                                                 std::to_string(frames_) + " frames");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -73,11 +74,12 @@ std::string Relay::words_of(std::size_t unit) const {
   const UnitLink& its = links_[unit];
   const ScanStream::Counts& stream = its.scan_counts();
   std::ostringstream out;
-  out << units_[unit].name << ": " << stream.scans << " scans, " << counts_[unit].sent
-      << " datagrams sent, " << counts_[unit].refused << " refused by the system; "
-      << stream.other_messages << " other messages, " << stream.malformed << " malformed, "
-      << stream.skipped_bytes << " bytes skipped; " << its.counts().connections << " connections, "
-      << its.counts().losses << " lost";
+  out << units_[unit].name << ": " << counted(stream.scans, "scan|scans, ")
+      << counted(counts_[unit].sent, "datagram|datagrams sent, ") << counts_[unit].refused
+      << " refused by the system; " << counted(stream.other_messages, "other message|messages, ")
+      << stream.malformed << " malformed, " << stream.skipped_bytes << " bytes skipped; "
+      << counted(its.counts().connections, "connection|connections, ") << its.counts().losses
+      << " lost";
   return out.str();
 }
 

@@ -105,48 +105,56 @@ def _mean(azimuth: list[int]) -> int | None:
     return int(math.copysign(math.floor(abs(mean) + 0.5), mean)) if math.hypot(x, y) >= 0.5 * len(azimuth) else None
 
 
-def sectors_of_turn(azimuths: list[int]) -> list[tuple[int, int]]:
-    """Where the sector of each datagram begins, and its width, for points in the order in which a unit turned. Empty if
-    they are in another order. The rule is that of tools/formats/points/turn_sectors.hpp."""
+def sectors_of_scan(azimuths: list[int], begin: int, width: int) -> list[tuple[int, int]]:
+    """Where the sector of each datagram begins, and its width, for points in the order of their azimuths in the field that
+    was scanned. Empty if they are in another order. The rule is that of tools/formats/points/turn_sectors.hpp."""
     parts = [azimuths[i:i + MOST_POINTS] for i in range(0, len(azimuths), MOST_POINTS)]
     means = [_mean(part) for part in parts]
     if not means or None in means:
         return []
     steps = [_wrapped(b - a) for a, b in zip(means, means[1:])]
     means = list(itertools.accumulate(steps, initial=means[0]))
-    if not TURN // 64 < abs(means[-1] - means[0]) < TURN // 4 * 5 or (
-            max(steps) > TURN // 64 and min(steps) < -(TURN // 64)):
+    if not width // 64 < abs(means[-1] - means[0]) < TURN // 4 * 5 or (
+            max(steps) > width // 64 and min(steps) < -(width // 64)):
         return []
+    low = (middle := means[len(means) // 2]) + _wrapped(begin + width // 2 - middle) - width // 2
+    high, is_turn = low + width, width >= TURN
     borders = [means[0] - (means[1] - means[0] >> 1), *(a + b >> 1 for a, b in zip(means, means[1:])),
                means[-1] + (means[-1] - means[-2] >> 1)]
-    missing, sign = max(TURN - abs(borders[-1] - borders[0]), 0), -1 if borders[-1] < borders[0] else 1
-    borders[0] -= sign * (missing >> 1)
-    borders[-1] += sign * (missing - (missing >> 1))
-    ends = [[*borders[i:i + 2], *(mean + _wrapped(each - mean) for each in part)]
+    if is_turn:
+        missing, sign = max(TURN - abs(borders[-1] - borders[0]), 0), -1 if borders[-1] < borders[0] else 1
+        borders[0] -= sign * (missing >> 1)
+        borders[-1] += sign * (missing - (missing >> 1))
+    else:
+        borders[0], borders[-1] = (low, high) if means[-1] > means[0] else (high, low)
+    ends = [[*borders[i:i + 2], *(at for each in part if low <= (at := mean + _wrapped(each - mean)) <= high or is_turn)]
             for i, (mean, part) in enumerate(zip(means, parts))]
-    if any(max(its) - min(its) > TURN // 2 for its in ends):
+    widths = [max(its) - min(its) for its in ends]
+    if max(widths) > TURN // 2 or (not is_turn and 2 * sum(widths) > 3 * width):
         return []
     return [(min(its) % TURN, max(its) - min(its)) for its in ends]
 
 
 def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bool = False) -> list[bytes]:
-    """In the order of the points' times or, of what turns and has none, of their azimuths."""
+    """In the order of the points' times or, if they have none, of their azimuths."""
     points = numpy.zeros(len(scan.azimuth), POINT)
     points["azimuth"], points["elevation"], points["range"] = scan.azimuth, scan.elevation, scan.range_mm
     points["flags"] = scan.flags
     after_us = numpy.zeros(len(points), int) if scan.after_us is None else scan.after_us
-    if scan.after_us is not None or turns:
-        order = numpy.argsort(points["azimuth"] if scan.after_us is None else after_us, kind="stable")
-        points, after_us = points[order], after_us[order]
-    width = round(field_of_view_deg * 3200)
-    sectors = sectors_of_turn(points["azimuth"].tolist()) if turns else []
+    width = TURN if turns else round(field_of_view_deg * 3200)
+    begin = (TURN - width // 2) % TURN
+    key = (points["azimuth"].astype(int) - begin) % TURN if scan.after_us is None else after_us
+    order = numpy.argsort(key, kind="stable")
+    points, after_us = points[order], after_us[order]
+    sectors = sectors_of_scan(points["azimuth"].tolist(), begin, width)
     count = max(-(-len(points) // MOST_POINTS), 1)
+    apart = 1 if sectors else next(each for each in itertools.count((3 * count + 7) // 8) if math.gcd(each, count) == 1)
     made = []
     for i in range(count):
         its = slice(i * MOST_POINTS, (i + 1) * MOST_POINTS)
         first_us = int(after_us[its].min(initial=2**62)) if len(points) else 0
         points["after"][its] = numpy.minimum((after_us[its] - first_us) // 10, 0xFFFF)
-        sector = sectors[i] if sectors else ((TURN - width // 2) % TURN, width)
-        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 0 if sectors else 2, len(points[its]), number, i, count,
+        sector = sectors[i] if sectors else (begin, width)
+        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 0 if sectors else 2, len(points[its]), number, i * apart % count, count,
                                 scan.time_us + first_us, *sector) + points[its].tobytes())
     return made

@@ -115,9 +115,10 @@ class PointsNode(unittest.TestCase):
         for names in (("x", "y", "z", "ring", "time"), ("x", "y", "z")):
             for is_big_endian in (False, True):
                 its = list(zip(times, clouds(*names)))
-                self.sent("turning", "cloud",
-                          [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
-                          [cloud_message(now, cloud, is_big_endian) for now, cloud in its], turns=True)
+                for kind, parameters in (("turning", {"turns": True}), ("wide", {"field_of_view_deg": 270.0})):
+                    self.sent(kind, "cloud",
+                              [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
+                              [cloud_message(now, cloud, is_big_endian) for now, cloud in its], **parameters)
 
     def parts_of_clouds(self, *sizes: tuple[int, int]) -> list[numpy.ndarray]:
         """Of so many points, and from the first to the last so many nanoseconds."""
@@ -158,8 +159,8 @@ class PointsNode(unittest.TestCase):
     def test_scans(self):
         ranges = numpy.float32(numpy.random.default_rng(4).uniform(0.05, 21, 1081))
         ranges[[5, 9, 11]] = numpy.inf, numpy.nan, 0
-        for scan_s in (0.075, 0.0):
-            first, step, now = -2.356, 4.712 / 1080, made_bags.START_NS
+        for scan_s, side in ((0.075, 1), (0.075, -1), (0.0, 1)):  # counter-clockwise and clockwise
+            first, step, now = side * -2.356, side * 4.712 / 1080, made_bags.START_NS
             self.sent("wide", "scan", [("/it", now, made_bags.laser_scan(now, ranges, first, step, scan_s))],
                       [scan_message(now, ranges, first, step, scan_s / 1081)], field_of_view_deg=270.0)
 

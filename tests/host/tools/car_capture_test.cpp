@@ -265,7 +265,7 @@ TEST_F(BesideALog, WhatIsWrongWithItIsToldInASentence) {
                "log.csv: only one pose in it; not used: 2 poses that are not newer than the one "
                "before (first: line 3)");
   EXPECT_EQ(read(log(head + row + row + "1714564800.13,1,0,0,0.1,0.1\n")).words,
-            "|not used: 1 poses that are not newer than the one before (line 3)");
+            "|not used: 1 pose that is not newer than the one before (line 3)");
   EXPECT_THROW(CarCapture(log(rows(0)), find_vehicle("two_lux_parking")), UsageError);
 }
 

@@ -58,7 +58,7 @@ TEST(ClassRecord, ADifferenceSaysWhetherItIsThePlace) {
   received = some_records();
   received.pop_back();
   EXPECT_EQ(first_difference(received, some_records()).value(),
-            "1 frames with evidence and classes received, 2 expected; the common ones are equal");
+            "1 frame with evidence and classes received, 2 expected; the common ones are equal");
 }
 
 // A host that stalls between a pose and the next scan has the target close a frame without scans.

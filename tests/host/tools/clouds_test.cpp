@@ -311,7 +311,7 @@ TEST_F(Clouds, OfATurnThatIsMissingLeaveAGapAndAreRemarked) {
   write_raw();
   std::filesystem::remove(path("/velodyne_points/data/0000000001.bin"));
   CloudConversion conversion(folder_.path(), car(), 0, 0, 0);
-  EXPECT_EQ(conversion.set().remarks, std::vector<std::string>{"1 times without a cloud"});
+  EXPECT_EQ(conversion.set().remarks, std::vector<std::string>{"1 time without a cloud"});
   std::size_t inside = 0;
   for (const Return& its : returns_of(converted())) {
     inside += its.time_us > 151'000 && its.time_us < 249'000 ? 1U : 0U;

@@ -55,7 +55,7 @@ TEST(ObjectStatistics, SayHowManyMove) {
   const std::string table = statistics.table(false);
   EXPECT_NE(table.find("1 young, 1 standing, 3 moving, 1 stopped"), std::string::npos) << table;
   EXPECT_NE(table.find("3, at most 2 in a frame"), std::string::npos) << table;
-  EXPECT_NE(table.find("1 frames incomplete, 1 without a place"), std::string::npos) << table;
+  EXPECT_NE(table.find("1 frame incomplete, 1 without a place"), std::string::npos) << table;
 }
 
 TEST(ObjectStatistics, SayNothingWithoutObjects) {

@@ -169,7 +169,7 @@ TEST(OxtsLog, TakesTheFieldsByTheirNumbers) {
   EXPECT_EQ(log.poses[0].sigma_m, 0.05);
   EXPECT_NEAR(log.poses[1].y_m, 11.12, 0.01);  // 1e-4 degrees of latitude
   EXPECT_NEAR(log.poses[1].x_m, 7.31, 0.01);   // and of longitude, at 49 degrees
-  EXPECT_EQ(log.remarks, std::vector<std::string>{"1 times without a file in data/"});
+  EXPECT_EQ(log.remarks, std::vector<std::string>{"1 time without a file in data/"});
   ASSERT_TRUE(log.plane);
   EXPECT_NEAR(log.plane->place_of(49.015003, 8.434297).east_m, 0, 1e-6);
 
@@ -226,9 +226,9 @@ TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
   const ConvertedLog result = converted(log, {});
   EXPECT_EQ(result.samples.size(), 2U);
   EXPECT_EQ(result.remarks,
-            (std::vector<std::string>{"1 poses without a heading",
+            (std::vector<std::string>{"1 pose without a heading",
                                       "2 poses that are not newer than the one before",
-                                      "1 poses less than 8 ms after the one before"}));
+                                      "1 pose less than 8 ms after the one before"}));
 }
 
 // UTM zone 32 in Karlsruhe; a northing is beyond 1000 km.
@@ -293,7 +293,7 @@ TEST(ConvertedLog, AnOutlierIsLeftOutWithItsLine) {
       EXPECT_NEAR(sample.speed_mps, 10, 1e-6) << i;
     }
     ASSERT_EQ(result.remarks.size(), 1U) << i;
-    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " poses ")) << i;
+    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " pose")) << i;
     EXPECT_NE(result.remarks[0].find("line " + std::to_string(cases[i].first_line) + ')'),
               std::string::npos)
         << result.remarks[0];

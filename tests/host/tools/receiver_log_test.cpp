@@ -95,8 +95,8 @@ TEST(NmeaLog, WhatIsNotUsedIsCounted) {
   EXPECT_EQ(log.poses.size(), 1U);
   EXPECT_EQ(log.remarks,
             (std::vector<std::string>{"4 lines that are no sound NMEA sentence (first: line 1)",
-                                      "1 sentences without a checksum (line 11)",
-                                      "1 sentences other than RMC, GGA, HDT and VTG",
+                                      "1 sentence without a checksum (line 11)",
+                                      "1 sentence other than RMC, GGA, HDT and VTG",
                                       "2 times without a fix (first: line 4)"}));
 }
 
@@ -353,7 +353,7 @@ TEST(UbxLog, ReadsShorterAndLongerMessages) {
   const auto later = read_ubx_log(pvt_message({.flags = 0x21, .payload_bytes = 100}));
   EXPECT_NEAR(later.poses.at(0).heading_rad.value_or(1), 0, 1e-12);
   EXPECT_EQ(read_ubx_log(pvt_message({.payload_bytes = 83})).remarks.at(0),
-            "1 messages other than NAV-PVT");
+            "1 message other than NAV-PVT");
   // As long as RXM-RAWX with 255 measurements, and longer than any.
   EXPECT_EQ(read_ubx_log(pvt_message({.payload_bytes = 8'176})).poses.size(), 1U);
   EXPECT_TRUE(read_ubx_log(pvt_message({.payload_bytes = 8'177})).poses.empty());
@@ -371,7 +371,7 @@ TEST(UbxLog, WhatIsNotUsedIsCounted) {
               pvt_message({}), std::vector<std::byte>(3)}));
   EXPECT_EQ(log.poses.size(), 1U);
   EXPECT_EQ(log.remarks, (std::vector<std::string>{
-                             "103 bytes that are no UBX message", "1 messages other than NAV-PVT",
+                             "103 bytes that are no UBX message", "1 message other than NAV-PVT",
                              "2 NAV-PVT without a fix or a time (first: NAV-PVT 1)"}));
 }
 

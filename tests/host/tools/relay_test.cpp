@@ -250,8 +250,8 @@ TEST(Relay, ScansBecomeDatagrams) {
   }
   EXPECT_EQ(points, 1'003U);
   EXPECT_EQ(relayed.relay.words_of(0),
-            "unit0: 2 scans, 9 datagrams sent, 0 refused by the system; 1 other messages, 0 "
-            "malformed, 0 bytes skipped; 1 connections, 0 lost");
+            "unit0: 2 scans, 9 datagrams sent, 0 refused by the system; 1 other message, 0 "
+            "malformed, 0 bytes skipped; 1 connection, 0 lost");
 }
 
 TEST(Relay, UnitsAreNotMixedUp) {

@@ -75,9 +75,9 @@ void put_place(ros::CdrWriter& out, std::string_view frame, std::string_view chi
   }
 }
 
-Message odometry(double speed, const Turn& turn = kTurn) {
+Message odometry(double speed, const Turn& turn = kTurn, std::string_view of = "base_link") {
   ros::CdrWriter out;
-  put_place(out, "odom", "base_link", turn);
+  put_place(out, "odom", of, turn);
   const auto put_variances = [&out](double along, double about_z) {
     for (int i = 0; i < 36; ++i) {
       out.put(i == 0 ? along : i == 35 ? about_z : 0.0);
@@ -155,11 +155,11 @@ TEST_F(Trajectories, OfKittiAreThoseOfTheUnit) {
     EXPECT_NEAR(log.poses[1].y_m, 2 - 0.3, 1e-9);
     EXPECT_NEAR(log.poses[1].heading_rad.value_or(0), 90 * kRadians, 1e-9);
   }
-  expect_error(write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n"), "1 poses, and times of 2");
+  expect_error(write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n"), "1 pose, and times of 2");
   write("times.txt", "0\n\n");
   EXPECT_EQ(read_pose_log(path).poses.size(), 1U);
   write("times.txt", "");
-  expect_error(path, "1 poses, and times of 0");
+  expect_error(path, "1 pose, and times of 0");
 }
 
 TEST_F(Trajectories, OfOdometryHaveTheErrorsOfTheirTwist) {
@@ -174,6 +174,12 @@ TEST_F(Trajectories, OfOdometryHaveTheErrorsOfTheirTwist) {
   ASSERT_EQ(empty.poses.size(), 2U);
   EXPECT_FALSE(empty.poses[0].speed_mps || empty.poses[0].sigma_heading_rad);
   EXPECT_FALSE(empty.poses[1].heading_rad);
+  // A pose of what is somewhere else in the car, and one that does not say.
+  EXPECT_TRUE(log.notes.empty());
+  EXPECT_TRUE(read_pose_log(bag(kOdometry, {odometry(10, kTurn, "")})).notes.empty());
+  EXPECT_EQ(read_pose_log(bag(kOdometry, {odometry(10, kTurn, "gps")})).notes,
+            std::vector<std::string>{"the poses are of gps, not of base_link: --poses-mount says "
+                                     "where in the car that is"});
   Message cut = odometry(10);
   cut.resize(300);
   expect_error(bag(kOdometry, {cut}), "cut off");
@@ -211,11 +217,13 @@ TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {
   const std::string path = bag(kOdometry, {odometry(10)}, {"/gps", "/odom"});
   expect_error(path, "/gps and /odom have poses: choose one by");
   EXPECT_EQ(read_pose_log(path + ":/odom").poses.size(), 1U);
-  expect_error(path + ":/imu", "on /imu; its topics of these types are /gps, /odom");
+  expect_error(path + ":/imu",
+               "on /imu; its topics of these types are /gps (nav_msgs/msg/Odometry), /odom (");
   EXPECT_EQ(
       read_pose_log(bag(kTransforms, {transforms("odom")}, {"/tf", "/map"}) + ":/tf").poses.size(),
       1U);
-  expect_error(bag(kTransforms, {transforms("odom")}, {"/tf"}) + ":/odom", "are /tf");
+  expect_error(bag(kTransforms, {transforms("odom")}, {"/tf"}) + ":/odom",
+               "are /tf (tf2_msgs/msg/TFMessage)");
 }
 
 TEST_F(Trajectories, TheFirstBytesShowTheFormat) {

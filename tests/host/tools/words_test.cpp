@@ -40,6 +40,14 @@ bool contains(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
+TEST(Words, AgreeWithTheirNumber) {
+  constexpr std::string_view kWords = "point|points, which is|are behind it|them: not sent";
+  EXPECT_EQ(counted(1, kWords), "1 point, which is behind it: not sent");
+  EXPECT_EQ(counted(0, kWords), "0 points, which are behind them: not sent");
+  EXPECT_EQ(counted(2, "cloud|clouds"), "2 clouds");
+  EXPECT_EQ(counted(1, "of 2 in "), "1 of 2 in ");
+}
+
 // Counted by hand.
 TEST(WordDistance, CountsLettersThatHaveToChange) {
   EXPECT_EQ(word_distance("record", "record"), 0U);

@@ -12,6 +12,7 @@
 #include "tools/formats/capture/link_layer.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
+#include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -194,7 +195,7 @@ std::string describe_skipped(const CaptureCounts& counts) {
   for (const auto& [link, count] : counts.other_links) {
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " of " + words_of_link(link);
   }
-  return text.empty() ? text : std::to_string(counts.skipped()) + " packets skipped: " + text;
+  return text.empty() ? text : counted(counts.skipped(), "packet|packets skipped: ") + text;
 }
 
 }  // namespace iog::tools

@@ -8,6 +8,7 @@
 #include "tools/formats/lux/ntp_time.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -40,9 +41,9 @@ RawRecording read_lux(const std::string& path, const description::SensorConfig& 
     }
   }
   if (stream.other_messages + stream.malformed + stream.skipped_bytes > 0) {
-    recording.remark = std::to_string(stream.other_messages) + " messages of other types, " +
-                       std::to_string(stream.malformed) + " malformed scans, " +
-                       std::to_string(stream.skipped_bytes) + " bytes that are no message";
+    recording.remark = counted(stream.other_messages, "message|messages of other types, ") +
+                       counted(stream.malformed, "malformed scan|scans, ") +
+                       counted(stream.skipped_bytes, "byte|bytes that is|are no message");
   }
   return recording;
 }

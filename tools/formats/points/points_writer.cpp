@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "lidar/points.hpp"
 #include "require/require.hpp"
@@ -59,13 +60,18 @@ std::vector<PointsDatagram> datagrams_of(const PointsScan& scan) {
   const std::size_t count = std::max<std::size_t>((scan.points.size() + most - 1) / most, 1);
   require(count <= std::numeric_limits<std::uint16_t>::max());
   const std::vector<PointsSector> sectors =
-      scan.turns ? sectors_of_turn(scan.points, most) : std::vector<PointsSector>();
+      sectors_of_scan(scan.points, most, {scan.sector_begin, scan.sector_width});
+  std::size_t apart = sectors.empty() ? (3 * count + 7) / 8 : 1;
+  while (std::gcd(apart, count) > 1) {
+    ++apart;
+  }
   std::vector<PointsDatagram> datagrams;
   auto rest = std::span(scan.points);
   for (std::size_t number = 0; number < count; ++number) {
     const auto its = rest.first(std::min(most, rest.size()));
-    datagrams.push_back(datagram_of(
-        scan, number, count, its, sectors.empty() ? std::nullopt : std::optional(sectors[number])));
+    datagrams.push_back(
+        datagram_of(scan, number * apart % count, count, its,
+                    sectors.empty() ? std::nullopt : std::optional(sectors[number])));
     rest = rest.subspan(its.size());
   }
   return datagrams;

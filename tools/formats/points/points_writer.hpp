@@ -31,7 +31,6 @@ struct PointsScan {
   bool are_places = false;
   std::uint32_t sector_begin = 0;
   std::uint32_t sector_width = 0;
-  bool turns = false;  // the points are in the order in which a unit turned
   std::vector<WirePoint> points{};
 };
 
@@ -46,8 +45,10 @@ struct PointsDatagram {
                                          std::size_t datagrams, std::span<const WirePoint> points,
                                          std::optional<PointsSector> sector = std::nullopt);
 
-// All points in their order. One datagram if there is no point. Datagrams of a turn have sectors of
-// their own (turn_sectors.hpp).
+// All points in their order. One datagram if there is no point. If the points are in the order of
+// their azimuths, datagrams have sectors of their own (turn_sectors.hpp). Otherwise, the numbers of
+// successive datagrams, and so their shares of the sector, are far apart: lost ones thin out all
+// directions, and not those of one share.
 [[nodiscard]] std::vector<PointsDatagram> datagrams_of(const PointsScan& scan);
 
 // The direction of a place in metres, and its range in millimetres, each rounded to the nearest.

@@ -1,4 +1,4 @@
-// Which sector each datagram of a turn covers, for points in the order in which a unit turned.
+// Which sector each datagram of a scan covers, for points in the order of their azimuths.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,11 @@ namespace iog::tools {
 
 // The sectors of a scan's datagrams, with `most` points each; clockwise and counter-clockwise
 // alike. The border of two datagrams lies midway between their mean azimuths, and each sector
-// contains all points of its datagram. The first and the last sector meet, because a unit that
-// turns scans the whole turn. Empty if the points are not in the order of a turn.
+// contains all points of its datagram that lie in the field. The outer sectors end with the field
+// that was scanned or, in a whole turn, meet. Empty if the points are not in order.
 // clients/python/iogrid/points.py has the same rule.
-[[nodiscard]] std::vector<PointsSector> sectors_of_turn(std::span<const WirePoint> points,
-                                                        std::size_t most);
+[[nodiscard]] std::vector<PointsSector> sectors_of_scan(std::span<const WirePoint> points,
+                                                        std::size_t most,
+                                                        const PointsSector& field);
 
 }  // namespace iog::tools

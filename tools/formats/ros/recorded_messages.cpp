@@ -14,6 +14,7 @@
 #include "tools/formats/ros/sqlite_bag.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools::ros {
 namespace {
@@ -34,21 +35,19 @@ class Messages {
       : types_(types), topic_(topic), take_(&take) {}
 
   [[nodiscard]] bool wants(const BagTopic& topic) {
-    if (std::ranges::find(types_, topic.type) == types_.end()) {
-      return false;
-    }
-    const bool is_meant = topic_.empty() || topic.name == topic_;
+    const bool is_known = std::ranges::find(types_, topic.type) != types_.end();
+    const bool is_meant = is_known && (topic_.empty() || topic.name == topic_);
     if (!is_meant) {
-      others_.add(topic.name);
+      (is_known ? others_ : all_).add(topic.name + " (" + topic.type + ')');
     }
     return is_meant;
   }
 
-  // Of the topics that have such messages if the one that is meant has none.
+  // If what is meant has no message: the topics that have such messages, or else any.
   [[nodiscard]] std::string words_of_others() const {
-    return numbers_.empty() && !others_.is_empty()
-               ? "its topics of these types are " + others_.words()
-               : "";
+    return !numbers_.empty() || (others_.is_empty() && all_.is_empty()) ? ""
+           : others_.is_empty() ? "its topics are " + all_.words()
+                                : "its topics of these types are " + others_.words();
   }
 
   void take(const std::string& file, const BagTopic& topic, std::span<const std::byte> data) {
@@ -88,14 +87,15 @@ class Messages {
   const std::function<void(const RecordedMessage&)>* take_;
   std::map<std::string, std::uint64_t> numbers_;  // of a topic's messages
   std::map<std::string, std::string> types_of_;   // topics
-  FewNames others_;
+  FewNames others_;                               // topics of these types that are not meant
+  FewNames all_;                                  // of other types
   std::vector<std::byte> unpacked_;
 };
 
-void tell_lost(const std::string& name, std::uint64_t count, const char* what,
+void tell_lost(const std::string& name, std::uint64_t count, std::string_view what,
                std::vector<std::string>& remarks) {
   if (count > 0) {
-    remarks.push_back(name + ": " + std::to_string(count) + ' ' + what);
+    remarks.push_back(name + ": " + counted(count, what));
   }
 }
 
@@ -122,14 +122,14 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
                      "; only zstd is read");
   }
   if (const std::uint64_t lost = counts.unreadable_chunks + counts.broken_chunks; lost > 0) {
-    throw UsageError(name + ": " + std::to_string(lost) + " chunks are damaged or too large");
+    throw UsageError(name + ": " + counted(lost, "chunk|chunks is|are damaged or too large"));
   }
-  const auto tell = [&](std::uint64_t count, const char* what) {
+  const auto tell = [&](std::uint64_t count, std::string_view what) {
     tell_lost(name, count, what, remarks);
   };
-  tell(counts.malformed, "malformed records were passed over");
-  tell(without_schema, "messages have no known type");
-  tell(counts.behind_end, "bytes behind its end were not read");
+  tell(counts.malformed, "malformed record|records was|were passed over");
+  tell(without_schema, "message|messages has|have no known type");
+  tell(counts.behind_end, "byte|bytes behind its end was|were not read");
   if (!reader.is_finished()) {
     remarks.push_back(name + ": its end is missing; it was read up to there");
   }
@@ -176,7 +176,7 @@ std::vector<std::string> for_each_message(const std::string& path,
       const std::uint64_t lost = for_each_in_sqlite(
           plain.path(), name, [&](const BagTopic& its) { return messages.wants(its); },
           [&](const BagTopic& its, auto data) { messages.take(name, its, data); });
-      tell_lost(name, lost, "messages have no known topic", remarks);
+      tell_lost(name, lost, "message|messages has|have no known topic", remarks);
     } else if (begins_with(begin, "#ROSBAG V"sv)) {
       throw UsageError(name + ": a bag of ROS 1: convert it first, for example by rosbags-convert");
     } else if (begins_with(begin, "\x89MCAP0\r\n"sv)) {

@@ -18,9 +18,9 @@ struct RecordedMessage {
 };
 
 // Calls take(message) with each message of one of these types, in the order of the file; of a
-// topic, if one is given. Returns remarks: what is not there, and if that topic is not, which
-// topics of these types are. UsageError if a file cannot be read or parts of it are damaged, or
-// such a message is encoded otherwise.
+// topic, if one is given. Returns remarks: what is not there, and if there is no such message,
+// which topics of which types are. UsageError if a file cannot be read or parts of it are damaged,
+// or such a message is encoded otherwise.
 std::vector<std::string> for_each_message(const std::string& path,
                                           std::span<const std::string_view> types,
                                           std::string_view topic,

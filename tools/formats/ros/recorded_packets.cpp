@@ -6,6 +6,7 @@
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools::ros {
@@ -55,6 +56,7 @@ std::vector<std::string> for_each_packet(
   if (!has_packet) {
     throw UsageError(path + ": it has no packets of velodyne_msgs, nebula_msgs or pandar_msgs" +
                      (topic.empty() ? "" : " on " + std::string(topic)) +
+                     (remarks.empty() ? "" : "; " + joined(remarks, "; ")) +
                      "; `iog points` reads clouds");
   }
   return remarks;

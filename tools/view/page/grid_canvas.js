@@ -47,7 +47,7 @@ export class GridCanvas {
     this.centre = { x: 0, y: 0 }; // metres of the view
     this.turn = 0;
     this.pixelsPerMetre = 0;
-    this.startedWith = 0; // metres of a cell
+    this.startedWith = -1; // metres of a cell, 0 before the first frame
     this.isFollowing = true;
     this.names = []; // left, top, right and bottom of each name of an object
     this.mark = null; // the place of the page that a finger has tapped
@@ -126,10 +126,18 @@ export class GridCanvas {
     this.ratio = ratio;
     this.width = clientWidth;
     this.height = clientHeight;
-    if (this.startedWith !== this.cellM && clientHeight > 0) {
-      this.startedWith = this.cellM;
-      this.pixelsPerMetre = clientHeight / (START_HEIGHT * this.cellM);
+    const start = this.grid.frame ? this.cellM : 0;
+    if (this.startedWith !== start && clientHeight > 0) {
+      this.startedWith = start;
+      this.zoomToStreet();
     }
+  }
+
+  // With the car in the middle; a smaller grid is seen as a whole.
+  zoomToStreet() {
+    const { origin: [behind], columns } = this.shape;
+    const cells = Math.min(START_HEIGHT, 2 * Math.max(behind, columns - behind) + 1);
+    this.pixelsPerMetre = this.height / (cells * this.cellM);
   }
 
   // Where the car is now, and how it is turned. What is in the middle of the view stays there, as
@@ -290,7 +298,7 @@ export class GridCanvas {
 
   showStreet() {
     this.follow();
-    this.pixelsPerMetre = this.height / (START_HEIGHT * this.cellM);
+    this.zoomToStreet();
   }
 
   // A name of the frame that is shown and of where its tiles lie: what has the same name looks alike.

@@ -1,5 +1,6 @@
 // Mounts that are known, of simulated drives whose packets the decoders read, with a car's file
 // that is wrong.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 
 #include "tools/car/tables.hpp"
 #include "tools/mount/mount_fit.hpp"
+#include "tools/mount/mount_watch.hpp"
 #include "tools/mount/unit_turns.hpp"
 #include "tools/simulate/drives/drive.hpp"
 
@@ -133,6 +135,32 @@ TEST(MountDrives, IsThatOfEveryUnit) {
     EXPECT_NEAR(roll / count, which.roll_deg, 0.1) << which.car;
     EXPECT_NEAR(z / count, 1.7, 0.01) << which.car;
   }
+}
+
+// A file that is half a metre, 3 degrees or upside down wrong draws a plausible grid.
+TEST(MountWatch, TellsAFileThatIsWrong) {
+  const Case right{"roof_vlp16", "street", 0, 0, 0};
+  const Remounted truth(right.car, truth_of(right));
+  const auto told = [&](double pitch_deg, double roll_deg, double height_m) {
+    description::MountConfig mount = truth_of(right);
+    mount.pitch_deg += pitch_deg;
+    mount.roll_deg += roll_deg;
+    mount.z_m += height_m;
+    const Remounted file(right.car, mount);
+    MountWatch watch(file.car(), 1);
+    Drive drive(truth.car(), 1, 6, find_scene(right.scene), Motion::kContinuous);
+    for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += 4) {
+      std::ranges::for_each(drive.datagrams(frame), [&](const auto& each) { watch.take(each); });
+    }
+    return watch.rows();
+  };
+  const auto is_told = [&](const std::string& text, const char* words) {
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  };
+  EXPECT_EQ(told(0, 0, 0), "");
+  is_told(told(3, 0, 0), " degrees in pitch");
+  is_told(told(0, 0, -0.5), "its height by -0.5");
+  is_told(told(0, 180, 0), "is the other way up");
 }
 
 TEST(MountDrive, AnotherCarsCaptureHasNoTurns) {

@@ -67,7 +67,7 @@ TEST(DriveMotion, SigmaGrowsWithTheWayAndWhereNothingIsSure) {
   for (std::size_t i = 0; i < turns.size(); ++i) {
     EXPECT_EQ(sigma_at(turns, i).position_m >= 1, i >= 20 && i < 30) << i;
   }
-  EXPECT_NE(words_of(turns).find("in 1 turns, the first after 2.0 s"), std::string::npos);
+  EXPECT_NE(words_of(turns).find("in 1 turn, the first after 2.0 s"), std::string::npos);
 }
 
 std::string refusal_of(const std::vector<CapturedDatagram>& datagrams, const std::string& car) {
@@ -104,7 +104,7 @@ TEST(DriveMotion, OneTurnIsRefused) {
       datagrams.back().time_us = 1'700'000'000'000'000;
     }
   }
-  const std::string one = "1 whole turns of a spinning lidar of roof_vlp16, and a motion needs two";
+  const std::string one = "1 whole turn of a spinning lidar of roof_vlp16, and a motion needs two";
   EXPECT_TRUE(refusal_of(datagrams, "roof_vlp16").ends_with(one));
 }
 

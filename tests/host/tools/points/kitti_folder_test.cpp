@@ -51,7 +51,7 @@ TEST_F(KittiFolder, PointsOfRawDataHaveTheTimeAtWhichTheHeadLookedThere) {
   const std::vector<SeenCloud> seen = clouds();
   ASSERT_EQ(seen.size(), 2U);
   EXPECT_EQ(remarks_,
-            (std::vector<std::string>{"1 times without a cloud", "no poses: there is no oxts"}));
+            (std::vector<std::string>{"1 time without a cloud", "no poses: there is no oxts"}));
   EXPECT_EQ(seen[0].time_us, 1'317'042'000'050'000U);
   EXPECT_EQ(seen[1].time_us, 1'317'042'000'250'000U);
   for (const SeenCloud& cloud : seen) {
@@ -80,9 +80,9 @@ TEST_F(KittiFolder, FilesWithoutATimeAreRemarkedAndPosesOfAnotherDayAreRefused) 
     write("oxts/data/000000000" + std::string(number) + ".txt", fields);
   }
   EXPECT_EQ(clouds().size(), 2U);
-  EXPECT_EQ(remarks_, std::vector<std::string>{"1 clouds without a time"});
+  EXPECT_EQ(remarks_, std::vector<std::string>{"1 cloud without a time"});
   const PoseLog log = read_oxts_log(folder_ / "oxts");
-  EXPECT_EQ(log.remarks, std::vector<std::string>{"1 files in data/ without a time"});
+  EXPECT_EQ(log.remarks, std::vector<std::string>{"1 file in data/ without a time"});
   EXPECT_FALSE(log.poses[0].sigma_m);  // an accuracy of 0 is none
   write("oxts/timestamps.txt", std::string("2011-09-27 13:00:00.1\n2011-09-27 13:00:00.2\n"));
   EXPECT_NE(

@@ -184,7 +184,7 @@ TEST(RosClouds, TellWhatIsWrongWithPointCloud2) {
   EXPECT_EQ(told([](SentCloud& s) { s.count = 3; }),
             "it: its 3 points of 12 bytes do not fill its 24 bytes");
   EXPECT_EQ(told([](SentCloud& s) { s.count = 1; }),
-            "it: its 1 points of 12 bytes do not fill its 24 bytes");
+            "it: its 1 point of 12 bytes does not fill its 24 bytes");
   for (const std::uint32_t stride : {0U, 4U}) {
     EXPECT_EQ(told([=](SentCloud& s) { s.stride = stride; }),
               "it: field " + std::string(stride == 0 ? "x" : "y") + " ends at byte " +
@@ -240,7 +240,7 @@ TEST(FoxgloveClouds, PointsFillTheirBytes) {
   EXPECT_EQ(told_by([&] { static_cast<void>(read(7)); }),
             "it: field y ends at byte 8 of a point, which has 7");
   EXPECT_EQ(told_by([&] { static_cast<void>(read(9)); }),
-            "it: its 1 points of 9 bytes do not fill its 16 bytes");
+            "it: its 1 point of 9 bytes does not fill its 16 bytes");
 }
 
 // Packed ranges without a byte are no range.

@@ -1,0 +1,80 @@
+// Ten seconds on a circle to the left, by 10 m/s and 20 degrees a second, beside poses that are
+// wrong in a known way.
+#include "tools/odometry/motion_check.hpp"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kRadiusM = 10 / (20 * kRadians);
+constexpr std::uint64_t kDriveUs = 1'700'000'000'000'000;
+
+double heading_at(int tenth) { return 2 * kRadians * tenth; }
+
+std::vector<TurnPose> turns() {
+  std::vector<TurnPose> turns;
+  for (int i = 0; i <= 100; ++i) {
+    TurnPose& turn = turns.emplace_back();
+    turn.time_us = kDriveUs + static_cast<std::uint64_t>(i) * 100'000;
+    turn.pose = Pose(Eigen::AngleAxisd(heading_at(i), Eigen::Vector3d::UnitZ()));
+    turn.pose.translation() = Eigen::Vector3d(kRadiusM * std::sin(heading_at(i)),
+                                              kRadiusM * (1 - std::cos(heading_at(i))), 0);
+  }
+  return turns;
+}
+
+// What is said of poses that are changed so, and of the plane's other corner.
+std::string told(const std::function<void(PoseSample&)>& change, std::int64_t offset_us = 0) {
+  constexpr double kTurned = 1;
+  std::vector<PoseSample> poses;
+  for (int i = -1; i <= 101; ++i) {
+    const double heading = heading_at(i) + kTurned;
+    PoseSample& pose = poses.emplace_back();
+    pose.time_us = kDriveUs + static_cast<std::uint64_t>(i) * 100'000;
+    pose.x_m = 500 + kRadiusM * std::sin(heading);
+    pose.y_m = -kRadiusM * std::cos(heading);
+    pose.heading_rad = std::remainder(heading, 2 * std::numbers::pi);
+    change(pose);
+  }
+  return words_of(check_of(turns(), poses, offset_us));
+}
+
+void nothing(PoseSample& /*pose*/) {}
+
+TEST(MotionCheck, IsSilentAboutRightPoses) {
+  EXPECT_EQ(told(nothing), "");
+  EXPECT_EQ(told([](PoseSample& pose) { pose.time_us -= 7'000'000'000; }, 7'000'000'000), "");
+  EXPECT_EQ(told([](PoseSample& pose) { pose.time_us += 3'600'000'000; }), "") << "no pose";
+}
+
+TEST(MotionCheck, TellsWrongOnes) {
+  EXPECT_EQ(told([](PoseSample& pose) { pose.heading_rad += std::numbers::pi / 2; }),
+            "the lidar moves 90 degrees to the left of where the poses do");
+  const std::string other_side =
+      "the lidar turns by 200 degrees and the poses by 200, not at the same times or to the same "
+      "side";
+  EXPECT_EQ(told([](PoseSample& pose) { pose.heading_rad = -pose.heading_rad; }), other_side);
+  EXPECT_EQ(told([](PoseSample& pose) {
+              std::swap(pose.x_m, pose.y_m);
+              pose.heading_rad = std::numbers::pi / 2 - pose.heading_rad;
+            }),
+            other_side);
+  EXPECT_EQ(told([](PoseSample& pose) { pose.heading_rad *= kRadians; }),
+            "the lidar turns by 200 degrees and the poses by 9, not at the same times or to the "
+            "same side");
+  EXPECT_EQ(told([](PoseSample& pose) {
+              pose.x_m /= 2;
+              pose.y_m /= 2;
+            }),
+            "the lidar moves 99 m and the poses 50 m");
+}
+
+}  // namespace
+}  // namespace iog::tools

@@ -1,0 +1,143 @@
+#include "tools/odometry/motion_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <iomanip>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "lidar/formats.hpp"
+#include "pose/message.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kStretchUs = 1'000'000;
+constexpr std::uint64_t kMostGapUs = 500'000;  // between poses
+constexpr double kLeastM = 5;
+constexpr double kLeastOffRad = 0.15;
+constexpr double kMostWayShare = 0.2;
+constexpr double kMostTurnShare = 0.5;
+constexpr double kMostDeg = 15;
+// A stretch of check_of() with the two turns that begin it.
+constexpr std::uint64_t kSampleUs = 1'400'000;
+constexpr std::uint64_t kSamplesApartUs = 6'000'000;  // the first two; then ever more
+constexpr std::uint64_t kMostSamples = 20;
+
+// Between two poses.
+std::optional<PoseSample> pose_at(std::span<const PoseSample> poses, std::uint64_t time_us) {
+  const auto next = std::ranges::lower_bound(poses, time_us, {}, &PoseSample::time_us);
+  if (next == poses.begin() || next == poses.end() ||
+      next->time_us - (next - 1)->time_us > kMostGapUs) {
+    return std::nullopt;
+  }
+  PoseSample pose = *(next - 1);
+  const double part = static_cast<double>(time_us - pose.time_us) /
+                      static_cast<double>(next->time_us - pose.time_us);
+  pose.x_m = std::lerp(pose.x_m, next->x_m, part);
+  pose.y_m = std::lerp(pose.y_m, next->y_m, part);
+  pose.heading_rad +=
+      part * std::remainder(next->heading_rad - pose.heading_rad, 2 * std::numbers::pi);
+  return pose;
+}
+
+void add_stretch(const Pose& lidar, const PoseSample& from, const PoseSample& to,
+                 MotionCheck& check) {
+  const std::complex seen(lidar.translation().x(), lidar.translation().y());
+  const std::complex told =
+      std::complex(to.x_m - from.x_m, to.y_m - from.y_m) * std::polar(1.0, -from.heading_rad);
+  const double turn = std::remainder(to.heading_rad - from.heading_rad, 2 * std::numbers::pi);
+  check.lidar_m += std::abs(seen);
+  check.poses_m += std::abs(told);
+  check.product += seen * std::conj(told);
+  check.lidar_rad += std::abs(heading_rad(lidar));
+  check.poses_rad += std::abs(turn);
+  check.off_rad += std::abs(std::remainder(heading_rad(lidar) - turn, 2 * std::numbers::pi));
+}
+
+}  // namespace
+
+MotionCheck check_of(std::span<const TurnPose> turns, std::span<const PoseSample> poses,
+                     std::int64_t offset_us) {
+  MotionCheck check;
+  const auto at = [&](const TurnPose& turn) {
+    return pose_at(poses, turn.time_us - static_cast<std::uint64_t>(offset_us));
+  };
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    if (!turns[i].is_sure || turns[i].time_us - turns[i - 1].time_us > kMostGapUs) {
+      first = i;
+    } else if (turns[i].time_us - turns[first].time_us >= kStretchUs) {
+      const std::optional<PoseSample> from = at(turns[first]);
+      const std::optional<PoseSample> to = at(turns[i]);
+      if (from && to) {
+        add_stretch(turns[first].pose.inverse() * turns[i].pose, *from, *to, check);
+      }
+      first = i;
+    }
+  }
+  return check;
+}
+
+std::string words_of(const MotionCheck& check) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  const double most_m = std::max(check.lidar_m, check.poses_m);
+  const double most_rad = std::max(check.lidar_rad, check.poses_rad);
+  const double aside_deg = std::arg(check.product) / kRadians;
+  if (most_m >= kLeastM && std::abs(check.lidar_m - check.poses_m) > kMostWayShare * most_m) {
+    text << "the lidar moves " << check.lidar_m << " m and the poses " << check.poses_m << " m";
+  } else if (check.off_rad > std::max(kLeastOffRad, kMostTurnShare * most_rad)) {
+    text << "the lidar turns by " << check.lidar_rad / kRadians << " degrees and the poses by "
+         << check.poses_rad / kRadians << ", not at the same times or to the same side";
+  } else if (most_m >= kLeastM && std::abs(aside_deg) > kMostDeg) {
+    text << "the lidar moves " << std::abs(aside_deg) << " degrees to the "
+         << (aside_deg > 0 ? "left" : "right") << " of where the poses do";
+  }
+  return text.str();
+}
+
+void MotionWatch::take(const CapturedDatagram& datagram) {
+  const std::uint16_t port = datagram.destination.port;
+  if (is_pose_port(*car_, port)) {
+    take_pose(datagram);
+  } else if (std::ranges::any_of(car_->sensors, [port](const auto& sensor) {
+               return lidar::turns(sensor.format) && sensor.udp_port == port;
+             })) {
+    take_packet(datagram);
+  }
+}
+
+void MotionWatch::take_pose(const CapturedDatagram& datagram) {
+  constexpr double kRadiansOfPart = 2 * std::numbers::pi / 4'294'967'296.0;
+  const auto [fate, message] = pose::decode(datagram.payload);
+  if (fate == pose::Fate::kUsed && (poses_.empty() || datagram.time_us > poses_.back().time_us)) {
+    poses_.push_back({.time_us = datagram.time_us,
+                      .x_m = message.pose.x_mm / 1e3,
+                      .y_m = message.pose.y_mm / 1e3,
+                      .heading_rad = message.pose.heading * kRadiansOfPart});
+  }
+}
+
+// Without poses there is nothing to compare.
+void MotionWatch::take_packet(const CapturedDatagram& datagram) {
+  const std::uint64_t since_us = datagram.time_us - begin_us_;
+  if (!points_ && !poses_.empty() && samples_ < kMostSamples &&
+      (samples_ == 0 || since_us >= samples_ * kSamplesApartUs)) {
+    begin_us_ = datagram.time_us;
+    ++samples_;
+    points_.emplace(*car_);
+  } else if (points_ && since_us > kSampleUs) {
+    points_.reset();
+  }
+  std::optional<Turn> turn = points_ ? points_->take(datagram) : std::nullopt;
+  if (turn && (turns_.empty() || turn->end_us > turns_.back().time_us)) {
+    turns_.push_back(odometry_.add(*std::move(turn)));
+  }
+}
+
+}  // namespace iog::tools
