@@ -28,7 +28,6 @@
 #include "tools/program/file.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/receive/class_record.hpp"
-#include "tools/receive/own_car_watch.hpp"
 #include "tools/receive/run_statistics.hpp"
 #include "tools/record/stream_file.hpp"
 #include "tools/vehicles/car_words.hpp"
@@ -89,23 +88,21 @@ const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t
   return *chosen.get();
 }
 
-// What the packets and frames of a drive say of the car's file.
+// What the packets of a drive say of the car's file.
 class Signs {
  public:
-  explicit Signs(const CatalogueEntry& car)
-      : car_(&car), mount_(car), motion_(car), own_car_(car) {}
+  explicit Signs(const CatalogueEntry& car) : car_(&car), mount_(car), motion_(car) {}
 
   void take(const CapturedDatagram& datagram) {
     identity_.add(datagram);
     mount_.take(datagram);
     motion_.take(datagram);
   }
-  void take(const GridFrame& frame) { own_car_.add(frame); }
 
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
   [[nodiscard]] std::string rows() {
     const std::string motion = motion_.words();
-    return mount_.rows() + own_car_.row_of_footprint() +
+    return mount_.rows() +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
 
@@ -114,7 +111,6 @@ class Signs {
   CaptureIdentity identity_;
   MountWatch mount_;
   MotionWatch motion_;
-  OwnCarWatch own_car_;
 };
 
 // What the target has no port for is left out.
@@ -243,7 +239,6 @@ void fuse(const FuseOptions& options) {
   Signs signs(car);
   FrameAssembler assembler([&](GridFrame&& frame) {
     statistics.add(frame);
-    signs.take(frame);
     pictures.offer(frame);
     drawing.offer(frame);
     chosen.offer(std::move(frame));
