@@ -1,13 +1,14 @@
-// The clock of the perception grid, which stores the timestamps of the newest 64 frames and the
-// decay of evidence since each of these frames.
+// The clock of the perception grid. For each of the newest 64 frames, the clock stores the
+// timestamp and the decay of evidence since then.
 //
 // Timestamps are rounded down from microseconds to milliseconds. Times are differences of rounded
 // timestamps, so rounding errors do not accumulate. If a timestamp is older than the newest one,
 // the newest one is used instead, so time never decreases.
 //
 // Each frame has a slot from 1 to 64. Slots are reused cyclically, so a stored slot number must be
-// discarded within 63 frames. Slot 0 represents no frame. A group with slot 0 has never been aged
-// or has never had evidence.
+// discarded within 63 frames. Each group stores the slot of the frame in which it was last aged,
+// and the slot of the frame in which it last had evidence. A slot of 0 means that there has been no
+// such frame.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@ class Clock {
   static constexpr std::uint8_t kNever = 0;
   static constexpr std::uint32_t kEver = 0xFFFF'FFFF;  // time in ms since a slot without a frame
 
-  // `tables` points to the tables of a car that defines its own constants, and must outlive the
-  // clock. The pointer is null if the default constants are used.
+  // `tables` points to the tables of a car that defines its own constants, or is null if the
+  // default constants are used. The tables must outlive the clock.
   constexpr explicit Clock(Discounting discounting = Discounting::kConservative,
                            Weighing weighing = Weighing::kByTime, const Tables* tables = nullptr)
       : discounting_(discounting),
@@ -36,28 +37,29 @@ class Clock {
                : weighing == Weighing::kByTime ? &kGainsByTime
                                                : &kGainsOfScan) {}
 
-  // Ends a frame. Call this function for every frame, even if its evidence could not be registered.
+  // Ends a frame. Call this function for every frame, even if the frame's evidence could not be
+  // registered.
   void advance(std::uint64_t stamp_us);
 
   // Returns the slot of the newest frame, or kNever before the first frame.
   [[nodiscard]] std::uint8_t now() const { return now_; }
 
-  // Returns the time from the frame of this slot to the newest frame. The result is at most kEver.
+  // Returns the time from the frame in this slot to the newest frame. The result is at most kEver.
   [[nodiscard]] std::uint32_t ms_since(std::uint8_t slot) const;
 
-  // Returns the number of frames from the frame of this slot to the newest frame. A frame must have
+  // Returns the number of frames from the frame in this slot to the newest frame. A frame must have
   // been assigned to this slot.
   [[nodiscard]] std::uint8_t frames_since(std::uint8_t slot) const {
     return static_cast<std::uint8_t>((now_ + kFrames - slot) % kFrames);
   }
 
-  // Returns the ageing factors for a group that was last aged in the frame of this slot. For
-  // kNever, all factors are 0.
+  // Returns the ageing factors for a group. `slot` is the slot of the frame in which the group was
+  // last aged. For kNever, all factors are 0.
   [[nodiscard]] const evidence::Fading& since(std::uint8_t slot) const { return left_[slot]; }
 
-  // Returns the weights of the newest frame's evidence, for a group whose previous evidence is from
-  // the frame of this slot. The time between these two frames is clamped to 1 ... 100 ms. For
-  // kNever, this time is 100 ms.
+  // Returns the weights of the newest frame's evidence for a group. `slot` is the slot of the
+  // previous frame with evidence for the group. The time between these two frames is clamped to
+  // 1 ... 100 ms. For kNever, this time is 100 ms.
   [[nodiscard]] const evidence::Gains& gains(std::uint8_t slot) const;
 
  private:

@@ -18,8 +18,8 @@ enum class Discounting : std::uint8_t {
   kProportional,  // {I, M, S, U} decays with weights of 1/4 for moving and 3/4 for static objects
 };
 
-// Returns the ageing factors after a time. After 0 ms, masses have not decayed. After more than
-// 65,535 ms, all masses are 0.
+// Returns the ageing factors after `ms` milliseconds. After 0 ms, masses have not decayed. After
+// more than 65,535 ms, all masses are 0.
 evidence::Fading left_after(std::uint32_t ms, Discounting discounting,
                             const Decays& decays = kUsualDecays);
 

@@ -18,9 +18,9 @@ inline constexpr std::uint32_t kLongestGainMs = 100;
 
 // The constants of Kurdej 2015, section 7.3. These constants describe an object of length L = 3 m
 // that moves at V_min = 1 m/s or faster, at a distance of d = 0.5 m behind another object. The
-// accumulator fills in the time delta = L / V_min and empties in the time d / V_min, where gamma =
-// L / d = 6. At the scan rate of the thesis, a full accumulator specialises all mass within one
-// scan.
+// accumulator fills in the time delta = L / V_min and empties in the time d / V_min =
+// delta / gamma, where gamma = L / d = 6. At the scan rate of the thesis, a full accumulator
+// specialises all of a cell's occupied mass within one scan (evidence/cell.hpp).
 struct Accumulation {
   std::uint16_t full_ms = 3000;
   std::uint16_t empty_ms = 500;
@@ -28,7 +28,7 @@ struct Accumulation {
   friend constexpr bool operator==(const Accumulation&, const Accumulation&) = default;
 };
 
-// The rule for weighing a frame's free and occupied evidence.
+// Specifies how a frame's free and occupied evidence is weighted.
 enum class Weighing : std::uint8_t {
   kByTime,    // crossing beams have a weight of 0.7 per 100 ms, at any frame rate
   kEachScan,  // every frame is a scan as in Kurdej 2015, table 7.1: 0.8 per hit, 0.7 per crossing
@@ -39,19 +39,19 @@ inline constexpr std::int16_t kHitMassOfScan = 102 * 256;  // 0.8, rounded down 
                                                            // 1/128
 inline constexpr std::int16_t kFreeMassOfScan = 89 * 256;  // 0.7
 
-// The doubt that remains in a cell after beams have crossed the cell for 100 ms, that is, 1 minus
-// the mass of 0.7 that these beams contribute.
+// The ignorance that remains after beams have crossed a cell for 100 ms. These beams contribute the
+// remaining mass of 0.7.
 inline constexpr double kDoubtAfter100Ms = 0.3;
 
-// Returns the mass that beams contribute to a cell if they cross the cell for 1 ... 100 ms. This
-// function runs only on a PC or at compile time.
+// Returns the mass that beams contribute to a cell by crossing it for a given time, from 1 to
+// 100 ms. This function runs only on a PC or at compile time.
 constexpr std::int16_t free_mass_after(std::int32_t ms, double doubt_after_100_ms) {
   const double doubt = numeric::exp(numeric::log(doubt_after_100_ms) * ms / 100);
   return static_cast<std::int16_t>((1 - doubt) * (1 << 15));
 }
 
-// Returns a fraction that increases linearly by numerator / denominator per millisecond. The result
-// is in units of 2^-15, rounded to the nearest unit, and at most 32767.
+// Returns `ms * numerator / denominator`. The result is in units of 2^-15, rounded to the nearest
+// unit, and at most 32767.
 constexpr std::int16_t part_after(std::int32_t ms, std::int32_t numerator,
                                   std::int32_t denominator) {
   const auto part = numeric::div_nearest<std::int32_t>((1 << 15) * ms * numerator, denominator);
@@ -105,7 +105,7 @@ constexpr const evidence::Gains& gains_after(std::uint32_t ms, const GainsTable&
   return table[std::min(ms, kLongestGainMs)];
 }
 
-// The tables of a car file with its own evidential constants (docs/vehicles.md).
+// The tables for a car file that defines its own evidential constants (docs/vehicles.md).
 struct Tables {
   Decays decays{};
   Accumulation accumulation{};

@@ -22,7 +22,7 @@ class CmacKey {
   Block k2_;  // used for any other message
 };
 
-// Computes the MAC of a message that is added piece by piece.
+// Computes the MAC of a message that can be added in several parts.
 class Cmac {
  public:
   // The key must outlive this object.

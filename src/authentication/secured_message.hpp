@@ -15,7 +15,7 @@
 //
 // The MAC has 64 bits because NIST SP 800-38B, appendix A.2, requires this length if the number of
 // guesses is not limited. SecOC's profiles 1 and 3 have only 24 and 28 bits because they are
-// designed for the 8 bytes of a CAN frame. On a link that transports 70,000 poses per second, 2^23
+// designed for the 8 bytes of a CAN frame. On a link that carries 70,000 poses per second, 2^23
 // guesses take only two minutes.
 #pragma once
 

@@ -1,15 +1,17 @@
 // Signs a stream of messages (docs/spec.md 9.2). Each group of messages is followed by a signature
-// message. The signature message lists the names of the messages in the group and, like a command,
-// contains a MAC (authentication/secured_message.hpp). The signed messages themselves do not
-// change. Hashing the messages takes one tenth of the time that one MAC per message would take.
+// message. The signature message lists the names (truncated hashes) of the messages in the group.
+// Like a command, it also contains a MAC (authentication/secured_message.hpp). The signed messages
+// themselves do not change. Hashing the messages takes one tenth of the time that one MAC per
+// message would take.
 //
 // The payload of a signature is in big-endian order:
 //
-//    `0`  The number of bytes before the names, 12 (u16), and the length of a name, 16 bytes (u16).
+//    `0`  The number of bytes before the names (u16), which is 12, and the number of bytes per name
+//         (u16), which is 16.
 //    `4`  The run number of the target (u32).
 //    `8`  The number of names (u16), and 0 (u16).
-//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256 of
-//         the whole message.
+//   `12`  One name per message, in sending order. A name is the first 128 bits of the SHA-256
+//         hash of the whole message.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +26,7 @@
 
 namespace iog::authentication {
 
-// A truncated hash of a message. Finding a second message with the same hash takes 2^128 trials.
+// A truncated hash of a message. Finding a second message with the same hash takes 2^128 attempts.
 using MessageName = std::array<std::byte, 16>;
 
 inline constexpr std::size_t kNamesHeaderBytes = 12;

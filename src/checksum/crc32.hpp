@@ -44,7 +44,7 @@ class FastCrc32 {
  private:
   static constexpr std::size_t kMostBefore = 4;
 
-  // Returns the state after `before` zero bytes and one part of zero bytes.
+  // Returns the state after `before + kPartBytes` zero bytes.
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t before);
 
   std::uint32_t state_ = 0xFFFFFFFFU;

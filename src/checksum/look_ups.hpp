@@ -16,7 +16,7 @@ struct LookUps {
     crc.update(bytes);
     return crc.state();
   }
-  // Returns the state after `before` + FastCrc32::kPartBytes zero bytes.
+  // Returns the state after `before + FastCrc32::kPartBytes` zero bytes.
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t before) {
     using Field = ReflectedField<kPolynomial>;
     std::uint32_t after =

@@ -39,7 +39,7 @@ class ProductCrc32 {
   // Returns the CRC of all bytes so far. Further calls to update() are allowed.
   [[nodiscard]] std::uint32_t value() const { return rest_.value(); }
 
-  // Returns the state after kBytes + `more` zero bytes. Requires kBytes >= 8 and `more` <= kMost.
+  // Returns the state after `kBytes + more` zero bytes. Requires kBytes >= 8 and more <= kMost.
   template <std::size_t kBytes, std::size_t kMost = 0>
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t more = 0) {
     static constexpr auto kFirst = make_first<kBytes>(std::make_index_sequence<kMost + 1>());
@@ -97,7 +97,7 @@ class ProductCrc32 {
     return factors;
   }
 
-  // Computes the factors of a part's first eight bytes, for parts of kBytes + kMore bytes.
+  // Computes the factors of the first eight bytes of a part, for each part length `kBytes + kMore`.
   template <std::size_t kBytes, std::size_t... kMore>
   static consteval auto make_first(std::index_sequence<kMore...> /*more*/) {
     std::array<Factors, sizeof...(kMore)> first{};

@@ -1,5 +1,4 @@
-// Computes the carry-less products of eight bytes at a time, as a single instruction of the
-// Cortex-A9 does.
+// Computes eight carry-less products at a time, as the Cortex-A9 does with a single instruction.
 //
 // This code is the reference. The NEON implementation is in checksum/crc32_neon.cpp.
 #pragma once
@@ -15,7 +14,7 @@ inline constexpr std::size_t kProductLanes = 8;
 inline constexpr std::size_t kFactorBytes = 4;
 
 // A 32-bit factor for each of eight bytes. The factors are stored in the order in which the machine
-// loads them, that is, byte by byte with the lowest byte first.
+// loads them: first the lowest byte of each factor, then the next byte of each, and so on.
 struct alignas(32) Factors {
   std::array<std::array<std::uint8_t, kProductLanes>, kFactorBytes> bytes{};
 
@@ -26,7 +25,8 @@ struct alignas(32) Factors {
   }
 };
 
-// Computes carry-less sums of products of bytes and factors. Each sum has 8 + 32 - 1 = 39 bits.
+// Multiplies bytes by their factors and sums the products, both without carries. Each sum has
+// 8 + 32 - 1 = 39 bits.
 class PlainProducts {
  public:
   // The carry-less sums for the first and the second half of the data. Each group of factors is

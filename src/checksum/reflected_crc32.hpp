@@ -20,7 +20,7 @@
 namespace iog::checksum {
 
 // `kPolynomial` uses the notation of the standards, with the highest power first and x^32 omitted.
-// `kSlices` is 4, 8 or 16. For bytewise processing, kSlices is 1.
+// `kSlices` is 4, 8 or 16, or 1 for bytewise processing.
 template <std::uint32_t kPolynomial, std::size_t kSlices>
 class ReflectedCrc32 {
   static_assert(kSlices == 1 || kSlices == 4 || kSlices == 8 || kSlices == 16);

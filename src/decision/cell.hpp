@@ -1,9 +1,10 @@
 // Determines the class and the bits of one cell. This file specifies the result in plain integer
 // arithmetic. `decision_neon.cpp` computes the same results for eight cells at once.
 //
-// The cell must be valid (evidence/cell.hpp), that is, F + P <= 32767, where P = O + M + K. At most
-// one of F and P is therefore 2^14 or more. P consists of a moving part m <= M + O and a static
-// part P - m. At most one of these two parts is therefore 2^14 or more. No sum exceeds 32767.
+// The cell must be valid (evidence/cell.hpp), so F + P <= 32767, where P = O + M + K. At most one
+// of F and P is therefore 2^14 or more. P consists of a moving part m, which is at most M + O, and
+// a static part P - m. At most one of these two parts is therefore 2^14 or more. No sum exceeds
+// 32767.
 #pragma once
 
 #include <array>
@@ -17,15 +18,15 @@ namespace iog::decision {
 inline constexpr std::int32_t kHalf = 1 << 14;
 inline constexpr int kLevelShift = 11;
 
-// The thresholds of the bits for later frames. The values are tuned to distinguish motion from
-// flicker.
+// The thresholds for setting the bits that later frames use (decision/decision.hpp). The values are
+// tuned to distinguish motion from flicker.
 inline constexpr std::int32_t kFreedAbove = kHalf;
 inline constexpr std::int32_t kSeenAbove = 22'938;
 inline constexpr std::int32_t kStandsAbove = 4096;
 inline constexpr std::int32_t kTakenAbove = 8192;
 
-// A table indexed by mask. The mask is the sum of the map classes that are possible in a cell. Mask
-// 0 has the same classes as mask 7.
+// A table indexed by a bit mask of the map classes that are possible in a cell. Mask 0 is treated
+// like mask 7.
 using ByMask = std::array<std::uint8_t, 8>;
 
 consteval ByMask by_mask(Class other, Class building, Class road, Class beside_roads) {

@@ -1,6 +1,6 @@
-// Classifies the cells of a group from their masses, and computes bits for later frames.
+// Classifies the cells of a group based on their masses, and computes bits that later frames use.
 //
-// A cell gets a class only if at least half of the total mass supports the class. Ignorance
+// A cell is given a class only if at least half of the total mass supports that class. Ignorance
 // therefore never counts towards a class. The map refines the classes that the sensors support. The
 // map never overrules the sensors, and it never determines a class without them.
 #pragma once
@@ -53,13 +53,13 @@ struct alignas(8) Bits {
 // The class bytes of a group's cells.
 using Decided = std::array<std::int8_t, evidence::kGroupCells>;
 
-// For each cell, the map classes that are ruled out. The value of a cell is 0 if the map has no
-// information about the cell.
+// For each cell, the map classes that are ruled out. The value is 0 for cells about which the map
+// has no information.
 using RuledOut = std::array<std::uint8_t, evidence::kGroupCells>;
 
 // Computes and writes the class bytes of a group. The class bytes depend on the group's masses and
-// on the classes that are ruled out. Both arrays must be aligned to 8 bytes. If a group is decided
-// without evidence, all elements of `of_this_frame` must be 0.
+// on the classes that are ruled out. Both arrays must be aligned to 8 bytes. If a group is
+// classified without new evidence, all elements of `of_this_frame` must be 0.
 Bits decide(const evidence::Free& free, const evidence::Taken& taken, const RuledOut& ruled_out,
             const evidence::Indexes& of_this_frame, Decided& decided);
 
@@ -74,8 +74,8 @@ FreeBits decide_free(const evidence::Free& free, const RuledOut& ruled_out,
                      const evidence::Indexes& of_this_frame, Decided& decided);
 
 // The arguments of evidence::fuse_free() and decide_free() for consecutive groups. Each pointer
-// refers to the first group. The groups were last aged in the same frame, and last had evidence in
-// the same frame.
+// refers to the first group. The groups share the frame in which they were last aged and the frame
+// in which they last had evidence.
 struct Crossed {
   evidence::Free* free;
   const evidence::Fading* fading;
@@ -86,8 +86,8 @@ struct Crossed {
 };
 
 // Fuses and classifies two or four groups at once. While one group waits for results, the processor
-// executes instructions of a different group. Returns `freed` of group i in byte i, and `seen` in
-// byte 4 + i.
+// executes instructions of a different group. Returns the `freed` bits of group i in byte i, and
+// its `seen` bits in byte 4 + i.
 template <std::size_t kGroups>
 [[nodiscard]] std::uint64_t cross_free(const Crossed& groups);
 extern template std::uint64_t cross_free<2>(const Crossed& groups);

@@ -1,5 +1,5 @@
-// Rate-limits the answers to unknown senders using a token bucket. Each answer costs one token, so
-// a flood of requests does not cause a flood of answers.
+// Uses a token bucket to limit the rate of answers. Each answer costs one token, so a flood of
+// requests does not cause a flood of answers.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ class AnswerBudget {
 
   // Takes a token. Returns false if no token is left. `now_us` must not decrease.
   [[nodiscard]] constexpr bool take(std::uint64_t now_us) {
-    // The elapsed time is limited to the time in which the bucket fills, so a 32-bit division is
+    // The elapsed time is capped at the time it takes to fill the bucket, so a 32-bit division is
     // sufficient.
     const auto elapsed_us = static_cast<std::uint32_t>(
         std::min<std::uint64_t>(now_us - since_us_, std::uint64_t{kBurst} * kPerTokenUs));

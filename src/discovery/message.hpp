@@ -34,9 +34,8 @@ inline constexpr protection::Event kDiscoveryEvent{
 inline constexpr std::uint8_t kFlagReboot = 0x80;
 inline constexpr std::uint8_t kFlagUnicast = 0x40;
 
-// If the time to live is 0, an offer becomes a stop-offer, a subscription becomes a request to end
-// it, and an acknowledgement becomes a refusal. If an entry has the maximum time to live, it never
-// expires.
+// With a time to live of 0, an offer is a stop-offer, a subscription is a request to unsubscribe,
+// and an acknowledgement is a refusal. An entry with the maximum time to live never expires.
 inline constexpr std::uint32_t kForeverS = 0xFF'FFFF;
 
 // The wildcards for the instance and versions in a find entry.

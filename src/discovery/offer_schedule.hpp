@@ -46,8 +46,8 @@ class OfferSchedule {
   }
 
  private:
-  // Scales the upper half of the noise to the delay bounds. The product 2^16 * 90,000 needs more
-  // than 32 bits.
+  // Maps the upper 16 bits of the noise to a delay between the two bounds. The product
+  // 2^16 * 90,000 needs more than 32 bits.
   [[nodiscard]] constexpr std::uint32_t initial_delay_us() const {
     constexpr std::uint32_t kRangeUs = kInitialDelayMaxUs - kInitialDelayMinUs;
     return kInitialDelayMinUs +

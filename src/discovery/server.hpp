@@ -1,11 +1,11 @@
 // The server of SOME/IP service discovery for one service, with one event group and one subscriber.
-// The server performs no I/O and reads no clock. Callers pass datagrams and times to the server,
-// and they send the messages that it returns.
+// The server performs no I/O and reads no clock. Callers pass datagrams and times to the server and
+// send the messages that it returns.
 //
-// A subscriber must prove its address. The subscriber's endpoint must be the host that sent the
-// subscription, and ARP must return the Ethernet address from which the subscription was sent.
-// Until the host has answered an ARP request, it is a candidate and receives neither an
-// acknowledgement nor messages.
+// A subscriber must prove that it owns its address. The endpoint's IP address must be the source
+// address of the subscription, and ARP must resolve it to the Ethernet address from which the
+// subscription was sent. Until the host has answered an ARP request, it is a candidate and receives
+// neither an acknowledgement nor messages.
 #pragma once
 
 #include <array>
@@ -44,8 +44,7 @@ inline constexpr std::size_t kMaxSubscriptionsPerMessage = 4;
 inline constexpr std::uint32_t kConfirmUs = 500'000;
 
 // If a subscriber has not answered ARP requests for kLeftUs, it is assumed to have left. The first
-// ARP request is sent after 30 s, and after that, one request is sent per second
-// (net/peer_resolver.hpp).
+// ARP request is sent after 30 s, followed by one request per second (net/peer_resolver.hpp).
 inline constexpr std::uint64_t kLeftUs = 40'000'000;
 
 // A message to be sent.
@@ -68,12 +67,12 @@ class Server {
   [[nodiscard]] std::optional<Outgoing> receive(const net::Datagram& datagram,
                                                 std::uint64_t now_us);
 
-  // Advances the time, and returns a message if one is due. `told` is the ARP result for
-  // neighbour(), if there is one.
+  // Advances the time, and returns a message if one is due. `told` is the result of resolving
+  // neighbour() with ARP, if available.
   [[nodiscard]] std::optional<Outgoing> tick(std::uint64_t now_us,
                                              const std::optional<net::Told>& told);
 
-  // Returns the stop-offer message. The stop-offer must be the last message that is sent.
+  // Returns the stop-offer message, which must be the last message sent.
   [[nodiscard]] Outgoing withdraw();
 
   // Returns the host that ARP should resolve.

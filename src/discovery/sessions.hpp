@@ -15,7 +15,7 @@ struct Session {
   bool reboot = false;
 };
 
-// Numbers the messages sent to one kind of receiver.
+// Assigns session IDs to either all multicast messages or all unicast messages.
 class SessionCounter {
  public:
   [[nodiscard]] constexpr Session take() {
@@ -29,7 +29,7 @@ class SessionCounter {
   Session next_{.id = 1, .reboot = true};
 };
 
-// Monitors the sessions that a partner uses on one path, which is either unicast or multicast.
+// Tracks the session IDs of a communication partner on one path, either unicast or multicast.
 class SessionWatch {
  public:
   // Returns true if the partner has rebooted since its last message on this path.
