@@ -1,9 +1,10 @@
-// A basic belief assignment in which masses depend on the magnitude of an occupancy index. The
-// focal sets of the assignment are ignorance and either free or occupied. If there is no
-// assignment, all hits have the same mass, and so do all crossing beams (Gains).
+// A basic belief assignment whose masses depend on the magnitude of an occupancy index. An index
+// above 0 assigns mass to occupied, and an index below 0 assigns mass to free. The remaining mass
+// is ignorance. Without an assignment, all hits share one mass, and all crossing beams share
+// another (Gains).
 //
-// Masses are multiples of 1/128, rounded down. If the magnitude of an index exceeds kGradedIndexes
-// - 1, the index has the same mass as kGradedIndexes - 1.
+// Masses are multiples of 1/128, rounded down. Beyond a magnitude of `kGradedIndexes - 1`, the mass
+// of an index no longer changes.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,8 @@
 
 namespace iog::evidence {
 
-// The joined occupancy indexes of a group's cells in one frame. Index 0 means no evidence.
+// The occupancy indexes of a group's cells in one frame, joined from all parts of the frame. Index
+// 0 means no evidence.
 using Indexes = std::array<index::OccupancyIndex, kGroupCells>;
 
 inline constexpr std::size_t kGradedIndexes = 32;
@@ -32,18 +34,18 @@ struct alignas(32) Assignment {
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
-// This function is neither constexpr nor defined. If the function is called at compile time, the
-// compilation therefore fails with an error message that contains the function's name.
+// This function is neither constexpr nor defined. A call at compile time therefore causes a
+// compiler error that contains the function's name.
 void an_index_beyond_the_table_has_another_mass();
 
-// Returns floor(128 * mass) for 0 <= mass <= 1. The result is at most 127, to exclude full
+// Returns floor(128 * mass) for 0 <= mass <= 1. The result is capped at 127 to exclude full
 // certainty.
 consteval std::uint8_t mass_fraction(double mass) {
   return static_cast<std::uint8_t>(std::min(static_cast<int>(mass * kMassFraction), 127));
 }
 
-// According to Kurdej 2015, section 4.5.2.2, k echoes in a cell have a mass of 1 - 0.2^k. An index
-// of 2 corresponds to one echo.
+// According to Kurdej 2015, section 4.5.2.2, k echoes give a cell a mass of 1 - 0.2^k. An index of
+// 2 corresponds to one echo.
 consteval Assignment make_reinforced() {
   Assignment assignment{.free_by_time = -1};
   double doubt = 1;
@@ -55,10 +57,10 @@ consteval Assignment make_reinforced() {
 }
 inline constexpr Assignment kReinforced = make_reinforced();
 
-// The least committed mass with the pignistic probability p_n is |2 * p_n - 1|, clamped to 0.95.
-// This assignment is for comparison only. A hit with an index of +2 has less weight than a crossing
-// beam with an index of -14, so such a beam erases the hit. The compiler reports an error if index
-// kGradedIndexes - 1 does not reach a mass of 0.95.
+// For a pignistic probability p_n, the least committed mass is |2 * p_n - 1|, clamped to 0.95. This
+// assignment is for comparison only. A hit with an index of +2 has less weight than a crossing beam
+// with an index of -14, so the beam erases the hit. The compiler reports an error if the mass of
+// index `kGradedIndexes - 1` is below 0.95.
 consteval Assignment make_isopignistic(double epsilon) {
   constexpr double kCap = 0.95;
   const index::RecursiveSet set(epsilon);

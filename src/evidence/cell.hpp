@@ -89,9 +89,10 @@ constexpr Evidence evidence_of(index::OccupancyIndex index, const Gains& gains,
   return {.free = assignment.free[graded] * kUnit};
 }
 
-// Returns the masses after fusing the evidence. `c` is the conflict of a cell that was free and is
-// now occupied. If the object moved into the cell, c is added to {M}. Otherwise, c is added to O.
-// `x` is the conflict of a cell that was occupied and is now free, and is added to ignorance.
+// Returns the masses after fusing the evidence. `c` is the conflict in a cell that was free and is
+// now occupied. If the object moved into the cell, `c` is added to {M}. Otherwise, `c` is added to
+// O. `x` is the conflict in a cell that was occupied and is now free. The mass `x` is added to
+// ignorance.
 constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) {
   const std::int32_t ignorance = kCertain - cell.free - cell.taken();
   const std::int32_t not_free = complement(evidence.free);
@@ -105,8 +106,8 @@ constexpr Cell combined(const Cell& cell, const Evidence& evidence, bool moved) 
   return next;
 }
 
-// Returns the accumulator of a cell with the masses of `next` (Kurdej 2015, equations 5.5 and 5.6).
-// These masses do not include the conflict c + x.
+// Returns the accumulator of a cell after fusion (Kurdej 2015, equations 5.5 and 5.6). `next`
+// contains the fused masses and the old accumulator, and `conflict` is c + x.
 constexpr std::int32_t persistence_of(const Cell& next, std::int32_t conflict, const Gains& gains) {
   const std::int32_t taken = next.taken();
   const std::int32_t gain =
@@ -127,8 +128,7 @@ constexpr Cell specialised(const Cell& cell, const Gains& gains) {
   return next;
 }
 
-// Returns the new value of a cell after a frame with evidence for the cell. The cell must already
-// be aged.
+// Fuses a frame's evidence into a cell, and returns the result. The cell must already be aged.
 constexpr Cell fused(const Cell& cell, const Evidence& evidence, bool moved, const Gains& gains) {
   const std::int32_t conflict =
       product(cell.free, evidence.occupied) + product(cell.taken(), evidence.free);

@@ -1,6 +1,5 @@
-// Defines the effects of time on a cell, in units of 2^-15. These effects are the decay of the
-// cell's masses and the weight of a frame's evidence. `src/ageing` computes both from the
-// timestamps of frames.
+// Defines how fast the masses of a cell decay, and how much weight a frame's evidence has. All
+// values are in units of 2^-15. `src/ageing` computes them from the timestamps of frames.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +19,10 @@ struct alignas(16) Fading {
   friend constexpr bool operator==(const Fading&, const Fading&) = default;
 };
 
-// The factors that apply if the time is too long or unknown. All masses become 0.
+// The factors that apply if the elapsed time is too long or unknown. All masses become 0.
 inline constexpr Fading kForgotten{0, 0, 0, 0, 0};
 
-// The mass of a hit is 0.87, so that a hit outlasts one free frame of 40 ms.
+// A hit has a mass of 0.87, so it outlasts one 40 ms frame in which beams cross its cell.
 inline constexpr std::int16_t kHitMass = 111 * 256;
 
 // The weights of a group's evidence in one frame. Each weight is in the range 0 ... 32767.

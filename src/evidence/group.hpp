@@ -1,6 +1,6 @@
-// Defines the memory layout of a group, which consists of eight cells in a row of a tile. The free
-// masses are stored separately from the other masses. Most cells that beams cross have only free
-// mass, so their other masses are neither read nor written.
+// Defines the memory layout of a group, which consists of eight consecutive cells in a row of a
+// tile. The free masses are stored separately from the other masses. Most crossed cells have only
+// free mass, so their other masses are neither read nor written.
 //
 // Masses are in the range 0 ... 32767. The ignorance of a cell is 32767 minus the sum of its four
 // masses. In an unknown cell, all values are 0.

@@ -1,8 +1,8 @@
-// Provides sequential access, in memory order, to all masses of a group except F, with eight cells
-// per register.
+// Reads and writes all masses of a group except F, in memory order. Each register holds eight
+// cells.
 //
-// A single instruction can load a register and advance the pointer, but the compiler never selects
-// it. The compiler uses two half-register loads with offsets instead.
+// A single instruction can load a register and advance the pointer, but the compiler never emits
+// it. Instead, the compiler emits two half-register loads with offsets.
 #pragma once
 
 #include <arm_neon.h>

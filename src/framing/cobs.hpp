@@ -3,13 +3,13 @@
 //
 // A framed message is a sequence of blocks. A block consists of a code byte c from 1 to 255,
 // followed by c - 1 bytes that are not 0. Normally, a block represents its c - 1 bytes followed by
-// a 0. If c is 255, or if the block is the last one of the message, the block represents only its c
-// - 1 bytes. A zero byte ends the message.
+// a 0. If c is 255, or if the block is the last one in the message, the block represents only its
+// c - 1 bytes. A zero byte ends the message.
 //
 // Zero bytes occur only at the end of messages, so a receiver that loses synchronisation
 // resynchronises at the next 0. An empty message is encoded as the code byte 1. A receiver ignores
 // the second of two adjacent zeros. A sender may therefore start with a 0 to separate its message
-// from any bytes sent before.
+// from earlier bytes.
 #pragma once
 
 #include <cstddef>
@@ -22,9 +22,9 @@ namespace iog::framing {
 inline constexpr std::byte kDelimiter{0};
 inline constexpr std::size_t kMaxBlockBytes = 254;
 
-// Returns the maximum length of a framed message of `bytes` bytes. The frame consists of the
+// Returns the maximum length of the frame for a message of `bytes` bytes. The frame consists of the
 // message, at least one code byte, and the delimiter. Each group of 254 bytes, full or partial,
-// costs one code byte.
+// requires one code byte.
 [[nodiscard]] constexpr std::size_t max_framed_bytes(std::size_t bytes) {
   return bytes + bytes / kMaxBlockBytes + 2;
 }
@@ -44,7 +44,7 @@ class CobsDecoder {
   // Returns the message that `byte` completes, or std::nullopt if no message is complete.
   [[nodiscard]] std::optional<std::span<const std::byte>> decode(std::byte byte);
 
-  // The number of frames that ended within a block or were longer than the buffer.
+  // The number of frames that ended within a block or did not fit in the buffer.
   [[nodiscard]] std::uint32_t damaged() const { return damaged_; }
 
  private:

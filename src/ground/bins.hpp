@@ -1,7 +1,7 @@
-// The ground around a spinning lidar is stored in polar bins. Each turn has 256 sectors, whose
-// widths are counted in the azimuth steps of vehicle::AzimuthSteps. Each line of the sensor has 64
-// bins (docs/model.md section 5). A bin is 1,024 mm long. If the line is longer than 64 of these
-// bins, a bin is 2,048 mm long.
+// The ground around a spinning lidar is stored in polar bins. Each turn is divided into 256 equal
+// sectors, each of which spans a whole number of azimuth steps (vehicle::AzimuthSteps). Each line
+// of the sensor has 64 bins (docs/model.md section 5). A bin is 1,024 mm long, or 2,048 mm if the
+// line is longer than 65,536 mm.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class Bins {
   // Returns the base-2 logarithm of a bin's length in mm.
   [[nodiscard]] constexpr int shift() const { return shift_; }
   [[nodiscard]] constexpr std::uint32_t length_mm() const { return std::uint32_t{1} << shift_; }
-  // Returns the bin at a given distance along a line. If the result is kBins or more, the distance
+  // Returns the bin at a given distance along a line. The result is kBins or more if the distance
   // is beyond the last bin.
   [[nodiscard]] constexpr std::uint32_t bin_of(std::uint32_t along_mm) const {
     return along_mm >> shift_;
@@ -36,8 +36,8 @@ class Bins {
   [[nodiscard]] constexpr std::int32_t rise_of_bin(std::int32_t per_1024_mm) const {
     return per_1024_mm << (shift_ - kShortShift);
   }
-  // Returns the maximum plausible height of the ground above or below the car's plane. The limit is
-  // 0.3 m plus the rise of a slope of 12.4 degrees, and is at most 14 m.
+  // Returns the maximum plausible height of the ground above or below the car's plane. This limit
+  // is 0.3 m plus the rise of a 12.4-degree slope up to the end of the bin, but at most 14 m.
   [[nodiscard]] constexpr std::int32_t most_plausible_mm(std::uint32_t bin) const {
     return std::min(300 + rise_of_bin(225) * static_cast<std::int32_t>(bin + 1), kMostPlausibleMm);
   }

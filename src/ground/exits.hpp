@@ -1,13 +1,14 @@
 // Stores the exit range of each layer in each sector. The exit range of a beam is the distance over
-// which the beam stays between the two height limits above the ground. A beam can free cells only
-// up to its exit range (docs/ground.md, "What is freed").
+// which the beam stays between two height limits above the ground. A beam frees cells only up to
+// its exit range (docs/ground.md, "What is freed").
 //
-// A beam that starts between the limits crosses either the lower limit, where it comes too close to
-// the ground, or the upper limit, where it is too high above the ground. If two beams cross the
-// lower limit, the beam with the higher elevation crosses it farther from the sensor. If two beams
-// cross the upper limit, the beam with the higher elevation crosses it nearer to the sensor. One
-// outward sweep per limit is therefore enough to find the exit ranges of all layers of a sector.
-// Each sweep produces a sorted list. The two lists are merged to sort the layers by exit range.
+// A beam that starts between the limits can leave at either one: at the lower limit, it comes too
+// close to the ground, and at the upper limit, it rises too high above the ground. Of two beams
+// that cross the lower limit, the one with the higher elevation crosses it farther from the sensor.
+// Of two beams that cross the upper limit, the one with the higher elevation crosses it nearer to
+// the sensor. One outward sweep per limit is therefore enough to find the exit ranges of all layers
+// of a sector. Each sweep produces a sorted list. The two lists are merged to sort the layers by
+// exit range.
 #pragma once
 
 #include <array>
@@ -27,13 +28,13 @@ class Exits {
   // The sensor must be level, and its lines must be at most 131,070 mm long.
   void find(const Beams& beams, Limits limits, const Surface& surface);
 
-  // Returns the exit range of a beam. The exit range is the distance along the beam's line at which
-  // the beam leaves the limits. This distance is rounded down to a multiple of 2 mm and is at most
-  // the line's length.
+  // Returns the exit range of a beam, as a distance along the beam's line. The distance is rounded
+  // down to a multiple of 2 mm and is at most the line's length.
   [[nodiscard]] std::uint32_t to_mm(std::uint32_t sector, std::size_t layer) const {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
-  // Returns the layer with this rank in a sector. Layers are ranked by descending exit range.
+  // Returns the layer that has the given rank in a sector. Layers are ranked by descending exit
+  // range.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }
@@ -42,8 +43,8 @@ class Exits {
   }
 
  private:
-  // Entry i contains the exit range and the rank of layer i, because both are needed for each
-  // return. Entry i also contains the layer whose rank is i.
+  // Entry i stores the exit range of layer i next to the layer's rank, because both are read for
+  // every return. Entry i also stores the layer that has rank i.
   struct Exit {
     std::uint16_t to_2_mm = 0;
     std::uint8_t rank = 0;

@@ -1,10 +1,10 @@
-// The ground around each ground-following sensor of a vehicle. The ground is constant while the
-// packets of a frame are processed, and it is updated between two frames.
+// The ground around each ground-following sensor of a vehicle. The ground stays constant while a
+// frame's packets are processed, and it is updated between two frames.
 //
 // A frame can be shorter than a turn. At the end of a frame, a sensor's surface is updated if the
-// ticks swept since the last update add up to at least one complete scan. The time of the update
-// therefore depends only on the set of packets in each frame, and not on the order of the packets
-// or on the cores that fuse them.
+// ticks swept since the last update add up to at least one complete scan. The timing of the update
+// therefore depends only on which packets each frame contains, and not on their order or on the
+// cores that fuse them.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@
 
 namespace iog::ground {
 
-// The slope of a beam, and the ranges at which it hits the car itself. Both properties are needed
-// for a sample.
+// The slope of a beam, and the ranges at which it hits the car itself. Both are needed to convert a
+// return to a Sample.
 struct Ray {
   vehicle::Ranges on_car;
   Slope slope = 0;
@@ -40,19 +40,19 @@ class Ground {
  public:
   Ground() = default;
   // The sensor must be a spinning lidar that follows the ground, and it must outlive this object.
-  // The ground is flat at first.
+  // The ground is initially flat.
   void begin(const vehicle::Sensor& sensor);
 
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // Returns the distances at which beams leave the height limits. The distances are valid only for
-  // sensors whose layers share lines.
+  // Returns the exit ranges of all beams. These ranges are valid only for sensors whose layers
+  // share lines.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
-  // Returns the part of a beam that is low enough to open cells, as distances along the beam's
+  // Returns the part of a beam that is low enough to open cells, as two distances along the beam's
   // line. If all beams are low, this part is the entire line. If the sensor's layers share lines,
-  // this part ends at the exit range of the beam.
+  // this part extends at most to the beam's exit range.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
     const std::uint32_t exit_mm =
         sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
@@ -66,12 +66,12 @@ class Ground {
   [[nodiscard]] std::uint32_t low_from_mm(std::uint32_t sector, std::size_t layer) const {
     return is_always_low_ ? 0 : low_beams_.at(sector, layer).from_mm;
   }
-  // Returns the minimum height of a tall return above the highest ground nearby. For example, a
-  // return within two bins of a bank is compared with the height of the bank, not with the lower
-  // ground in front of it. If the value is 0, every return is tall.
+  // Returns how far above the highest ground nearby a return must be to count as tall. For example,
+  // a return within two bins of a bank is compared with the height of the bank, not with the lower
+  // ground in front of it. If the result is 0, every return is tall.
   [[nodiscard]] std::int32_t tall_mm() const { return tall_mm_; }
 
-  // Returns the tilt of the car as measured by one packet of the sensor. `Packet` must have
+  // Returns the tilt of the car, estimated from one packet of the sensor. `Packet` must have
   // for_each_sample(). `ray_of(step, point)` returns the Ray of a point at an azimuth step.
   template <typename Packet, typename RayOf>
   [[nodiscard]] Tilt tilt_of(const vehicle::Sensor& sensor, const Packet& packet,
@@ -112,16 +112,16 @@ class Ground {
   LowBeams low_beams_;  // not used if all beams are low
 };
 
-// A return more than kMostOffPlaneMm above or below the car's plane never counts as tall. A return
-// is assigned to a cell by its projection onto the car's plane. If the car tilts by 2 degrees, the
-// projection of a return this far from the plane moves by more than one cell, and a static object
+// A return more than kMostOffPlaneMm above or below the car's plane never counts as tall. Returns
+// are projected onto the car's plane to find their cells. If the car tilts by 2 degrees, the
+// projection of a return this far from the plane moves by more than one cell, so a static object
 // would appear to approach.
 inline constexpr std::int32_t kMostOffPlaneMm = 3'000;
 
 // Classifies the returns of one packet.
 class PacketJudge {
  public:
-  // `ground` and `lows` must outlive this object. `tilt` is the tilt of the packet.
+  // `ground` and `lows` must outlive this object. `tilt` is the tilt estimated from the packet.
   PacketJudge(const Ground& ground, Lows& lows, Tilt tilt)
       : beams_(&ground.beams()),
         surface_(&ground.surface()),
@@ -130,7 +130,7 @@ class PacketJudge {
         tall_mm_(ground.tall_mm()),
         tilt_(tilt) {}
 
-  // The result of judge(). `judge()` adds a return to the lows, and classifies it by its height
+  // The result of judge(). `judge()` adds a return to the lows and classifies it by its height
   // above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return above
   // the car's plane.
   struct Judged {
@@ -142,8 +142,8 @@ class PacketJudge {
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
     const std::int32_t over = surface_->height_over(bins, sector, out_mm, z_level_mm);
-    // The ground at the return is never higher than the highest ground nearby. Most returns can
-    // therefore be rejected using only their height above the ground directly below them.
+    // The ground directly below a return is never higher than the highest ground nearby. Most
+    // returns can therefore be rejected by their height above the ground directly below them.
     const bool is_tall = over >= tall_mm_ &&
                          (tall_mm_ == 0 || (z_mm >= -kMostOffPlaneMm && z_mm <= kMostOffPlaneMm &&
                                             surface_->height_over_near(bins, sector, out_mm,
@@ -173,8 +173,8 @@ class Grounds {
   // The vehicle must outlive this object.
   explicit Grounds(const vehicle::Vehicle& vehicle);
 
-  // Returns the index of a sensor among the ground-following sensors. Returns std::nullopt if the
-  // sensor does not follow the ground.
+  // Returns the index of a sensor among the ground-following sensors, or std::nullopt if the sensor
+  // does not follow the ground.
   [[nodiscard]] std::optional<std::size_t> place_of(std::size_t sensor) const {
     const std::uint8_t place = places_[sensor];
     return place == kNone ? std::nullopt : std::optional<std::size_t>(place);
@@ -203,7 +203,7 @@ class Grounds {
 
  private:
   // If a sensor has been silent for kForgottenUs, the car may have moved to a different place. This
-  // time is counted in frame periods.
+  // time is measured in whole frame periods.
   static constexpr std::uint64_t kForgottenUs = 1'000'000;
 
   struct Turn {

@@ -1,16 +1,16 @@
-// Computes the part of each beam that is close to the ground. A hit counts as moving only if a low
-// beam freed its cell earlier (docs/perception.md, section 4).
+// Computes the part of each beam that is close to the ground. A hit counts as motion only if a low
+// beam has already freed its cell (docs/perception.md, section 4).
 //
-// The height of the ground below a beam is known only per bin. If a bank rises from one bin to the
-// next, a beam would be considered low above the foot of the bank as well as above the top. A hit
-// between the foot and the top would then appear to be motion. The height of a beam is therefore
-// measured from the lowest ground nearby, and the height of a tall return is measured from the
+// The height of the ground below a beam is known only at the resolution of the bins. Where a bank
+// rises from one bin to the next, a beam would count as low both above the foot of the bank and
+// above its top. A hit between the foot and the top would then appear to be motion. Beam heights
+// are therefore measured from the lowest ground nearby, and the heights of tall returns from the
 // highest ground nearby.
 //
-// The part of a beam that is less than MovedLimits::kUnderCarsMm above the ground does not open
-// cells. This part of the beam may pass under a parked car, and the next beam may hit the body of
-// the parked car. The rule does not apply to a sensor that is mounted at most kUnderCarsMm above
-// our car's plane, because all beams of this sensor start below this height.
+// A beam stops opening cells where it first comes within MovedLimits::kUnderCarsMm of the ground.
+// From there on, it may pass under a parked car, and the next beam may hit the body of this car.
+// The rule does not apply to sensors that are mounted at most kUnderCarsMm above the car's plane,
+// because all of their beams start below this height.
 #pragma once
 
 #include <array>
@@ -26,22 +26,21 @@ namespace iog::ground {
 
 class LowBeams {
  public:
-  // The part of a beam that is low, as distances along the beam's line. Both distances are rounded
-  // down to multiples of 2 mm and are at most the line's length. The part is empty if from_mm >=
-  // to_mm.
+  // The low part of a beam, as two distances along the beam's line. Both distances are rounded down
+  // to multiples of 2 mm and are at most the line's length. The part is empty if from_mm >= to_mm.
   struct Stretch {
     std::uint32_t from_mm = 0;
     std::uint32_t to_mm = 0;
   };
 
   // The sensor's lines must be at most 131,070 mm long. For a tilted sensor, the beams in the
-  // middle of a sector represent all beams of the sector.
+  // middle of each sector represent all of the sector's beams.
   void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
             const Surface& surface);
 
-  // Returns the part of a beam that is low. If the sensor is mounted higher than low_mm above the
-  // car's plane, this part starts where the beam descends to low_mm. Otherwise, the low part
-  // extends from the start of the beam to the point where the beam rises above low_mm.
+  // Returns the low part of a beam. If the sensor is mounted more than low_mm above the car's
+  // plane, this part starts where the beam descends to low_mm. Otherwise, the low part extends from
+  // the start of the beam to the point where the beam rises above low_mm.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

@@ -1,10 +1,9 @@
-// The lowest return in each bin during one turn of a sensor. Only returns that can be ground are
-// included.
+// The lowest return in each bin during one turn of a sensor. Returns that are too low to be ground
+// are ignored.
 //
 // A minimum does not depend on the order of its inputs or on duplicates. The lows therefore do not
 // depend on the order of packets, on duplicates, or on which core processes a packet. A forged
-// return can only lower the value of its bin, and only to a plausible height, because returns below
-// this height are ignored.
+// return can only lower the value of its bin, and never below the lowest plausible height.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +17,7 @@ namespace iog::ground {
 
 class Lows {
  public:
-  // The value kNothing, which is higher than every valid return, means that a bin has no return.
+  // kNothing marks a bin without returns, and is higher than every valid return.
   static constexpr std::int16_t kNothing = 32767;
   // A ring contains one value per sector.
   using Ring = std::array<std::int16_t, kSectors>;
@@ -31,8 +30,8 @@ class Lows {
     }
   }
 
-  // Adds a return, given by its sector (< kSectors), its distance along the line and its height
-  // above the car's plane. A return beyond the last bin is ignored.
+  // Adds a return. `sector` must be below kSectors, `along_mm` is the distance along the line, and
+  // `z_mm` is the height above the car's plane. A return beyond the last bin is ignored.
   void add(Bins bins, std::uint32_t sector, std::uint32_t along_mm, std::int32_t z_mm) {
     const std::uint32_t bin = bins.bin_of(along_mm);
     if (bin < kBins) {

@@ -1,13 +1,13 @@
-// Computes where the beams of a sector exceed a height limit above the ground.
+// Computes where the beams of a sector cross a height limit above the ground.
 //
 // Ranges: The clearance of a beam (called `room` in the code) is the difference between its height
 // and the limit. Heights are in units of 2^-14 mm, so a slope in units of 2^-24 equals the rise per
 // 1,024 mm. A beam rises or falls by at most R = 2*57.3*2^24 per bin. At the start of a bin, the
 // clearance is at most 64*R plus 2^17 mm, which is below 2^37. Within a bin, the ground rises or
 // falls by at most 46,000 mm, so the clearance changes by at most R plus 46,000 mm, which is below
-// 2^32. The divisor therefore has 32 bits, and the dividend is less than 2^32 times half a bin. If
-// a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins), its clearance is at
-// most 64 times 2^24 plus 2^16 mm, so it fits in one word.
+// 2^32. The divisor therefore fits in 32 bits, and the dividend is less than 2^32 times half the
+// length of a bin. If a beam rises by at most 2^24 per bin (a slope of 1, or 1/2 in long bins), its
+// clearance is less than 64*2^24 plus 2^16 mm, so it fits in one word.
 #pragma once
 
 #include <algorithm>
@@ -21,11 +21,11 @@
 
 namespace iog::ground {
 
-// The side on which beams exceed the limits.
+// Specifies whether beams drop below a limit or rise above it.
 enum class Side : std::int8_t { kBelow = 1, kAbove = -1 };
 
-// The ground of a sector, for beams that exceed the limit on one side. Call leave() once for each
-// beam, in the order in which the beams exceed the limit.
+// The ground of a sector, for beams that cross a height limit in one direction. Call leave() once
+// for each beam, in the order in which the beams cross the limit.
 class Outlook {
  public:
   Outlook(const Beams& beams, const Surface::Row& row, std::int32_t limit_mm, Side side)
@@ -39,9 +39,9 @@ class Outlook {
                           : -1),
         is_out_(sign_ * (start_mm_ - row[0]) < 0) {}
 
-  // Returns the distance at which a beam of this slope exceeds the limit, rounded down to a
+  // Returns the distance at which a beam of this slope crosses the limit, rounded down to a
   // multiple of 2 mm. The distance is at most the line's length. The search starts in the bin in
-  // which the previous beam exceeded the limit.
+  // which the previous beam crossed the limit.
   [[nodiscard]] std::uint32_t leave(Slope slope) {
     if (is_out_) {
       return 0;
@@ -58,8 +58,8 @@ class Outlook {
   static constexpr std::int32_t kMostRiseOfWord = 1 << 24;
   static constexpr std::int32_t kMostStartOfWord = 32'767;
 
-  // Returns the clearance at the start of a bin. If the clearance is negative, the beam has
-  // exceeded the limit.
+  // Returns the clearance at the start of a bin. If the clearance is negative, the beam has crossed
+  // the limit.
   template <typename Word>
   [[nodiscard]] Word room(std::size_t bin, Word rise) const {
     const std::int32_t mm = sign_ * (start_mm_ - (*row_)[bin]);

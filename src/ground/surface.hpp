@@ -1,5 +1,5 @@
-// The height of the ground around a spinning sensor. The returns of a turn are classified by their
-// heights above this surface.
+// The height of the ground around a spinning sensor. Returns are classified by their height above
+// this surface.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace iog::ground {
 class Surface {
  public:
   // The heights above the car's plane, in mm, at the start of each bin and at the end of the last
-  // bin. Between adjacent points, the ground is a straight line.
+  // bin. The ground between two adjacent points is a straight line.
   static constexpr std::size_t kStarts = kBins + 1;
   using Row = std::array<std::int16_t, kStarts>;
   static constexpr std::int32_t kMost = 32'000;  // maximum magnitude of any height
   static constexpr std::size_t kNearBins = 2;
 
-  // If a sector has no returns, its row is kept for this many consecutive turns, and is then reset.
+  // If a sector has no returns, its row is kept for this many consecutive turns and then reset.
   static constexpr std::uint8_t kMostTurnsKept = 10;
 
   // Specifies where the heights in a sector's row come from.
@@ -31,11 +31,11 @@ class Surface {
   };
 
   // Converts a return's height above the car's plane to its height above the ground. Beyond the
-  // last bin, the ground is extrapolated with the slope of this bin, up to kBeyondMm from the start
-  // of the bin.
+  // last bin, the ground is extrapolated with the slope of this bin, up to kBeyondMm from the bin's
+  // start.
   //
-  // Ranges: the heights at two bin starts differ by at most 2^16, and the fraction of a bin is at
-  // most 2^14, so their product is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
+  // Ranges: the heights at two bin starts differ by at most 2^16, and `part_mm` is at most 2^14, so
+  // the product of the two is at most 2^30. If |z_mm| <= 2^20, the result is below 2^21.
   [[nodiscard]] std::int32_t height_over(Bins bins, std::uint32_t sector, std::uint32_t along_mm,
                                          std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -44,8 +44,8 @@ class Surface {
   }
 
   // Returns the height of a return above the highest ground nearby. To find the highest ground
-  // nearby, the height at each bin start is raised to the greatest height within kNearBins bins on
-  // either side.
+  // nearby, the height at each bin start is raised to the maximum within kNearBins bins on either
+  // side.
   [[nodiscard]] std::int32_t height_over_near(Bins bins, std::uint32_t sector,
                                               std::uint32_t along_mm, std::int32_t z_mm) const {
     const Place at = place_of(bins, along_mm);
@@ -60,9 +60,9 @@ class Surface {
   }
 
   // Returns the lowest ground nearby. To find the lowest ground nearby, the height at each bin
-  // start is lowered to the smallest height within kNearBins bins. Height differences due to a
-  // constant slope are ignored, so ground with a constant slope is not lowered. A height is never
-  // lowered below the smallest height within kNearBins bins.
+  // start is lowered to the minimum within kNearBins bins on either side. Height differences due to
+  // a constant slope are ignored, so evenly sloping ground is not lowered. No height is lowered
+  // below the minimum within kNearBins bins.
   [[nodiscard]] Row lowest_near(std::size_t sector) const;
 
   [[nodiscard]] const Row& row(std::size_t sector) const { return rows_[sector]; }
@@ -77,7 +77,7 @@ class Surface {
     turns_kept_[sector] = 0;
     return rows_[sector];
   }
-  // Ends a turn in which the sector had no returns.
+  // Keeps or resets the row of a sector that had no returns in this turn.
   void keep(std::size_t sector);
   // Resets all rows to the car's plane.
   void forget();

@@ -3,22 +3,22 @@
 //
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than the slope
-// predicts. In addition, the first ground in a sector must be close to the car's plane or no more
-// than slightly above the surface of the previous turn. If the first ground is far away and high,
-// the height steps that follow must be small. A lowest return far below the prediction is always
-// ground, because whatever was taken for ground before must have been an object. A lowest return is
-// also ground if it is not much higher than the lowest return in the nearest adjacent sectors. A
-// bin without its own ground uses the mean ground of the nearest adjacent sectors if this mean is
-// close to the prediction. Otherwise, its ground is interpolated between the nearest bins with
-// ground.
+// predicts. The first ground in a sector must instead be close to the car's plane, or at most
+// slightly above the surface of the previous turn. After a first ground that is far away and high,
+// only small height steps are accepted until the ground is confirmed. A lowest return far below the
+// prediction is always accepted as ground, because the ground found earlier must have been an
+// object. A lowest return that is too high still counts as ground if it is at most slightly above
+// the ground in a nearby sector. A bin without its own ground takes the mean ground of the nearest
+// sectors on either side, provided that this mean is close to the prediction. Otherwise, its ground
+// is interpolated between the nearest bins with ground.
 //
 // To suppress mirror images below the road, each height is the median of three sectors. In
-// addition, the surface is at most 150 mm above the lowest return of each bin. A return whose
-// height above the bin's lowest return exceeds 150 mm + Limits::low_mm is therefore never
-// classified as ground. Other returns, real or forged, can never prevent such a return from being
-// classified correctly.
+// addition, the surface is at most 150 mm above the lowest return of each bin. A return more than
+// `150 mm + Limits::low_mm` above the lowest return of its bin is therefore never classified as
+// ground. No other return, real or forged, can change this.
 //
-// Eight sectors are processed in parallel in each register. A ring contains one bin of each sector.
+// Each register holds eight sectors, which are processed in parallel. A ring contains the same bin
+// of every sector.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ inline constexpr std::int32_t kMostOverLowestMm = 150;
 
 class SurfaceWalk {
  public:
-  // Ends a turn. Updates the rows of sectors that had returns, and keeps the other rows.
+  // Ends a turn. Updates the rows of sectors that had returns, and keeps or resets the other rows.
   void close_turn(Bins bins, const Lows& lows, Surface& surface);
 
  private:
@@ -60,13 +60,14 @@ class SurfaceWalk {
   // previous turn. `find_starts()` converts the ground to heights at the start of each bin and at
   // the end of the last bin.
   std::array<Ring, Surface::kStarts> ground_{};
-  // The current state of each sector's walk. The state consists of the height, the slope in mm per
-  // bin, and the bin. The bin is -1 until the first ground in the sector is found.
+  // The current state of each sector's walk: the height of the last ground found, the slope in mm
+  // per bin, and the last bin with ground. This bin is -1 until the first ground in the sector is
+  // found.
   Ring height_{};
   Ring slope_{};
   Ring last_{};
   Ring doubt_{};  // own grounds that are still needed before steps may be large
-  // The state of the current bin. The value Lows::kNothing means that a bin has no value.
+  // The state of the current bin. The value Lows::kNothing means that there is no value.
   Ring low_{};       // lowest plausible return
   Ring expected_{};  // expected height of the ground
   Ring most_{};      // maximum height above the expected ground at which a return is still ground

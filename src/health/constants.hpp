@@ -1,9 +1,9 @@
-// Visits the constants of a class. Constants are members that are set at start-up and then never
-// change, although they are stored between data that changes. Each constant is a region of the
-// memory check (health/memory_check.hpp).
+// Visits the constants of a class. Constants are members that are set at start-up and never change
+// afterwards, even though they are stored next to data that changes. The memory check treats each
+// constant as a region (health/memory_check.hpp).
 //
 // A class with constants has a member function for_each_constant(visit), which calls visit(bytes)
-// for each of its constants, including the constants of its members.
+// for each of its constants, including those of its members.
 #pragma once
 
 #include <span>

@@ -13,7 +13,7 @@ namespace iog::health {
 
 struct Durations {
   // The first bucket counts durations below 256 us. The upper limit doubles with each bucket. The
-  // last bucket counts all durations of at least 65,536 us.
+  // last bucket counts durations of at least 65,536 us.
   static constexpr std::size_t kBuckets = 10;
   static constexpr std::uint32_t kFirstBelowUs = 256;
 
