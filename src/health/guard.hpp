@@ -1,10 +1,10 @@
-// Guard words surround memory that many components write, such as grids or the rings of a DMA
-// engine. No code writes guard words after start-up, so a changed value indicates an overrun. Guard
-// words protect adjacent memory where an unmapped page is not possible. The memory check treats
-// guard words as regions (health/memory_check.hpp).
+// Guard words surround memory that many components write to, such as grids or DMA rings. No code
+// writes guard words after start-up, so a changed value indicates an overrun. Guard words are used
+// where an unmapped page cannot protect the adjacent memory. The memory check covers guard words
+// like other constant memory (health/memory_check.hpp).
 //
-// A class with guards has a member function for_each_guard(visit), which calls visit(guard) for
-// each of its guards, including the guards of its members, from low to high addresses.
+// A class with guards has a member function for_each_guard(visit). This function calls visit(guard)
+// for each guard of the object and its members, in ascending order of address.
 #pragma once
 
 #include <array>

@@ -1,10 +1,9 @@
 // Checks that constant memory has not changed. The check reads the memory cyclically in small
-// slices. Once per round, it compares the CRC-32 of each region with the stored CRC-32 of the
-// region.
+// slices. Once per round, it compares each region's CRC-32 with the stored value.
 //
-// A slice is 1,408 bytes long, which is one block of checksum/crc32.hpp. Slices are spread evenly
-// over a round. The load therefore depends on the number of bytes, but not on the loop period. If
-// the loop is late, each call catches up by a limited number of slices.
+// A slice is one CRC block of 1,408 bytes (checksum/crc32.hpp). Slices are spread evenly over a
+// round. The load therefore depends on the number of bytes, not on the loop period. If the loop is
+// late, a call checks several slices, up to kMostSlices.
 #pragma once
 
 #include <cstddef>
@@ -28,13 +27,13 @@ struct Region {
 class MemoryCheck {
  public:
   static constexpr std::size_t kSliceBytes = 1408;
-  // The duration of a round if the loop runs on time. A round takes longer if more than one slice
-  // per millisecond would otherwise be due. If all bytes are read from DDR and each byte takes 4
+  // The duration of a round if the loop runs on time. At most one slice is due per millisecond, so
+  // a round with many slices takes longer. If all bytes are read from DDR and each byte takes 4
   // cycles, the load is 0.7 % of a 792 MHz core.
   static constexpr std::uint64_t kRoundUs = 2'000'000;
   static constexpr std::uint64_t kLeastIntervalUs = 1000;
-  // The maximum number of slices per step. Checking their 45 KB takes a quarter of a millisecond at
-  // 4 cycles per byte and 792 MHz.
+  // The maximum number of slices per step. Checking the maximum number of slices (45 KB) takes a
+  // quarter of a millisecond at 4 cycles per byte and 792 MHz.
   static constexpr std::size_t kMostSlices = 32;
 
   // The regions and their bytes must outlive the check. `regions` may be empty.
@@ -43,8 +42,8 @@ class MemoryCheck {
   // Checks all regions at once. Returns the index of the first changed region, if any.
   [[nodiscard]] std::optional<std::size_t> look_at_all() const;
 
-  // Checks the slices that are due. If a slice completes the check of a region that has changed,
-  // returns the index of this region. The first call only sets the start time.
+  // Checks the slices that are due. Returns the index of a region if its last slice was checked and
+  // the region has changed. The first call only sets the start time.
   [[nodiscard]] std::optional<std::size_t> step(std::uint64_t now_us);
 
   // Returns the number of complete rounds, modulo 2^32.
@@ -54,7 +53,7 @@ class MemoryCheck {
   [[nodiscard]] std::size_t slices() const { return slices_; }
 
  private:
-  // Returns false if the slice completes a region that has changed.
+  // Returns false if the slice is the last one of a changed region.
   bool look_at_next_slice();
 
   std::span<const Region> regions_;

@@ -23,7 +23,7 @@ class Supervision {
  public:
   using Checkpoints = std::array<Checkpoint, kCount>;
 
-  // Starts in the same state as if all checkpoints had just reported.
+  // Starts as if all checkpoints had just reported.
   Supervision(const Checkpoints& checkpoints, std::uint64_t now_us) : checkpoints_(checkpoints) {
     seen_us_.fill(now_us);
   }

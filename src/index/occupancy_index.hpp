@@ -25,8 +25,8 @@ inline constexpr Cell kIndexMin = -kIndexMax<Cell>;
 inline constexpr OccupancyIndex kUnknown = 0;
 
 // Fuses two indexes (docs/model.md section 2). The result is the sum of the two indexes. For int8,
-// the sum saturates at +-127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell types up
-// to int32, the sum fits into 64 bits.
+// the sum saturates at -127 and 127. Both arguments must lie in [kIndexMin, kIndexMax]. For cell
+// types up to int32, the sum fits in 64 bits.
 template <std::signed_integral Cell>
 requires(sizeof(Cell) <= 4) constexpr Cell sat_add(Cell a, Cell b) {
   using Wide = std::conditional_t<(sizeof(Cell) < 4), std::int32_t, std::int64_t>;
@@ -41,8 +41,8 @@ requires(sizeof(Cell) <= 2) constexpr Cell sat_lower(Cell a, std::int32_t not_po
   return static_cast<Cell>(std::max<std::int32_t>(a + not_positive, kIndexMin<Cell>));
 }
 
-// Converts a carved byte to an index. A carved byte saturates at -128, the minimum of int8. This
-// value becomes -127.
+// Converts the result of carving to an index. Carving saturates bytes at -128, the minimum of int8.
+// This value becomes -127.
 constexpr OccupancyIndex raised(std::int8_t carved) {
   return std::max<OccupancyIndex>(carved, kIndexMin<OccupancyIndex>);
 }

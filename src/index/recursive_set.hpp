@@ -1,8 +1,9 @@
 // The recursive set S_epsilon, and the quantisation of a probability to an element of this set
 // (docs/model.md section 2, thesis section 3.3.3).
 //
-// The probabilities of the set are p_n = 1 / (1 + ((1/2 - eps) / (1/2 + eps))^n). The log-odds of
-// p_n equal n times the log-odds of p_1, so fusion is a sum of indexes.
+// The probabilities of the set are `p_n = 1 / (1 + ((1/2 - epsilon) / (1/2 + epsilon))^n)`. The
+// log-odds of p_n are n times the log-odds of p_1, so fusing probabilities means adding their
+// indexes.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,7 @@ enum class Quantisation : std::uint8_t {
 
 class RecursiveSet {
  public:
-  // `epsilon` is half the width of the interval around 1/2 between p_-1 and p_1. `epsilon` must be
-  // above 0 and below 1/2.
+  // `epsilon` is the difference between p_1 and 1/2. `epsilon` must be above 0 and below 1/2.
   constexpr explicit RecursiveSet(double epsilon) : ratio_((0.5 - epsilon) / (0.5 + epsilon)) {}
 
   // Returns p_n, for |n| up to a few million.
@@ -45,8 +45,8 @@ class RecursiveSet {
   }
 
  private:
-  // Returns the n with p_n <= probability < p_(n+1). The function estimates n from the log-odds,
-  // and then corrects the estimate by comparison.
+  // Returns the n for which `p_n <= probability < p_(n+1)`. The function estimates n from the
+  // log-odds, and then corrects the estimate by comparison.
   [[nodiscard]] constexpr std::int32_t floor_index(double probability) const {
     const double estimate = numeric::log(probability / (1 - probability)) / -numeric::log(ratio_);
     auto n = static_cast<std::int32_t>(estimate);

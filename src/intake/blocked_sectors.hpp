@@ -1,26 +1,26 @@
 // Detects blocked sectors. In a blocked sector, a sensor gets almost no returns, although returns
-// are expected. The reason may be a cap, ice or mud on the sensor's window, or a defect. Beams into
-// the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore evaluated
-// using only those beams for which a return is expected. There are ground, sky, level and open
-// sectors.
+// are expected. Possible causes are a cap, ice or mud on the sensor's window, and sensor defects.
+// Beams into the open sky have no returns either. Each sector (watched_sectors.hpp) is therefore
+// evaluated using only those beams for which a return is expected. There are ground, sky, level and
+// open sectors.
 //
 // Ground sectors are the sectors of a spinning lidar with ground beams. Ground beams meet the car's
-// plane within 20 m and with a slope of at least 1 in 16. A running mean tracks the fraction of a
-// ground sector's ground beams that have a return. Each turn updates the running mean with a weight
-// of 1/32. A ground sector becomes blocked after a turn in which fewer than one sixteenth of its
-// ground beams have a return. If the running mean is below one quarter, the sector becomes blocked
-// only if fewer than one sixteenth of all its beams have a return. A ground sector is unblocked
-// after three turns in which at least one eighth of its ground beams have a return. If the running
-// mean is below one quarter, it is enough that at least one eighth of all the sector's beams have a
-// return.
+// plane within 20 m and with a slope of at least 1 in 16. For each ground sector, a running mean
+// tracks the fraction of ground beams that have a return. Each turn updates the running mean with a
+// weight of 1/32. A ground sector becomes blocked after a turn in which fewer than one sixteenth of
+// its ground beams have a return. If the running mean is below one quarter, the sector becomes
+// blocked only if fewer than one sixteenth of all its beams have a return. A ground sector is
+// unblocked after three turns in which at least one eighth of its ground beams have a return. If
+// the running mean is below one quarter, a turn also counts if at least one eighth of all beams in
+// the sector have a return.
 //
-// Sky sectors are the other sectors of a spinning lidar. Sky sectors are blocked while all ground
-// sectors of the lidar are blocked.
+// Sky sectors are the other sectors of a unit that has ground or level sectors. Sky sectors are
+// blocked while all ground and level sectors of the unit are blocked.
 //
-// Level sectors belong to units that do not spin or have no ground beams. At least one beam of each
-// level sector meets the car's plane within the unit's range. A level sector becomes blocked after
-// 32 scans without a return, and is unblocked after two scans with a return. After three scans
-// without any return, all sectors of the unit are reported as blocked.
+// Level sectors belong to units that do not spin or have no ground beams. In each level sector, at
+// least one beam meets the car's plane within the unit's range. A level sector becomes blocked
+// after 32 scans without a return, and is unblocked after two scans with a return. After three
+// scans without any return, all sectors of the unit are reported as blocked.
 //
 // If no beam of a unit meets the car's plane within the unit's range, all sectors of the unit are
 // open sectors. An example is a level 2D scanner. In open sectors, only beams that have an echo are
@@ -93,17 +93,18 @@ class BlockedSectors {
     std::uint64_t blocked = 0;
   };
 
-  // Returns the state after the current frame. The arguments are the number of ticks and the set of
-  // sectors that the sensor has swept in the current frame.
+  // Returns the state after the current frame. In this frame, the sensor has swept `swept_ticks`
+  // ticks and the sectors in `swept`.
   [[nodiscard]] State after_frame(std::uint32_t swept_ticks, std::uint64_t swept) const;
   // Ends the frame.
   void end_frame(std::uint32_t swept_ticks, std::uint64_t swept);
 
-  // Returns the azimuths of a packet at which a missing return is not evidence of free space. At
-  // such an azimuth, the sector was blocked in earlier frames, the packet has no evaluated beams,
-  // or fewer than one sixteenth of the packet's evaluated beams have a return. In an open sector, a
-  // lack of evaluated beams is ignored. The result also includes the 1/256 turn on either side of
-  // each such azimuth.
+  // Returns the silent azimuths of a packet, at which a missing return is not evidence of free
+  // space. An azimuth is silent if its sector was blocked at the end of the previous frame. An
+  // azimuth is also silent if fewer than one sixteenth of the packet's evaluated beams at this
+  // azimuth have a return. If the packet has no evaluated beams at an azimuth, the azimuth is
+  // silent unless its sector is open. The result also includes the 1/256 turn on either side of
+  // each silent azimuth.
   [[nodiscard]] AzimuthParts silent_azimuths(const Packet& packet) const;
 
  private:

@@ -53,14 +53,14 @@ class Intake {
   // was dropped. The payload must outlive the result.
   [[nodiscard]] std::optional<SensorPacket> receive(const Datagram& datagram);
 
-  // Determines whether the packet belongs to the open frame. Drops a packet that repeats earlier
-  // ranges.
+  // Determines whether the packet belongs to the open frame. Drops the packet if it must not be
+  // fused, for example because it is late or a duplicate.
   [[nodiscard]] Outcome classify(const SensorPacket& packet);
 
   // Adds the packet to the open frame. Call this function only after classify() has returned
   // kThisFrame.
   void accept(const SensorPacket& packet);
-  // Drops the packet, regardless of its frame, because the target is too slow.
+  // Drops the packet because the target is too slow. The packet may belong to any frame.
   void leave(const SensorPacket& packet);
 
   // Returns true if every sensor has delivered its scan.
@@ -74,7 +74,8 @@ class Intake {
   [[nodiscard]] std::uint32_t swept_ticks(std::size_t sensor) const {
     return trackers_[sensor].swept_ticks();
   }
-  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
+  // Returns true if the sensor has left more than `ticks` ticks of the sector unswept in this
+  // frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, std::size_t sensor,
                                       const lidar::Sector& sector) const {
     return trackers_[sensor].misses_more_than(ticks, sector);

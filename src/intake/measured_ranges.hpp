@@ -4,10 +4,10 @@
 // Measured ranges contain noise. The coarsest supported unit is an Ouster with a resolution of 8 mm
 // and a standard deviation of 5 mm. This unit measures the same range twice in 41 of 100 cases. If
 // a hash covers at least 64 ranges, the probability that two packets agree in all of them is
-// therefore at most 10^-24. With 16 rows, a hash may cover as few as 32 ranges, so the probability
-// is 10^-12. All other units either have a resolution of 5 mm or better, or are noisier than the
-// Ouster. With these units, two ranges agree in at most 27 of 100 cases, so the probability that 32
-// ranges agree is 10^-18.
+// therefore at most 10^-24. With 16 rows, a hash may cover as few as 32 ranges, which raises this
+// probability to 10^-12. All other units either have a resolution of 5 mm or better, or are noisier
+// than the Ouster. With these units, two ranges agree in at most 27 of 100 cases, so the
+// probability that 32 ranges agree is 10^-18.
 #pragma once
 
 #include <array>
@@ -20,20 +20,20 @@
 
 namespace iog::intake {
 
-// Computes a hash of the ranges of a packet. For a spinning unit, the hash covers up to 128 points,
-// distributed evenly over the layers and firings of the packet. For other units, the hash covers
-// all points.
+// Hashes the ranges of a packet. For a spinning unit, the hash covers up to 128 points, distributed
+// evenly over the layers and firings of the packet. For other units, the hash covers all points.
 class RangeDigest {
  public:
-  // The value that represents a missing hash. A packet has no hash if so few of its sampled points
-  // have returns that their ranges may repeat by chance.
+  // The value that represents a missing hash. A packet has no hash if too few of its sampled points
+  // have returns, because their ranges might then repeat by chance.
   static constexpr std::uint64_t kNone = 0;
 
   explicit RangeDigest(const vehicle::Sensor& sensor);
   RangeDigest() = default;
 
   // Returns the hash of a valid packet of this sensor. Returns kNone if the packet has fewer than
-  // 32 returns or, for a spinning unit, if fewer than half of the sampled points have a return.
+  // 32 returns. For a spinning unit, also returns kNone if fewer than half of the sampled points
+  // have a return.
   [[nodiscard]] std::uint64_t of(const Packet& packet) const;
 
  private:
@@ -56,7 +56,7 @@ class RangeMemory {
   // Returns true if one of the previous packets had this hash. Returns false for kNone. The search
   // takes at most 16 steps.
   [[nodiscard]] bool knows(std::uint64_t digest) const;
-  // Records a new or repeated packet with this hash.
+  // Records a packet with this hash, whether or not the hash is new.
   void note(std::uint64_t digest);
 
  private:
@@ -82,9 +82,9 @@ class FrozenWatch {
   // RangeMemory::kMaxPackets.
   void look_back(std::size_t packets) { memory_.look_back(packets); }
 
-  // Returns true if a packet with this hash is frozen, that is, if it repeats earlier ranges. A
-  // packet without a hash counts as frozen if its unit is frozen. A unit is frozen after a frame in
-  // which it repeated packets and sent no new ones.
+  // Returns true if a packet with this hash is frozen. A packet is frozen if it repeats earlier
+  // ranges. A packet without a hash counts as frozen if its unit is frozen. A unit is frozen after
+  // a frame in which it sent frozen packets but no new ones.
   [[nodiscard]] bool is_frozen(std::uint64_t digest) const {
     return digest == RangeDigest::kNone ? unit_is_frozen_ : memory_.knows(digest);
   }

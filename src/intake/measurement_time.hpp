@@ -1,4 +1,4 @@
-// The measurement time of a packet is the middle of the packet's sweep.
+// The measurement time of a packet is the middle of its sweep.
 //
 // A LUX sends the start and the end of a scan, and each message specifies the sector that it
 // covers. The mirror rotates at a constant speed, and the scan extends equally far to the left and
@@ -13,9 +13,10 @@
 namespace iog::intake {
 
 // Returns the measurement time in microseconds since 1970-01-01 UTC, on the sensor's clock. If the
-// clock counts from the start of the hour, the result is the matching time that is nearest to
-// near_us. The function accepts any decoded packet. A scan that ends before it begins is treated as
-// instantaneous, and a scan that takes longer than one second is treated as one second long.
+// clock counts from the start of the hour, the function adds the hour that brings the result
+// closest to near_us. The function accepts any decoded packet. A scan that ends before it begins is
+// treated as instantaneous, and a scan that takes longer than one second is treated as one second
+// long.
 [[nodiscard]] std::uint64_t measured_us(const vehicle::Sensor& sensor,
                                         const lidar::PacketInfo& packet, std::uint64_t near_us);
 

@@ -72,8 +72,9 @@ class Packet {
     });
   }
 
-  // Calls visit(std::uint32_t) for raw ranges of a valid packet, and returns visit. Visits the
-  // ranges of the sampled points if the unit is spinning, and all ranges otherwise.
+  // Calls visit(std::uint32_t) for the raw ranges of a valid packet, and then returns `visit`. For
+  // a spinning unit, visits only the ranges of the sampled points. For other units, visits all
+  // ranges.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const lidar::Sampling& sampling, Visit visit) const {
     with_decoder(*this, [&](const auto& decoder) {
@@ -98,7 +99,7 @@ class Packet {
     return look;
   }
 
-  // Makes the packet read its points from `copy`, a copy of the payload.
+  // Makes the packet read its points from `copy`, which must be a copy of the payload.
   void move_to(std::span<const std::byte> copy) {
     with_decoder(*this, [copy](auto& decoder) { decoder.move_to(copy); });
   }

@@ -5,13 +5,13 @@
 // file. The order of the packets does not matter.
 //
 // A LUX numbers its scans, and a frame contains at most one scan of each LUX. A new number starts
-// the next scan. A packet is late if the frame that its scan belongs to has already been closed.
-// The scan of a spinning lidar has no beginning or end, and a frame may be shorter than a turn. The
-// next turn therefore begins when a packet sweeps only azimuths that the frame has already swept.
-// If turns are numbered, a packet of an older turn does not start a new frame.
+// the next scan. A packet is late if the frame of its scan has already been closed. The scan of a
+// spinning lidar has no beginning or end, and a frame may be shorter than a turn. The next turn
+// therefore begins when a packet sweeps only azimuths that have already been swept in the frame. If
+// turns are numbered, a packet of an older turn does not start a new frame.
 //
-// The frame ends when the next scan begins. Scans that begin too soon are dropped. Otherwise, a
-// unit whose timestamps imply impossibly fast scans would end frames at an unbounded rate.
+// The frame ends when the next scan begins. Scans that begin too soon are dropped. Without this
+// rule, a unit could send impossibly fast scans and end frames at an unbounded rate.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +35,8 @@ class ScanTracker {
   };
 
   // `turns` is true if the scans are turns of a spinning lidar. `scan_width_ticks` is the width of
-  // a whole scan. `packets` is the maximum number of packets per scan. The tracker remembers the
-  // last `packets` packets, and at least the last kRemembered packets.
+  // a whole scan. `packets` is the maximum number of packets per scan. The number of packets that
+  // the tracker remembers is `packets`, clamped to [kRemembered, kMaxRemembered].
   ScanTracker(bool turns, std::uint32_t ticks_per_turn, std::uint16_t scan_width_ticks,
               std::uint32_t packets = 0)
       : swept_(ticks_per_turn),
@@ -59,7 +59,8 @@ class ScanTracker {
   }
   // Returns the number of ticks that the sensor has swept in this frame.
   [[nodiscard]] std::uint32_t swept_ticks() const { return swept_.count(); }
-  // Returns true if the sensor has missed more than `ticks` ticks of the sector in this frame.
+  // Returns true if the sensor has left more than `ticks` ticks of the sector unswept in this
+  // frame.
   [[nodiscard]] bool misses_more_than(std::uint32_t ticks, const lidar::Sector& sector) const {
     return swept_.misses_more_than(ticks, sector);
   }
@@ -76,29 +77,29 @@ class ScanTracker {
   // This maximum exceeds 579, which is the number of packets in one dual-return turn of an HDL-64E
   // S3 at 10 Hz.
   static constexpr std::size_t kMaxRemembered = 640;
-  // Half of the shortest scan period of any unit. A LUX scans up to 50 times per second, and other
+  // Half the shortest scan period of any unit. A LUX scans up to 50 times per second, and other
   // units turn up to 20 times per second.
   static constexpr std::uint64_t kShortestScanUs = 10'000;
   static constexpr std::uint64_t kShortestTurnUs = 25'000;
-  // A packet of an earlier scan counts as late if its scan is at most kLateScans scans older than
-  // the newest scan. If the packet's scan is even older, the sensor has restarted.
+  // A packet belongs to an earlier scan if its scan number is at most kLateScans behind the newest
+  // scan number. If it is further behind, the sensor has restarted.
   static constexpr std::uint16_t kLateScans = 8;
 
   [[nodiscard]] bool is_known(std::uint64_t fingerprint) const;
-  // Returns true if the scan of the packet is at most kLateScans scans older than the newest scan.
+  // Returns true if the packet belongs to an earlier scan (see kLateScans).
   [[nodiscard]] bool is_older(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_scan(const lidar::PacketInfo& packet) const;
   [[nodiscard]] Outcome classify_turn(const lidar::PacketInfo& packet) const;
   // Returns true if the packet begins the next scan too soon after the last scan. Returns false if
-  // the timestamp of the packet is not later than that of the last scan.
+  // the packet does not begin later than the last scan.
   [[nodiscard]] bool is_too_soon(const lidar::PacketInfo& packet) const {
     const std::uint64_t since_us = packet.sweep.begin_us - begin_us_;
     return since_us != 0 && since_us < kShortestScanUs;
   }
-  // For a packet that sweeps the same azimuths again, returns true if the timestamps of both sweeps
-  // span less than kShortestTurnUs. Returns false if the clock has stepped by at least
-  // kShortestTurnUs between the sweeps. For example, a clock that counts from the start of the hour
-  // steps every hour.
+  // Call this function for a packet that sweeps the same azimuths again. Returns true if this
+  // packet and the packets of the frame all begin within a period shorter than kShortestTurnUs.
+  // Returns false if the clock jumped by at least kShortestTurnUs after the first sweep. For
+  // example, a clock that counts from the start of the hour jumps back every hour.
   [[nodiscard]] bool is_too_fast(const lidar::PacketInfo& packet) const {
     const std::uint64_t within_us =
         std::max(last_us_, packet.sweep.begin_us) - std::min(begin_us_, packet.sweep.begin_us);

@@ -7,7 +7,7 @@
 
 namespace iog::intake {
 
-// The reason why a datagram was dropped before any of its points was used.
+// The reason why a datagram was dropped before any of its points were used.
 enum class PacketDrop : std::uint8_t {
   kStranger,  // no sensor of this vehicle may send from this source to this port
   kWrongLength,
@@ -31,7 +31,7 @@ enum class SensorState : std::uint8_t {
   kComplete,   // all packets of its scan
 };
 
-// The extent to which a sensor is blocked (intake/blocked_sectors.hpp).
+// Whether a sensor is blocked in none, some or all of its sectors (intake/blocked_sectors.hpp).
 enum class Blocked : std::uint8_t { kNot, kPartly, kWhole };
 
 struct SensorReport {

@@ -12,7 +12,7 @@ namespace iog::intake {
 
 class SweptSectors {
  public:
-  // The number of ticks per turn of an Ouster, which is the maximum for all formats.
+  // The maximum number of ticks per turn in any format (Ouster).
   static constexpr std::uint32_t kMaxTicksPerTurn = 46'080;
 
   // `ticks_per_turn` must be at most kMaxTicksPerTurn. Sectors must lie within one turn.
@@ -33,7 +33,7 @@ class SweptSectors {
   static constexpr std::size_t kWords = (kMaxTicksPerTurn + kWordTicks - 1) / kWordTicks;
 
   // Calls visit(word, bits) for each word that the sector overlaps, until visit() returns false.
-  // `bits` contains the sector's bits in the word.
+  // `bits` contains the bits of the word that belong to the sector.
   template <typename Visit>
   void for_each_word(const lidar::Sector& sector, Visit&& visit) const;
 

@@ -2,10 +2,10 @@
 //
 // A turn around the vehicle's origin is divided into 64 sectors. Sector i extends from i / 64 to (i
 // + 1) / 64 of a turn, counter-clockwise from straight ahead. Each sector has an arc on a circle
-// with a radius of 20 m around the origin. A sensor watches a sector if it reaches the sector's arc
-// and has swept the azimuths at which it sees this arc. A sensor that does not spin must have swept
-// seven eighths of these azimuths in the current frame. A spinning unit may sweep a sector in two
-// frames, and a frame may be shorter than a turn. For such a unit, it is therefore enough to sweep
+// with a radius of 20 m around the origin. A sensor watches a sector if the sector's arc is in
+// range and the sensor has swept the azimuths of this arc. A sensor that does not spin must have
+// swept seven eighths of these azimuths in the current frame. A spinning unit may sweep a sector in
+// two frames, and a frame may be shorter than a turn. Such a unit therefore needs to sweep only
 // half of the azimuths in one frame. The sector then counts as watched for 200 ms.
 //
 // Radars and ultrasonic sensors do not watch any sector because they do not report every object.
@@ -52,11 +52,11 @@ class WatchedSectors {
   // Adds a packet of the current frame.
   void add(std::size_t sensor, const Packet& packet);
 
-  // Returns the unwatched and blocked sectors at the end of the frame whose packets `intake` has
-  // received.
+  // Returns the unwatched and blocked sectors at the end of the frame. `intake` must have received
+  // the packets of this frame.
   [[nodiscard]] Surroundings at_end(const Intake& intake, std::uint64_t now_us);
 
-  // Returns the silent azimuths of a packet of this sensor. These azimuths depend on earlier
+  // Returns the silent azimuths of a packet of this sensor. The result also depends on earlier
   // frames.
   [[nodiscard]] AzimuthParts silent_azimuths(std::size_t sensor, const Packet& packet) const {
     return blocked_[sensor].silent_azimuths(packet);

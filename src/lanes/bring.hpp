@@ -21,8 +21,8 @@ inline void bring(std::span<const std::byte> bytes) {
   }
 }
 
-// Prefetches the cache line that contains the byte `bytes_ahead` after an address (PLD). The
-// function does not wait for the line. The line may lie outside the object.
+// Prefetches the cache line that lies `bytes_ahead` bytes after an address (PLD). The function does
+// not wait for the line. The line may lie outside the object.
 inline void preload(const void* address, std::size_t bytes_ahead = 0) {
   __builtin_prefetch(static_cast<const std::byte*>(address) + bytes_ahead);
 }

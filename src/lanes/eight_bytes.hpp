@@ -43,9 +43,10 @@ class EightBytes {
 
   // Returns a mask in which bit i is set if byte i is above 0.
   //
-  // The multiplication gathers the bits at positions `8 * i`. The product is the sum of eight
-  // copies of the word, shifted by `7 * k` bits for k = 1 ... 8. Bit i arrives at position 56 + i
-  // only if k + i = 8. The 64 sums `8 * i + 7 * k` are all different, so no carry occurs.
+  // The multiplication moves the bits at positions `8 * i` to positions `56 + i`. The product is
+  // the sum of eight copies of the word, shifted left by `7 * k` bits for `k = 1 ... 8`. The bit at
+  // position `8 * i` reaches position `56 + i` only in the copy with `k = 8 - i`. No carry occurs
+  // because the 64 sums `8 * i + 7 * k` are all different.
   [[nodiscard]] std::uint8_t positive() const { return gathered(tops_of_positive()); }
 
  private:

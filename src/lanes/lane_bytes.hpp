@@ -15,8 +15,8 @@ struct LaneBytes {
   friend constexpr bool operator==(const LaneBytes&, const LaneBytes&) = default;
 };
 
-// The reference implementation of one lane of subtract() and add(), for all Lanes classes. Values
-// saturate at -128 and 127.
+// The scalar reference for subtract() and add() in all Lanes classes. Values saturate at -128 and
+// 127.
 [[nodiscard]] constexpr std::int8_t saturated(int value) {
   return static_cast<std::int8_t>(value < -128 ? -128 : value > 127 ? 127 : value);
 }

@@ -1,5 +1,5 @@
-// The NEON implementation, for the target, of operations on sixteen indexes at once and on two rows
-// of bits.
+// Operations on sixteen indexes or two rows of bits at a time, implemented with NEON for the
+// target.
 #pragma once
 
 #include <arm_neon.h>
@@ -52,8 +52,8 @@ class NeonLanes {
     const int8x8_t halves = vorr_s8(vget_low_s8(lanes_), vget_high_s8(lanes_));
     return vget_lane_u64(vreinterpret_u64_s8(halves), 0) == 0;
   }
-  // First, the sign of each lane is copied to all bits of the lane, and a mask keeps only the bit
-  // that belongs to the lane. Then, sums of neighbouring lanes gather the bits.
+  // First, the sign of each lane is copied to all its bits, and a mask keeps only the lane's own
+  // bit. Then, sums of neighbouring lanes gather the bits.
   static std::array<std::uint32_t, 4> negative(const std::array<NeonLanes, 4>& left,
                                                const std::array<NeonLanes, 4>& right) {
     const uint8x8_t own = vcreate_u8(0x8040201008040201U);

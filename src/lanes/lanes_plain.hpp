@@ -1,6 +1,6 @@
-// The plain C++ implementation of operations on sixteen indexes at once and on two rows of bits.
-// This version is the reference for the other implementations. Machines without vector instructions
-// use this version.
+// Operations on sixteen indexes or two rows of bits at a time, implemented in plain C++. This
+// version is the reference for the other implementations. Machines without vector instructions use
+// this version.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class PlainLanes {
     return each(amount, subtract_saturated);
   }
   [[nodiscard]] PlainLanes add(const PlainLanes& other) const { return each(other, add_saturated); }
-  // Sets all bits in lanes that are above 0, and no bits in other lanes.
+  // Sets all bits of lanes that are above 0, and clears all other lanes.
   [[nodiscard]] PlainLanes above_zero() const {
     return each(*this, [](std::int8_t a, std::int8_t /*same*/) {
       return static_cast<std::int8_t>(a > 0 ? -1 : 0);
@@ -56,7 +56,7 @@ class PlainLanes {
   }
   [[nodiscard]] bool is_zero() const { return lanes_ == LaneBytes{}; }
   // The arguments are four rows, each split into two halves. The result has one bit per lane, which
-  // is set if the value of the lane is negative. Bit 0 is the leftmost lane.
+  // is set if the lane is negative. Bit 0 is the leftmost lane.
   static std::array<std::uint32_t, 4> negative(const std::array<PlainLanes, 4>& left,
                                                const std::array<PlainLanes, 4>& right) {
     std::array<std::uint32_t, 4> rows{};

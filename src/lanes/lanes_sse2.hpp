@@ -1,4 +1,4 @@
-// The SSE2 implementation of operations on sixteen indexes at once.
+// Operations on sixteen indexes at a time, implemented with SSE2.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// Defines ARM-state NEON loads and stores that post-increment their pointer. Also defines other
-// single instructions that the compiler would replace with two or three instructions. CMake
-// generates lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
+// Defines ARM-state NEON loads and stores that post-increment their pointer. This header also
+// defines operations that take one instruction here, but would take two or three if left to the
+// compiler. CMake generates lanes/moves_neon.hpp as a copy of this header or of moves_a64_neon.hpp.
 #pragma once
 
 #include <arm_neon.h>
@@ -87,8 +87,8 @@ inline void add(const std::array<std::uint32_t, 32>& a, const std::array<std::ui
       : "r0", "r1", "r2", "r3", "r4", "r5", "r6", "r8", "cc", "memory");
 }
 
-// Copies 16 bytes from each of two rows, first from one row and then from the other. All pointers
-// advance by the length of a row, 32 bytes. All pointers are aligned to 16 bytes.
+// Copies 16 bytes from `left`, and then 16 bytes from `right`. All pointers advance by the length
+// of a row, 32 bytes. All pointers are aligned to 16 bytes.
 inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right,
                              std::int8_t*& to) {
   constexpr std::int32_t kRow = 32;
@@ -105,7 +105,7 @@ inline void copy_next_halves(const std::int8_t*& left, const std::int8_t*& right
       : "memory");
 }
 
-// Returns cells + stride * (fine_row >> 16), computed in one instruction. The absolute value of
+// Returns `cells + stride * (fine_row >> 16)`, computed in one instruction. The absolute value of
 // `stride` must be less than 2^15.
 inline const std::int8_t* row_at(const std::int8_t* cells, std::int32_t fine_row,
                                  std::int32_t stride) {
