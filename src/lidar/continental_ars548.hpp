@@ -1,16 +1,16 @@
 // Decodes the detection lists of a Continental ARS548 RDI radar into scan points.
 //
-// One datagram contains an entire list. The list has a header of 101 bytes, 800 slots of 44 bytes
-// for detections, and a tail of 35 bytes. The detections occupy the first slots, and the tail
-// contains the number of these slots. All numbers are big-endian. Angles are in radians and
+// Each datagram contains a complete list. A list consists of a 101-byte header, 800 detection slots
+// of 44 bytes each, and a 35-byte tail. The detections occupy the first slots, and the tail
+// contains the number of detections. All numbers are big-endian. Angles are in radians and
 // distances in metres, both as binary32 (docs/spec.md, section 1.2.4). The manufacturer's document
 // is not public, so the layout is taken from two drivers, tier4/nebula and robotics-upo/ars548_ros.
 //
 // A detection is a reflection with its own direction. The elevation of a detection is far less
 // accurate than its azimuth. The radar reports the standard deviation of the elevation. The decoder
 // moves the elevation towards the horizon by one standard deviation, but not past the horizon, and
-// then rounds it to a layer. The height band therefore drops a detection only if it is outside the
-// band by more than one standard deviation. The decoder ignores speeds.
+// then rounds it to the nearest layer. The height band therefore drops a detection only if it is
+// outside the band by more than one standard deviation. The decoder ignores speeds.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ namespace iog::lidar {
 class ContinentalArs548 {
  public:
   static constexpr std::string_view kName = "Continental ARS548";
-  // The radar reports a precision of 0.2 m and 0.5 degrees. The index of a hit is highest if a 1D
-  // cell is twice as long as the range precision (docs/model.md, section 10).
+  // The radar reports a precision of 0.2 m in range and 0.5 degrees in azimuth. Hits have the
+  // highest index if 1D cells are twice as long as sigma_m (docs/model.md, section 10).
   static constexpr DataSheet kDataSheet{.type = "continental_ars548",
                                         .range_min_mm = 200,
                                         .precision_mm = 400,
@@ -40,8 +40,7 @@ class ContinentalArs548 {
   static constexpr bool kIsRadar = true;
   static constexpr std::int32_t kTicksPerTurn = 11520;  // 1/32 degree
   static constexpr bool kTurns = false;
-  // Elevations are in steps of one degree, from 30 degrees below the horizon to 30 degrees above
-  // it.
+  // The elevations range from -30 to 30 degrees in steps of one degree.
   static constexpr std::int32_t kSteepestDeg = 30;
   static constexpr auto kElevationsDeg = [] {
     std::array<double, 2 * kSteepestDeg + 1> elevations{};
@@ -67,15 +66,15 @@ class ContinentalArs548 {
   }
 
   // Checks the whole list, including every detection, and keeps a view of the datagram. The view is
-  // valid while the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
+  // valid only while the datagram exists. Returns kOk, kWrongLength, kWrongType or kWrongPoint.
   // `kWrongType` means that the radar sent a different type of message, such as an object list or a
   // status message. `kWrongPoint` means that the list has more than 800 detections, or that a valid
-  // detection has an impossible position.
+  // detection contains an impossible value.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     detections_ = copy.subspan(kHeadBytes, detections_.size());
   }

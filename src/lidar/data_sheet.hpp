@@ -7,8 +7,8 @@
 namespace iog::lidar {
 
 // The defaults fit most spinning lidars, which have a precision of 3 cm and a range of at least 70
-// m. The default grid extends 51 m to each side and 72 m to its corners, so a longer range has no
-// effect there.
+// m. The default grid extends 51 m to each side and 72 m to its corners, so longer ranges have no
+// effect in this grid.
 struct DataSheet {
   std::string_view type;           // name of the scanner in a car file
   std::string_view type_too{};     // name used by another manufacturer for the same unit

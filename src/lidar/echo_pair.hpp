@@ -8,7 +8,7 @@ namespace iog::lidar {
 
 // The nearer return is the first echo (0), and the farther return is the second echo (1),
 // regardless of their order in the packet. If a beam has only one return, both blocks contain it,
-// and the second echo has no return.
+// and there is no second echo.
 [[nodiscard]] constexpr std::uint32_t range_of_echo(std::uint32_t one, std::uint32_t other,
                                                     std::uint8_t echo) {
   const std::uint32_t nearer = std::min(one, other);

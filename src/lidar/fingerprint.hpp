@@ -1,7 +1,7 @@
 // A hash of a packet, used to recognise duplicates.
 //
-// The hash is 64-bit FNV-1a (Fowler, Noll, Vo; RFC draft-eastlake-fnv). Each format hashes a few
-// dozen bytes that differ between any two packets of the same sensor.
+// The hash is 64-bit FNV-1a (Fowler, Noll, Vo; RFC draft-eastlake-fnv). For each format, the hash
+// covers a few dozen bytes that differ between any two packets of the same sensor.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 // A decoder has kName, kDataSheet, kTicksPerTurn, kTurns, kElevationsDeg (empty if the elevations
 // differ between units), points_of_packet(), decode(), info(), move_to() and for_each_point(). See
-// lidar/ibeo_lux.hpp for an example (docs/sensors.md).
+// lidar/ibeo_lux.hpp for an example. CONTRIBUTING.md describes how to add a format.
 #pragma once
 
 #include <cstddef>

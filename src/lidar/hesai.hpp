@@ -1,16 +1,17 @@
 // Decodes the data packets of Hesai Pandar, PandarXT, PandarQT and QT128 lidars.
 //
 // A datagram is little-endian and consists of a header, blocks, and a tail (docs/spec.md). The
-// header contains the numbers of lasers and blocks. The tail contains the time, the return mode and
-// the manufacturer's byte. Each block contains an azimuth and one range per laser. Packets of a
-// Pandar40P have no header. Instead, each block begins with a flag. The azimuth is clockwise from
-// straight ahead. In dual return mode, the blocks form pairs with the same azimuth. The order of
-// the nearer and the farther return in a pair depends on the unit, so the decoder compares the
-// ranges. HesaiUnit describes all other differences between units.
+// header contains the number of lasers and the number of blocks. The tail contains the time, the
+// return mode and a byte that identifies the manufacturer. Each block contains an azimuth and one
+// range per laser. Packets of a Pandar40P have no header. Instead, each block begins with a flag.
+// The azimuth is clockwise from straight ahead. In dual return mode, the blocks form pairs with the
+// same azimuth. On some units, the nearer return is in the first block of a pair, on others in the
+// second, so the decoder compares the ranges. HesaiUnit describes all other differences between
+// units.
 //
-// The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. The head
-// rotates by up to 0.2 degrees while the lasers of a block fire. Like the manufacturer's own
-// conversion, the decoder ignores this rotation.
+// The azimuth of a point is the azimuth of its block plus the azimuth offset of its laser. At 10
+// Hz, the head rotates by up to 0.5 degrees while the lasers of a block fire. Like the
+// manufacturer's own conversion, the decoder ignores this rotation.
 #pragma once
 
 #include <array>
@@ -77,7 +78,7 @@ class HesaiPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -105,8 +106,8 @@ class HesaiPacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The azimuth is in (0, one turn] and the 16-bit offset is below one turn, so a single wrap is
-    // enough.
+    // The azimuth is above 0 and at most one turn, and the 16-bit offset is below one turn, so the
+    // sum has to be wrapped only once.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

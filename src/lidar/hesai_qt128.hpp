@@ -11,12 +11,13 @@
 
 namespace iog::lidar {
 
-// Each firing uses 96 lasers. Lasers 33 to 128 are used in one firing, and lasers 1 to 32 and 65 to
-// 128 in the next. The 32 lasers that do not fire have no range. In dual return mode, a packet
-// contains one firing. The decoder does not verify checksums, and it cannot verify the 32-byte
-// signature. The manual's appendix "Absolute time of point cloud data" defines the firing times.
-// Block 1 fires 9 us after the timestamp. Consecutive blocks fire 111.11 us apart. The lasers of a
-// block fire 0.6 to 100.52 us after the block's firing time. In tier4/nebula, block 2 fires first.
+// Each firing uses 96 lasers. Firings alternate between two sets of lasers: lasers 33 to 128, and
+// lasers 1 to 32 plus 65 to 128. The points from the 32 unused lasers have no range. In dual return
+// mode, a packet contains one firing. The decoder does not verify checksums, and it cannot verify
+// the 32-byte signature. The manual's appendix "Absolute time of point cloud data" defines the
+// firing times. Block 1 fires 9 us after the timestamp. Consecutive blocks fire 111.11 us apart.
+// The lasers of a block fire 0.6 to 100.52 us after the block's firing time. According to
+// tier4/nebula, block 2 fires first.
 inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
                                       .flags = 0x1D,
                                       .header_bytes = 12,
@@ -43,9 +44,9 @@ inline constexpr HesaiUnit kQt128Unit{.model = {0x03, 0x02},
 class HesaiQt128 : public HesaiDecoder<kQt128Unit> {
  public:
   static constexpr std::string_view kName = "Hesai QT128";
-  // In single return mode, one turn consists of 450 packets of 256 points. Each packet contains 64
-  // points whose lasers did not fire. In dual return mode, one turn has more points than the
-  // default of max_points_per_scan (docs/sensors.md).
+  // In single return mode, one turn consists of 450 packets of 256 points. In each packet, 64
+  // points are from lasers that did not fire. In dual return mode, one turn has more points than
+  // the default of max_points_per_scan (docs/sensors.md).
   static constexpr DataSheet kDataSheet{
       .type = "hesai_qt128", .range_min_mm = 50, .max_points_per_scan = 470 * 256};
   static constexpr std::array<double, 0> kElevationsDeg{};

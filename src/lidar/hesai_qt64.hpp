@@ -13,8 +13,8 @@ namespace iog::lidar {
 
 // The manual's appendix "Absolute time of point cloud data" defines the firing times. Block 1 fires
 // 25.71 us after the timestamp. Consecutive blocks fire 166.67 us apart. The lasers of a block fire
-// 12.31 to 146.45 us after the block's firing time. HesaiLidar_SDK_2.0 uses 2.31 to 136.45 us for
-// these times.
+// 12.31 to 146.45 us after the block's firing time. In HesaiLidar_SDK_2.0, these times are 2.31 to
+// 136.45 us.
 inline constexpr HesaiUnit kQt64Unit{.model = {0x03, 0x01},
                                      .flags = 0x01,
                                      .header_bytes = 12,

@@ -75,8 +75,8 @@ class HesaiXt32 : public HesaiDecoder<kXt32Unit> {
       -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16};
 };
 
-// The data sheet specifies a field of view of 40.3 degrees that starts 19.5 degrees below the
-// horizon, and a layer spacing of 1.3 degrees.
+// According to the data sheet, the field of view is 40.3 degrees high, its upper edge is 19.5
+// degrees above the horizon, and the layers are 1.3 degrees apart.
 consteval std::array<double, 32> elevations_of_xt32m() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < elevations.size(); ++channel) {

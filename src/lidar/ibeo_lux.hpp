@@ -1,8 +1,8 @@
 // Decodes ibeo LUX scan messages (data type 0x2202) into scan points.
 //
-// A datagram contains one message, which consists of a big-endian header of 24 bytes and a
-// little-endian body of 44 bytes plus 10 bytes per point (docs/spec.md; SICK "Ethernet data
-// protocol LD-MRS"). A scan may be split into several messages with the same scan number. Each
+// Each datagram contains one message. A message consists of a 24-byte big-endian header and a
+// little-endian body. The body has 44 bytes plus 10 bytes per point (docs/spec.md; SICK "Ethernet
+// data protocol LD-MRS"). A scan may be split into several messages with the same scan number. Each
 // message specifies the sector that it covers.
 #pragma once
 
@@ -21,8 +21,8 @@ namespace iog::lidar {
 class IbeoLux {
  public:
   static constexpr std::string_view kName = "ibeo LUX";
-  // These values are from docs/model.md section 8 (thesis section 4.1.4): a field of view of 100
-  // degrees, a precision of 10 cm, and a range of up to 50 m. The maximum number of points per scan
+  // The field of view is 100 degrees, the precision 10 cm and the maximum range 50 m
+  // (docs/model.md, section 8; thesis, section 4.1.4). The maximum number of points per scan
   // depends on the angular resolution.
   static constexpr DataSheet kDataSheet{.type = "ibeo_lux",
                                         .range_min_mm = 300,
@@ -47,13 +47,13 @@ class IbeoLux {
   }
 
   // Checks the whole message, including every point, and keeps a view of the datagram. The view is
-  // valid while the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
+  // valid only while the datagram exists. Returns kOk, kWrongLength, kWrongType, kWrongAngle or
   // kWrongPoint.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) {
     points_ = copy.subspan(kHeaderBytes + kScanBytes);
   }

@@ -30,12 +30,11 @@ class IbeoLux8 {
   static constexpr std::int32_t kTicksPerTurn = IbeoLux::kTicksPerTurn;
   static constexpr bool kTurns = IbeoLux::kTurns;
   static constexpr bool kHasBeamTilt = true;
-  // The elevations for a mirror without tilt. `tools/car/tilted_mirror.hpp` adds the tilt of the
-  // mirror.
+  // The elevations for a mirror without tilt. `tools/car/tilted_mirror.hpp` adds the tilt.
   static constexpr std::array<double, 8> kElevationsDeg{-1.2, -0.4, 0.4, 1.2,  //
                                                         -1.2, -0.4, 0.4, 1.2};
-  // The manufacturer's manual specifies a field of view from 60 degrees to the right to 50 degrees
-  // to the left.
+  // According to the manufacturer's manual, the field of view extends 60 degrees to the right and
+  // 50 degrees to the left.
   static constexpr std::int32_t kRightmostTicks = -1920;
   static constexpr std::int32_t kLeftmostTicks = 1600;
 
@@ -51,7 +50,7 @@ class IbeoLux8 {
 
   [[nodiscard]] const PacketInfo& info() const { return scan_.info(); }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { scan_.move_to(copy); }
 
   // Calls visit(const ScanPoint&) for each point, in wire order. Requires decode() == kOk.

@@ -14,7 +14,7 @@ struct Laser {
   double range_m = 0;        // offset added to every range, -10 to 10
 };
 
-// The corrections that are applied to the scan points of one laser, as integers.
+// The corrections for the scan points of one laser, as integers.
 struct LaserCorrection {
   std::int16_t azimuth_ticks = 0;  // counter-clockwise; at most one twelfth of a turn
   std::int16_t range_mm = 0;

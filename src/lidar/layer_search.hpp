@@ -1,4 +1,4 @@
-// Finds the layer of a unit that is nearest to the elevation of a point.
+// Finds the layer whose elevation is nearest to that of a point.
 //
 // The first guess assumes equally spaced layers, which is nearly correct for most units. If the
 // guess is wrong, a binary search finds the layer. For 128 layers, the binary search takes seven
@@ -13,13 +13,12 @@ namespace iog::lidar {
 
 class LayerSearch {
  public:
-  // The elevation tolerance of a unit with a single layer is half a degree. The unit of this
-  // constant is 1/3,200 degree.
+  // The elevation tolerance of a single layer: half a degree, in units of 1/3,200 degree.
   static constexpr std::int32_t kAlone = 1'600;
 
   LayerSearch() = default;
   // `rising` must contain at least one elevation. The elevations must be in ascending order and
-  // span at most a quarter turn (2^20 units). The array must outlive the search.
+  // span at most a quarter turn, which is less than 2^20 units. The array must outlive the search.
   explicit LayerSearch(std::span<const std::int32_t> rising) : rising_(rising) {
     const std::size_t last = rising.size() - 1;
     lowest_ = rising.front() - (last == 0 ? kAlone : (rising[1] - rising[0]) / 2);
@@ -44,8 +43,9 @@ class LayerSearch {
   }
 
  private:
-  // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. The product of
-  // layers_per_part_ and an elevation difference (below 2^20 units) therefore fits in 64 bits.
+  // Layers are at least one elevation unit apart, so layers_per_part_ is at most 1. Elevation
+  // differences are below 2^20 units, so the product of a difference and layers_per_part_ fits in
+  // 64 bits.
   static constexpr int kFractionBits = 31;
 
   [[nodiscard]] std::size_t guess(std::int32_t elevation) const {

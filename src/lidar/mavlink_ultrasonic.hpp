@@ -3,7 +3,7 @@
 // A datagram contains one little-endian DISTANCE_SENSOR message (number 132 of the common message
 // set). The message contains the distance of the first echo in the sensor's cone, in centimetres
 // (docs/spec.md, section 1.2.5). The layout is published in common.xml on mavlink.io. Senders omit
-// zeros at the end of a payload.
+// the trailing zero bytes of the payload.
 //
 // The message contains no direction. The point therefore lies on the sensor's axis, and the
 // sensor's arc is as wide as its cone (sensor_model/arc.hpp).
@@ -24,7 +24,7 @@ class MavlinkUltrasonic {
  public:
   static constexpr std::string_view kName = "MAVLink ultrasonic";
   // Distances are sent in centimetres. Unless the air temperature is measured, the speed of sound
-  // is known only to within 1 %. The index of a hit is highest if a 1D cell is twice as long as
+  // is known only to within 1 %. Hits have the highest index if 1D cells are twice as long as
   // sigma_m.
   static constexpr DataSheet kDataSheet{.type = "mavlink_ultrasonic",
                                         .range_min_mm = 200,
@@ -47,13 +47,13 @@ class MavlinkUltrasonic {
 
   // Returns kOk, kWrongLength, kWrongType or kWrongAngle. `kWrongLength` means that the length
   // differs from the length in the header or exceeds the message's maximum length. `kWrongType`
-  // means that the message is not MAVLink 2, is signed or has unsupported flags, has the wrong
-  // message number or checksum, or is not from an ultrasonic sensor. `kWrongAngle` means that,
-  // according to the message, the sensor does not point horizontally.
+  // means that the message is not a MAVLink 2 message from an ultrasonic sensor, that it has the
+  // wrong number or checksum, or that it is signed or sets other unsupported flags. `kWrongAngle`
+  // means that, according to the message, the sensor does not point horizontally.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram);
 
-  // Returns the checksum of a message. `message` must not include the checksum field, and must have
-  // at least one byte.
+  // Returns the checksum of a message. `message` must not be empty and must not include the
+  // checksum field.
   [[nodiscard]] static std::uint16_t checksum_of(std::span<const std::byte> message);
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
@@ -62,9 +62,8 @@ class MavlinkUltrasonic {
   void move_to(std::span<const std::byte> /*copy*/) {}
 
   // Calls visit(const ScanPoint&) once. Requires decode() == kOk. The point has no return if there
-  // was no echo within the sensor's maximum distance. The point is flagged like a lidar's rain
-  // return if the sensor reports the echo as invalid or if the echo is below the sensor's minimum
-  // distance.
+  // was no echo within the sensor's maximum distance. The point is flagged as rain if the sensor
+  // reports the echo as invalid, or if the distance is below the sensor's minimum distance.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     visit(point_);

@@ -7,9 +7,9 @@
 // dual ("dual return"). The car file specifies the profile, the number of rows and the number of
 // columns per turn, because packets do not contain these values.
 //
-// There are W columns in a turn. Column i is measured when the head has turned clockwise by i / W
-// of a turn, starting from -x. The head is 16 mm wide. The decoder assumes that beams start at the
-// centre of the head. This assumption moves a point by less than 1 mm.
+// A turn has `W` columns. Column `i` is measured when the head has turned clockwise from `-x` by
+// `i/W` of a turn. The head is 16 mm wide. The decoder assumes that beams start at the centre of
+// the head, which shifts points by less than 1 mm.
 #pragma once
 
 #include <algorithm>
@@ -67,7 +67,7 @@ class OusterPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -90,7 +90,7 @@ class OusterPacket {
                            profile.column_header_bytes);
   }
 
-  // Calls visit(const ScanPoint&) for each return of each row of a measured column.
+  // Calls visit(const ScanPoint&) for each point of a measured column.
   template <typename Visit>
   void for_each_row(const OusterProfile& profile, std::size_t column, Visit&& visit) const {
     const auto pixels = pixels_of(profile, column);
@@ -105,8 +105,8 @@ class OusterPacket {
   [[nodiscard]] ScanPoint point(const OusterProfile& profile, std::span<const std::byte> pixel,
                                 std::size_t column, std::size_t row, std::uint8_t echo) const {
     const LaserCorrection& laser = corrections_[row];
-    // The azimuth is within a turn and the 16-bit offset is below one turn, so a single wrap is
-    // enough.
+    // The azimuth and the 16-bit offset are both below one turn, so the sum has to be wrapped only
+    // once.
     std::int32_t azimuth = azimuths_[column] + laser.azimuth_ticks;
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
@@ -163,9 +163,9 @@ class OusterDecoder : public OusterPacket {
   [[nodiscard]] static constexpr const OusterProfile& profile() { return kProfile; }
 
   // Checks the packet and keeps a view of the datagram. The view is valid only while the datagram
-  // and the unit's corrections exist. The unit has one correction per row. Returns kOk,
-  // kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that the
-  // packet has the wrong type, or that the times between columns do not match the unit's mode.
+  // and the unit's corrections exist. `unit.corrections` contains one correction per row. Returns
+  // kOk, kWrongLength, kWrongType, kWrongAngle, kWrongPoint or kOtherUnit. `kWrongType` means that
+  // the packet has the wrong type, or that the times between columns do not match the unit's mode.
   // `kWrongAngle` means that a column number is too high or does not match the encoder value, or
   // that the columns are not consecutive. `kWrongPoint` means that no column was measured.
   // `kOtherUnit` means that the pixels have the format of a different profile.
@@ -173,8 +173,8 @@ class OusterDecoder : public OusterPacket {
     return read(kProfile, datagram, unit);
   }
 
-  // Calls visit(const ScanPoint&) for each return of each row of each measured column, in wire
-  // order. The nearer return comes first. Requires decode() == kOk.
+  // Calls visit(const ScanPoint&) for each point of the measured columns, in wire order. The nearer
+  // return of a beam comes first. Requires decode() == kOk.
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
     for (std::size_t column = first_column(); column < end_column(); ++column) {

@@ -3,7 +3,7 @@
 //
 // A datagram is little-endian and contains a header and up to 85 points of a scan. A point consists
 // of a direction and a range, or of x, y and z, in the sensor frame. Angles are in units of 1/3,200
-// degree. In this unit, the angle steps of LUX, Velodyne, Hesai and Ouster lidars are integers. The
+// degree. The angle steps of LUX, Velodyne, Hesai and Ouster lidars are multiples of this unit. The
 // car file specifies the elevations of the layers. Each point belongs to the nearest layer.
 //
 // Two formats use this layout. Spinning units are decoded by PointsTurning, for which kTurns is
@@ -61,15 +61,15 @@ class PointsPacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { points_ = copy.subspan(kHeadBytes); }
 
  protected:
   using PointBytes = std::span<const std::byte, kPointBytes>;
 
-  // The azimuths of spinning units are later rounded to at most 16,384 steps per turn. Rounding an
-  // azimuth down to a tick first never changes the resulting step, because half a step is an
-  // integer number of ticks. Other units use the ticks of a LUX.
+  // The azimuths of spinning units are later rounded to at most 16,384 steps per turn. An azimuth
+  // can be rounded down to a tick first without changing the resulting step, because half a step is
+  // an integer number of ticks. Other units use the ticks of a LUX.
   [[nodiscard]] static constexpr std::int32_t ticks_per_turn(bool turns) {
     return turns ? 32'768 : 11'520;
   }
@@ -141,12 +141,13 @@ class PointsDecoder : public PointsPacket {
   static constexpr std::int32_t kTicksPerTurn = ticks_per_turn(kTurns);
 
   // Checks the datagram and keeps a view of its points. The view is valid only while the datagram
-  // and the unit's elevations exist. The unit has one elevation per layer. Returns kOk,
-  // kWrongLength, kWrongType, kWrongAngle or kWrongPoint. `kWrongLength` means that the length
+  // and the unit's elevations exist. `unit.elevations` contains one elevation per layer. Returns
+  // kOk, kWrongLength, kWrongType, kWrongAngle or kWrongPoint. `kWrongLength` means that the length
   // differs from the length in the header or exceeds the maximum, or that the unit has no layers.
   // `kWrongType` means that the magic number, the version or a flag is unknown. `kWrongAngle` means
   // that the sector is larger than a turn, or that the number of the datagram is too high for the
-  // scan. `kWrongPoint` means that a point is impossible or outside the sector of the datagram.
+  // scan. `kWrongPoint` means that a point contains an impossible value, or is outside the
+  // datagram's sector.
   [[nodiscard]] DecodeStatus decode(std::span<const std::byte> datagram, const Unit& unit) {
     return read(datagram, unit, kTurns);
   }
@@ -162,9 +163,8 @@ class PointsDecoder : public PointsPacket {
   }
 
   // Calls visit(const ScanPoint&) for each first echo in the sampled layers. The function uses all
-  // firings, because a datagram contains only a few firings. If a datagram has x, y and z, the
-  // function reads only every third point, because computing a direction is slow. Requires decode()
-  // == kOk.
+  // firings, because a datagram contains only a few. If a datagram has x, y and z, the function
+  // reads only every third point, because computing a direction is slow. Requires decode() == kOk.
   template <typename Visit>
   void for_each_sample(const Sampling& sampling, Visit&& visit) const {
     std::array<bool, 256> are_asked{};
@@ -190,7 +190,7 @@ class PointsDecoder : public PointsPacket {
   }
 
  private:
-  // For spinning units, echo 1 represents all later echoes.
+  // For spinning units, echo 1 represents all echoes after the first.
   static constexpr std::uint8_t kLastEcho = kTurns ? 1 : 2;
 
   // Points in directions outside the layers are flagged as rain, because the car file defines no

@@ -1,6 +1,6 @@
-// Selects a sample of a packet's points. The sample consists of selected layers in selected
-// firings, which are spread evenly over the packet. In a firing, all layers of a unit measure at
-// roughly the same azimuth.
+// Selects a sample of a packet's points. The sample contains the requested layers of firings that
+// are spread evenly over the packet. In a firing, all layers of a unit measure at roughly the same
+// azimuth.
 #pragma once
 
 #include <cstddef>

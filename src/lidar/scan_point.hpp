@@ -9,8 +9,8 @@
 
 namespace iog::lidar {
 
-// No unit can measure a range above this constant. Longer ranges, in a packet or after the unit's
-// correction, are clamped to kMaxRangeMm.
+// No unit can measure ranges above this limit. Longer ranges can result from x, y and z or from a
+// unit's correction, and are clamped to this limit.
 inline constexpr std::uint32_t kMaxRangeMm = (std::uint32_t{1} << 20) - 1;
 
 struct ScanPoint {
@@ -42,11 +42,11 @@ struct Sector {
   std::uint16_t width_ticks = 0;  // 0 to ticks_per_turn
 };
 
-// The time at which a packet was measured, in microseconds of the sensor's own clock. The epoch of
-// this clock is 1970-01-01 UTC for a LUX and a Hesai, and the start of the current hour for a
-// Velodyne. For an Ouster, the epoch depends on the configuration (1970 with PTP). For a LUX, the
-// times refer to the whole scan, even if the packet contains only a part of the scan. For spinning
-// units, the times refer to the packet.
+// The period during which a packet was measured, in microseconds on the sensor's own clock. The
+// epoch of this clock is 1970-01-01 UTC for a LUX and a Hesai, and the start of the current hour
+// for a Velodyne. For an Ouster, the epoch depends on the configuration (with PTP, it is in 1970).
+// For a LUX, the times refer to the whole scan, even if the packet contains only a part of the
+// scan. For spinning units, the times refer to the packet.
 struct Sweep {
   std::uint64_t begin_us = 0;
   std::uint64_t end_us = 0;

@@ -1,4 +1,4 @@
-// The properties of a scanner that the decoder of its format defines.
+// The properties of a scanner, as defined by the decoder of its format.
 #pragma once
 
 #include <cstddef>
@@ -96,7 +96,7 @@ constexpr bool can_have_layers(Format format, std::size_t layers) {
   return can;
 }
 
-// Returns the number of points in a packet of a unit with this many layers. For a LUX, returns the
+// Returns the number of points per packet for a unit with `layers` layers. For a LUX, returns the
 // number of points per azimuth.
 constexpr std::size_t points_of_packet(Format format, std::size_t layers) {
   std::size_t points = 0;

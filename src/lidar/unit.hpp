@@ -1,5 +1,5 @@
-// The properties of a unit that the car file specifies because the unit's packets do not contain
-// them.
+// The properties of a unit that its packets do not contain. The car file specifies these
+// properties.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct TurnMode {
   friend constexpr bool operator==(const TurnMode&, const TurnMode&) = default;
 };
 
-// The modes to which an Ouster can be set.
+// The modes that an Ouster supports.
 inline constexpr std::array<TurnMode, 5> kTurnModes{
     {{512, 10}, {1024, 10}, {2048, 10}, {512, 20}, {1024, 20}}};
 
