@@ -2,8 +2,8 @@
 //
 // A datagram is 1206 bytes long and little-endian. The datagram contains 12 blocks, followed by the
 // time, the return mode and the product (docs/spec.md). Each block contains a flag, an azimuth and
-// 32 ranges. Models differ in which lasers a block contains, in when each laser fires, and in the
-// resolution of the ranges. VelodyneUnit describes these differences.
+// 32 ranges. The lasers in a block, their firing times and the resolution of the ranges depend on
+// the model. VelodyneUnit describes these differences.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ namespace iog::lidar {
 
 struct VelodyneUnit {
   std::uint8_t layers = 0;
-  // The number of blocks that share one azimuth if each beam has one return. The number is 2 or 4
-  // if a block is too short for the ranges of all lasers.
+  // The number of blocks that share one azimuth in single return mode. This number is 2 or 4 if the
+  // ranges of all lasers do not fit into one block.
   std::uint8_t banks = 1;
   std::uint8_t product = 0;      // byte 1205; has a different meaning if there are two banks
   std::uint8_t old_product = 0;  // value of the same byte in old firmware
@@ -33,21 +33,20 @@ struct VelodyneUnit {
   bool has_two_returns = true;  // if the unit is configured for it
   std::uint32_t block_ns = 0;   // time from one azimuth to the next
   // `fires_at` contains the firing time of each channel, in units of block_ns / block_parts. Firing
-  // times are relative to the measurement of the block's azimuth.
+  // times are measured from the moment when the channel's bank begins to fire.
   std::uint32_t block_parts = 1;
   std::array<std::uint8_t, 32> fires_at{};
-  // The clockwise azimuth offset of each channel from the unit's direction, in units of 0.01
-  // degrees.
+  // The azimuth of each channel relative to the head, clockwise, in units of 0.01 degrees.
   std::array<std::int16_t, 32> azimuth_offsets{};
-  // The time at which each bank begins to fire, in units of block_ns / block_parts. If all values
-  // are zero, all banks fire at the same time.
+  // The time from the measurement of the azimuth until each bank begins to fire, in units of
+  // block_ns / block_parts. If all values are zero, all banks fire at the same time.
   std::array<std::uint8_t, 4> bank_fires_at{};
 
   // Returns the time at which a channel of a bank fires, in units of block_ns / block_parts.
   [[nodiscard]] constexpr std::uint32_t fires_after(std::size_t bank, std::size_t channel) const {
     return std::uint32_t{bank_fires_at[bank]} + fires_at[channel];
   }
-  // Returns the number of banks that fire at different times.
+  // Returns the number of different times at which banks begin to fire.
   [[nodiscard]] constexpr std::size_t bank_times() const {
     return bank_fires_at == std::array<std::uint8_t, 4>{} ? 1 : banks;
   }
@@ -67,9 +66,9 @@ class VelodynePacket {
   static constexpr std::size_t kPointsPerPacket = kBlocks * kPointsPerBlock;
   static constexpr std::int32_t kTicksPerTurn = velodyne::kTurn;
   static constexpr bool kTurns = true;
-  // A block takes at most 110.592 us, which is 0.8 degrees at the maximum rotation rate of 20 Hz.
-  // If two adjacent blocks are more than 3 degrees apart, the packet does not cover a single
-  // continuous sweep.
+  // A block takes at most 110.592 us. In this time, the head rotates by at most 0.8 degrees,
+  // because the maximum rotation rate is 20 Hz. If two adjacent blocks are more than 3 degrees
+  // apart, the packet does not cover a single continuous sweep.
   static constexpr std::uint32_t kMaxBlockStepTicks = 300;
   // Packets do not show how far the head rotates during the last block, and the rotation speed
   // varies by up to a tenth. The sector of a packet is therefore widened by kSeamTicks. As a
@@ -82,10 +81,10 @@ class VelodynePacket {
 
   [[nodiscard]] const PacketInfo& info() const { return info_; }
 
-  // Returns the properties of the unit, as found in a valid packet.
+  // Returns what the packet reveals about the unit. The packet must be valid.
   [[nodiscard]] const VelodyneLook& look() const { return look_; }
 
-  // Moves the view to `copy`, a copy of the datagram.
+  // Makes the view refer to `copy`, which must be a copy of the datagram.
   void move_to(std::span<const std::byte> copy) { packet_ = copy; }
 
  protected:
@@ -93,8 +92,8 @@ class VelodynePacket {
   [[nodiscard]] DecodeStatus read(const VelodyneUnit& unit, std::span<const std::byte> datagram,
                                   std::span<const LaserCorrection> corrections);
 
-  // The azimuth of each channel of a block. This azimuth is the rotation of the unit until the
-  // channel fires, plus the channel's own offset.
+  // The azimuth of each channel relative to the block's azimuth. It consists of the rotation of the
+  // head until the channel fires, and the channel's own offset.
   struct Firing {
     std::uint32_t step = 0xFFFF;  // azimuth increment over the block; never 0xFFFF in a packet
     std::array<std::int16_t, kPointsPerBlock> ticks{};  // clockwise from the block's azimuth
@@ -109,7 +108,7 @@ class VelodynePacket {
     }
   }
 
-  // A raw range of a block.
+  // Returns the raw range of a channel.
   [[nodiscard]] static std::uint32_t range_at(std::span<const std::byte, kBlockBytes> block,
                                               std::size_t channel) {
     return wire::load_le16(block.subspan(4 + 3 * channel).first<2>());
@@ -131,8 +130,8 @@ class VelodynePacket {
 
   [[nodiscard]] std::uint32_t step(std::size_t block) const { return steps_[block]; }
 
-  // Returns the number of blocks with the same azimuth, that is, the number of banks times the
-  // number of echoes.
+  // Returns the number of blocks that share one azimuth. This number is `banks`, or twice `banks`
+  // in dual return mode.
   [[nodiscard]] std::size_t blocks_of_firing(const VelodyneUnit& unit) const {
     return look_.is_dual ? 2U * unit.banks : unit.banks;
   }
@@ -205,9 +204,9 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // Calls visit(std::uint32_t) for the raw range of each sampled point, and returns visit as
-  // std::for_each() does. By returning visit, the function lets the compiler keep counters inside
-  // visit in registers. Requires decode() == kOk.
+  // Calls visit(std::uint32_t) for the raw range of each sampled point. Like std::for_each(), the
+  // function returns visit, so that the compiler can keep counters inside visit in registers.
+  // Requires decode() == kOk.
   template <typename Visit>
   [[nodiscard]] Visit for_each_range(const Sampling& sampling, Visit visit) const {
     for_each_place(sampling, [&](std::size_t first, std::size_t bank, std::size_t channel) {
@@ -231,8 +230,8 @@ class VelodyneDecoder : public VelodynePacket {
     });
   }
 
-  // A cache of the latest firings. If the head rotates at a constant speed, the azimuth steps
-  // between blocks have only two values, which differ by 0.01 degrees.
+  // A cache of the latest firings. If the head rotates at a constant speed, only two different
+  // azimuth steps occur between blocks, and they differ by 0.01 degrees.
   class Turns {
    public:
     [[nodiscard]] const Firing& of(std::size_t bank, std::uint32_t step) {
@@ -266,8 +265,8 @@ class VelodyneDecoder : public VelodynePacket {
       azimuth += laser.azimuth_ticks;
       point.range_mm = corrected_range_mm(point.range_mm, laser.range_mm);
     }
-    // The azimuth is at most one turn, the rotation at most 3 degrees and the offset at most 34.2
-    // degrees, so a single wrap is enough.
+    // The azimuth is at most one turn, the rotation is at most 3 degrees and the offset is at most
+    // 34.2 degrees, so the sum has to be wrapped only once.
     azimuth += azimuth < 0 ? kTicksPerTurn : 0;
     azimuth -= azimuth >= kTicksPerTurn ? kTicksPerTurn : 0;
     point.azimuth_ticks = static_cast<std::uint16_t>(azimuth);

@@ -12,8 +12,8 @@
 
 namespace iog::lidar {
 
-// A block takes 46.08 us. Channel k fires 1.152 us * k after the start of the block, that is, after
-// k / 40 of the block's duration. The unit pauses after the 32nd channel.
+// A block takes 46.08 us. The first channel fires at the start of the block, and the other channels
+// follow at intervals of 1.152 us (1/40 of the block). The unit pauses after the 32nd channel.
 consteval VelodyneUnit make_hdl32e() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductHdl32e,
@@ -28,8 +28,8 @@ consteval VelodyneUnit make_hdl32e() {
 }
 inline constexpr VelodyneUnit kHdl32eUnit = make_hdl32e();
 
-// The elevations of even channels are from -30.67 to -10.67 degrees, and the elevations of odd
-// channels are from -9.33 to 10.67 degrees. Both sets of elevations have steps of 4/3 degrees.
+// The elevations of even channels range from -30.67 to -10.67 degrees, and those of odd channels
+// range from -9.33 to 10.67 degrees. In both cases, the step is 4/3 degrees.
 consteval std::array<double, 32> make_hdl32e_elevations() {
   std::array<double, 32> elevations{};
   for (std::size_t channel = 0; channel < 32; ++channel) {

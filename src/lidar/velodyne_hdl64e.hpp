@@ -22,8 +22,8 @@ struct Hdl64eTiming {
 inline constexpr Hdl64eTiming kHdl64eS2Timing{48'000, 6'000, {0, 1'260, 2'460, 3'660}};
 inline constexpr Hdl64eTiming kHdl64eS3Timing{57'600, 7'200, {0, 1'300, 2'500, 3'700}};
 
-// Firing times are rounded to multiples of 200 ns (S2) or 240 ns (S3). The head rotates by less
-// than 0.001 degrees in half of this time.
+// Firing times are rounded to multiples of 200 ns (S2) or 240 ns (S3). The largest rounding error
+// is 120 ns. In this time, the head rotates by less than 0.001 degrees.
 consteval VelodyneUnit make_hdl64e(const Hdl64eTiming& timing, bool has_two_returns) {
   constexpr std::uint32_t kParts = 240;
   VelodyneUnit unit{.layers = 64,
@@ -55,8 +55,8 @@ class VelodyneHdl64eS3 : public VelodyneDecoder<kHdl64eS3Unit> {
  public:
   static constexpr std::string_view kName = "Velodyne HDL-64E S3";
   // The data sheet specifies a precision of 2 cm, but iogrid uses 3 cm. One turn at 10 Hz consists
-  // of 290 packets. In dual return mode, one turn consists of 579 packets, so the car file must
-  // increase max_points_per_scan.
+  // of 290 packets. In dual return mode, one turn consists of 579 packets, so a car file for this
+  // mode must increase max_points_per_scan.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_hdl64e_s3", 300);
   static constexpr std::array<double, 0> kElevationsDeg{};
 };

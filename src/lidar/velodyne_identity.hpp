@@ -4,11 +4,11 @@
 //
 // Byte 1205 identifies most units. However, an HDL-64E does not send this byte, and both an HDL-32E
 // and a VLP-16 with firmware before 3.0.29 send 0x21. The duration of a block distinguishes these
-// units. This duration can be computed from any two packets, even if packets between them were
-// lost. To compute this duration, take the azimuth increment per block of a packet. Multiply this
-// increment by the time between the two packets, and divide by the azimuth increment in that time.
-// A single packet identifies one of these units only if no other unit could produce the packet's
-// azimuth increment at 5 to 20 turns per second.
+// units. It can be computed from two packets that are at most 40 ms apart, even if packets between
+// them were lost. The duration is the time between the two packets, multiplied by the azimuth
+// increment per block and divided by the azimuth increment from one packet to the other. A single
+// packet identifies one of these units only if the other units cannot produce the packet's azimuth
+// increment at 5 to 20 turns per second.
 #pragma once
 
 #include <array>
@@ -65,9 +65,9 @@ struct VelodyneCandidates {
 class VelodyneIdentity {
  public:
   // Returns the formats that are consistent with this packet and the previous packets of the
-  // sender. The set contains one format if the result is certain, and no format if the packet is
-  // not from a Velodyne. The function accepts any bytes and checks only flags, azimuths and time.
-  // The decoder detects other faults.
+  // sender. The set contains one format if the result is certain, and is empty if the packet is not
+  // from a Velodyne. The function accepts any bytes and checks only flags, azimuths and time. The
+  // decoder detects other faults.
   [[nodiscard]] FormatSet add(std::span<const std::byte> packet);
   // Same as above, for a packet that its decoder has accepted.
   [[nodiscard]] FormatSet add(const VelodyneLook& look);

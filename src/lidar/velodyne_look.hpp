@@ -1,5 +1,5 @@
-// The properties of a unit that can be found in a single data packet: the bytes that identify the
-// unit, and the rotation of the head during the packet.
+// What a single data packet reveals about a unit: the bytes that identify the unit, and the
+// rotation of the head during the packet.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace iog::lidar {
 
 struct VelodyneLook {
-  std::uint8_t banks = 1;     // number of blocks that share an azimuth if each beam has one return
+  std::uint8_t banks = 1;     // number of blocks that share one azimuth in single return mode
   std::uint8_t mode = 0;      // with two banks, this byte and the next byte mean something else
   std::uint8_t product = 0;   // identifies the unit
   bool is_dual = false;       // each beam has two returns

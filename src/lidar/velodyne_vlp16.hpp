@@ -1,5 +1,5 @@
 // Decodes the data packets of the Velodyne VLP-16 (VLP-16 User Manual 63-9243, chapter 9). A block
-// contains two firings of the 16 lasers, but the azimuth of only the first firing.
+// contains two firings of the 16 lasers, but only the azimuth of the first firing.
 #pragma once
 
 #include <array>
@@ -11,8 +11,9 @@
 
 namespace iog::lidar {
 
-// A block takes 110.592 us. Laser j of firing s fires 2.304 us * j + 55.296 us * s after the start
-// of the block, that is, after (j + 24 * s) / 48 of the block's duration.
+// A block takes 110.592 us. The first firing begins at the start of the block, and the second
+// firing begins 55.296 us later (half the block). Within a firing, the lasers fire at intervals of
+// 2.304 us (1/48 of the block).
 consteval VelodyneUnit make_vlp16() {
   VelodyneUnit unit{.layers = 16,
                     .product = velodyne::kProductVlp16,

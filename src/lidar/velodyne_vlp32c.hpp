@@ -12,8 +12,8 @@
 
 namespace iog::lidar {
 
-// A block takes 55.296 us. Channel k fires 2.304 us * floor(k / 2) after the start of the block,
-// that is, after floor(k / 2) / 24 of the block's duration.
+// A block takes 55.296 us. The first two channels fire at the start of the block, and the other
+// pairs of channels follow at intervals of 2.304 us (1/24 of the block).
 consteval VelodyneUnit make_vlp32c() {
   VelodyneUnit unit{.layers = 32,
                     .product = velodyne::kProductVlp32c,

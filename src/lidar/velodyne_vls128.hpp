@@ -1,9 +1,9 @@
 // Decodes the data packets of the Velodyne VLS-128 (Alpha Prime; VLS-128 User Manual 63-9483,
 // chapter 9). Four blocks with the same azimuth contain a firing of all 128 lasers. Each block
 // contains the ranges of a bank of 32 lasers, and its flag identifies the bank. The banks fire one
-// after another. Within a bank, eight lasers fire at a time, to the left or right of the block's
-// azimuth. The unit of range is 4 mm. Dual return mode is not supported, because no recording of
-// this mode is available.
+// after another. Within a bank, eight lasers fire at a time, each to the left or right of the
+// block's azimuth. The unit of range is 4 mm. Dual return mode is not supported, because no
+// recording of this mode is available.
 #pragma once
 
 #include <array>
@@ -15,9 +15,10 @@
 
 namespace iog::lidar {
 
-// According to chapter 9.4, a firing consists of 20 slots. Groups 0 to 7 use the first eight slots.
-// A pause of one slot follows, and then groups 8 to 15 use the next eight slots. The manual
-// specifies 53.3 us per firing. In a recording, the three firings of a packet take 165.84 us.
+// According to chapter 9.4, a firing consists of 20 slots. Each group of eight lasers fires in its
+// own slot. Groups 0 to 7 use the first eight slots. After a pause of one slot, groups 8 to 15 use
+// the next eight slots. The manual specifies 53.3 us per firing. In a recording, the three firings
+// of a packet take 165.84 us.
 consteval VelodyneUnit make_vls128() {
   VelodyneUnit unit{.layers = 128,
                     .banks = 4,
@@ -42,7 +43,7 @@ class VelodyneVls128 : public VelodyneDecoder<kVls128Unit> {
   static constexpr std::string_view kName = "Velodyne VLS-128";
   // The precision is 3 cm. One turn at 10 Hz consists of 603 packets.
   static constexpr DataSheet kDataSheet = data_sheet_of_velodyne("velodyne_vls128", 620);
-  // The elevation of each laser id, bank by bank and then channel by channel.
+  // The elevation of each laser id, sorted by bank and then by channel.
   static constexpr std::array<double, 128> kElevationsDeg{
       -11.742, -1.99,   3.4,    -5.29,  -0.78, 4.61,    -4.08,   1.31,     //
       -6.5,    -1.11,   4.28,   -4.41,  0.1,   6.48,    -3.2,    2.19,     //

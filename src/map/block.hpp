@@ -55,7 +55,7 @@ inline constexpr std::size_t kRefusalCount = 21;
 
 [[nodiscard]] Refusal check(std::span<const std::uint8_t> bytes);
 
-// The offsets of a block's tables from the block's first byte.
+// The tables of a block. Offsets are relative to the block's first byte.
 struct Tables {
   BoxCm extent;                 // of the block
   Buckets buckets;              // of the whole extent
@@ -138,8 +138,8 @@ class Block {
   template <typename Visit>
   void for_each_feature_in(const BoxCm& box, Visit&& visit) const;
 
-  // These functions access the index. `entries_of()` returns the range of entries of a bucket, and
-  // feature_of_entry() returns the feature of an entry.
+  // These functions access the index. `entries_of()` returns the entries of a bucket, and
+  // feature_of_entry() returns the feature that an entry refers to.
   struct Entries {
     std::uint32_t next = 0;
     std::uint32_t end = 0;
@@ -178,8 +178,9 @@ class FeatureWalk {
   [[nodiscard]] bool is_over() const { return is_over_; }
 
   // Examines one entry. If the current bucket has no more entries, moves on to the next bucket
-  // instead. Each feature is listed in all buckets that its box overlaps, but it is returned only
-  // in the first visited bucket. Do not call this function if is_over() returns true.
+  // instead. A feature is listed in every bucket that its box overlaps, but it is returned only
+  // once, when the first of these buckets is visited. Do not call this function if is_over()
+  // returns true.
   [[nodiscard]] std::optional<Feature> look() {
     if (entries_.next == entries_.end) {
       leave_bucket();

@@ -1,4 +1,4 @@
-// Blurs a bit plane, that is, dilates the plane by a disc.
+// Blurs a bit plane by dilating it with a disc.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 namespace iog::map {
 
 // Returns the tile's cells that are at most `radius` cells away from a set bit. Distances are
-// measured from centre to centre. `radius` is 0 ... kHalo. The function reads only the rows within
-// `radius` of the tile.
+// measured between the centres of cells. `radius` is 0 ... kHalo. The function reads only the rows
+// within `radius` of the tile.
 [[nodiscard]] window::Plane blurred(const FrameBits& bits, std::int32_t radius);
 
 }  // namespace iog::map

@@ -16,8 +16,8 @@ namespace iog::map {
 
 inline constexpr std::uint16_t kMapPort = 15011;  // UDP
 
-// On this channel, each message is checked independently of other messages, because chunks may
-// arrive in any order.
+// On this channel, each message is checked independently of the others, because chunks may arrive
+// in any order.
 inline constexpr protection::Channel kMapChannel{
     .event = {.service_id = 0x4F47, .event_id = 0x8004, .interface_version = 1},
     .data_id = 0x494F4704,

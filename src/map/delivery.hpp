@@ -1,5 +1,5 @@
-// Receives map blocks in chunks. The chunks are stored in whichever of two buffers does not hold
-// the block in use.
+// Receives map blocks in chunks. There are two buffers, and chunks are stored in the buffer that
+// does not contain the block in use.
 //
 // Chunks may arrive in any order, more than once, and with gaps. When all chunks of a block have
 // arrived, the entire block is checked. The check processes a limited number of bytes per frame. A
@@ -31,7 +31,7 @@ namespace iog::map {
 
 inline constexpr std::uint64_t kPatienceUs = 1'000'000;
 
-// The check reads each block about twice, so the check of a 4 MiB block takes at least 33 frames.
+// The check reads a block about twice, so a block of 4 MiB takes at least 33 frames.
 inline constexpr std::size_t kCheckBytesPerFrame = 262'144;
 
 enum class DeliveryState : std::uint8_t {
@@ -53,7 +53,7 @@ struct DeliveryReport {
 class Delivery {
  public:
   // `description.is_valid()` must be true. The replayer at `replayer_ipv4` may also send on behalf
-  // of the source. The address is 0 if there is no replayer.
+  // of the source. If there is no replayer, the address is 0.
   explicit Delivery(const SourceDescription& description, std::uint32_t replayer_ipv4 = 0);
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
@@ -68,12 +68,12 @@ class Delivery {
   Fate receive(std::uint32_t source_ipv4, std::span<const std::byte> payload,
                std::uint64_t arrival_us);
 
-  // Sets a block that is available from the start, such as a block in the firmware image. Call this
-  // function before the first frame. The block must outlive this object. The block is checked
-  // immediately. If the block is rejected, the report counts the rejection.
+  // Sets the initial block, such as a block in the firmware image. Call this function before the
+  // first frame. The block must outlive this object. The block is checked immediately. Rejections
+  // are counted in the report.
   void begin_with(std::span<const std::uint8_t> block);
 
-  // Continues the check for about kCheckBytesPerFrame bytes. Once frames have begun, only this
+  // Continues the check for about kCheckBytesPerFrame bytes. From the first frame on, only this
   // function can change the block in use. Call this function once per frame.
   void work();
 
@@ -97,8 +97,8 @@ class Delivery {
   void put(const Chunk& chunk);
   // Returns the bytes of the incoming block.
   [[nodiscard]] std::span<const std::uint8_t> incoming() const;
-  // Returns the result of the check. Returns kDamaged if the block's CRC differs from the CRC that
-  // the chunks state for this block.
+  // Returns the result of the check. If the block is valid but its CRC differs from the CRC that
+  // its chunks specify, returns kDamaged.
   [[nodiscard]] Refusal verdict() const;
   void refuse(Refusal refusal);
 

@@ -1,5 +1,5 @@
-// Defines the outcomes of datagrams on the map port. `docs/spec.md`, section 7.2, defines the
-// values.
+// Defines the outcomes of datagrams on the map port. The values are defined in docs/spec.md,
+// section 7.2.
 #pragma once
 
 #include <cstddef>

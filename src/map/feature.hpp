@@ -14,8 +14,8 @@ inline constexpr std::uint32_t kMaxFeatureVertices = 65'535;
 inline constexpr std::size_t kFeatureHeaderBytes = 24;
 inline constexpr std::size_t kRingHeaderBytes = 12;
 
-// The bits of the map's classes (decision/decision.hpp). Cells with neither of these bits are
-// intermediate.
+// The bits that represent the map's classes (decision/decision.hpp). Cells with neither of these
+// bits are intermediate.
 enum class Kind : std::uint8_t { kBuilding = 1, kRoad = 2 };
 
 // A building or a part of a road. The area of a feature is the inside of its rings according to the
@@ -29,7 +29,7 @@ class Feature {
   [[nodiscard]] std::uint32_t edge_count() const { return words_.u32(4); }
   [[nodiscard]] BoxCm box() const { return words_.box(8); }
 
-  // Calls visit(PointCm from, PointCm to) for each edge of all rings. The closing edge of a ring is
+  // Calls visit(PointCm from, PointCm to) for each edge of each ring. The closing edge of a ring is
   // visited last.
   template <typename Visit>
   void for_each_edge(Visit&& visit) const;

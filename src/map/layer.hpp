@@ -2,17 +2,16 @@
 // are drawn, which are pending, and which must be drawn again.
 //
 // A tile becomes pending when it enters the window or when the map changes. A drawn tile becomes
-// pending again in two cases: the transform has moved a corner of the tile by more than a cell
-// since the tile was drawn, or the blur has become wider since then. If the blur becomes narrower,
-// the tile is not drawn again, because its mask is still correct, although it is less specific than
-// possible. The cells of a pending tile may have any class. The tile that has been pending longest
-// is drawn first. If several tiles have been pending equally long, the one with the lowest slot is
-// drawn first.
+// pending again if, since it was drawn, the blur has become wider or the transform has moved any
+// corner of the tile by more than a cell. If the blur becomes narrower, the tile is not drawn
+// again, because its mask is still correct, although less specific than it could be. The cells of a
+// pending tile may have any class. The tile that has been pending longest is drawn first. Among
+// tiles that became pending in the same frame, the tile with the lowest slot is drawn first.
 //
-// If the sensors contradict the map (map/agreement.hpp), the map rules out no classes. The layer
-// still draws the map so that it can detect when the map agrees with the sensors again.
+// If the sensors contradict the map (map/agreement.hpp), the map does not rule out any classes. The
+// layer still draws the map so that it can detect when the map agrees with the sensors again.
 //
-// The budget of a frame (kWorkPerFrame) is measured in edges. If the budget is used up, the
+// Each frame has a limited budget for this work (kWorkPerFrame). When the budget is used up, the
 // remaining work is postponed to the next frame, even in the middle of a tile. A tile takes effect
 // only when its drawing is complete.
 #pragma once
@@ -34,20 +33,20 @@
 
 namespace iog::map {
 
-// Work is measured in examined edges. An edge that crosses the tile costs kWorkPerCrossing units,
-// and each entry in the block's index costs 1 unit. The constants below define the costs of other
-// work on a tile.
+// One unit of work is the examination of one edge. An edge that crosses a row of the tile's frame
+// costs kWorkPerCrossing units, and each entry in the block's index costs 1 unit. A tile also costs
+// kWorkPerTile units, or kWorkPerTileOutside units if it is outside the map's extent.
 inline constexpr std::uint32_t kWorkPerFrame = 8'192;
 inline constexpr std::uint32_t kWorkPerTile = 256;
 inline constexpr std::uint32_t kWorkPerTileOutside = 32;
 
-// Returns the radius of the blur in cells, rounded up. The radius is the sum of the map's accuracy,
-// two standard deviations of the transform at 50 m, and the diagonal of a cell. The result is at
-// most 2^18.
+// Returns the radius of the blur in cells, rounded up. The radius is the sum of three lengths: the
+// map's accuracy, two standard deviations of the transform's error at a distance of 50 m, and the
+// diagonal of a cell. The result is at most 2^18.
 [[nodiscard]] constexpr std::uint32_t blur_radius(std::uint32_t accuracy_mm,
                                                   const pose::Sigma& sigma,
                                                   std::uint32_t cell_mm = geometry::kCellMm) {
-  // 2 * 50 m * 10 urad equals 1 mm.
+  // At a distance of 50 m, twice 10 urad corresponds to 1 mm.
   const std::uint32_t mm =
       accuracy_mm + 2U * sigma.position_mm + sigma.heading_10urad + cell_mm * 14 / 10;
   return (mm + cell_mm - 1) / cell_mm;
@@ -118,8 +117,8 @@ class Layer {
   void set_state(std::size_t slot, State state);
   void spend(std::uint32_t work) { budget_ -= std::min(budget_, work); }
 
-  // These members are stored by slot in separate arrays so that a scan over the states of all slots
-  // reads no other data.
+  // Each of these members is a separate array, indexed by slot, so that a scan over all states does
+  // not read other data.
   std::array<State, window::kSlotCount> states_{};
   std::array<std::uint32_t, window::kSlotCount> since_{};  // frame in which a tile began to wait
   std::array<Basis, window::kSlotCount> bases_{};          // of drawn or outside tiles

@@ -10,7 +10,8 @@
 
 namespace iog::map {
 
-// The reason why no tile has a mask. If several causes apply, only the first one is reported.
+// The reason why the map has no effect. If several causes apply, only the first one in this list is
+// reported.
 enum class Cause : std::uint8_t {
   kNone,
   kNoMap,         // no block

@@ -12,7 +12,8 @@ struct PointCm {
   friend constexpr bool operator==(const PointCm&, const PointCm&) = default;
 };
 
-// Contains points with low <= p <= high in both coordinates.
+// A rectangle, including its edges. Both coordinates are lowest at the corner `low` and highest at
+// the corner `high`.
 struct BoxCm {
   PointCm low;
   PointCm high;
@@ -27,9 +28,9 @@ struct BoxCm {
   friend constexpr bool operator==(const BoxCm&, const BoxCm&) = default;
 };
 
-// The largest coordinate of a map, which is 84 km from the map's origin. At this distance,
-// positions in the plane differ from positions on the earth by several metres. Signed differences
-// of coordinates fit into 25 bits, and products of two such differences fit into 49 bits.
+// The maximum absolute value of a map's coordinates. At this distance from the map's origin (84
+// km), positions in the plane differ from positions on the earth by several metres. Differences
+// between coordinates are within +-2^24, and products of two such differences are within +-2^48.
 inline constexpr std::int32_t kMaxCoordinateCm = 1 << 23;
 
 }  // namespace iog::map

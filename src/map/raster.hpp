@@ -2,11 +2,11 @@
 // polygon.
 //
 // Each row is stored in a word, starting with the lowest y. Bit i represents the cell in column i.
-// According to the even-odd rule, a centre is inside the polygon if the edges cross its row an odd
-// number of times at or to the left of the centre. An edge crosses the rows from its lower end
-// (inclusive) to its upper end (exclusive). Row intervals are therefore half-open. As a result,
-// polygons that share an edge neither have a cell in common nor leave a gap. The only inexact step
-// is the rounding of vertices to fine units (map/tile_place.hpp).
+// According to the even-odd rule, a centre is inside the polygon if an odd number of edges cross
+// its row at or to the left of the centre. An edge crosses the rows from its lower end (inclusive)
+// to its upper end (exclusive). Row intervals are therefore half-open. As a result, polygons that
+// share an edge neither overlap nor leave a gap. The only inexact step is the rounding of vertices
+// to fine units (map/tile_place.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct alignas(16) FrameBits {
   std::array<std::uint64_t, kFrameSide> rows{};
 };
 
-// The range of rows and columns within a given distance of the tile.
+// A range of rows or columns in a tile's frame.
 struct RowRange {
   std::int32_t first = 0;
   std::int32_t end = kFrameSide;  // exclusive
@@ -37,11 +37,11 @@ struct RowRange {
 class Raster {
  public:
   // Discards all edges. After this call, results are valid only for cells whose row and column are
-  // both in the range `rows`.
+  // in the range `rows`.
   void clear(RowRange rows);
 
-  // Returns the rows that an edge between these y coordinates crosses. Edges that cross no row do
-  // not have to be added.
+  // Returns the rows that an edge from `from_y` to `to_y` crosses. Edges that cross no row can be
+  // omitted.
   [[nodiscard]] RowRange crossed(std::int32_t from_y, std::int32_t to_y) const {
     return {std::max(first_from(std::min(from_y, to_y)), wanted_.first),
             std::min(first_from(std::max(from_y, to_y)), wanted_.end)};
@@ -53,8 +53,8 @@ class Raster {
            first_from(box.high.x) > wanted_.first;
   }
 
-  // Adds an edge. Differences of coordinates must be below 2^30.2. `rows` contains the rows that
-  // the edge crosses. The edge must cross at least one row.
+  // Adds an edge. The coordinates of its ends must differ by less than 2^30.2. `rows` contains the
+  // rows that the edge crosses. The edge must cross at least one row.
   void add_edge(RowRange rows, FinePoint from, FinePoint to);
 
   // Adds the cells inside the polygon to `bits`, and clears the raster for the next polygon.

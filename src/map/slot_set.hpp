@@ -18,8 +18,8 @@ class SlotSet {
     word = is_in ? word | bit : word & ~bit;
   }
 
-  // Returns the lowest slot in the set that is at least `slot`. If there is no such slot, returns
-  // kSlotCount.
+  // Returns the first slot in the set, starting the search at `slot`. If there is no such slot,
+  // returns kSlotCount.
   [[nodiscard]] std::size_t first_from(std::size_t slot) const {
     if (slot >= window::kSlotCount) {
       return window::kSlotCount;

@@ -1,4 +1,4 @@
-// The part of a vehicle's description that describes the sender of maps.
+// Describes the sender of maps, as part of a vehicle's description.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// Draws one tile of the window from a block, that is, determines which classes each cell of the
+// Draws one tile of the window from a block. The drawing determines which classes each cell of the
 // tile may have.
 //
 // A cell's own classes are the classes of all features that contain its centre. If no feature
 // contains the centre, the cell's own class is `intermediate`. Outside the extent of the block, any
-// class is possible. The possible classes of a cell are its own classes and the own classes of all
-// cells within the radius. A drawing can be suspended. The result is available only when the
-// drawing is complete.
+// class is possible. The possible classes of a cell are its own classes and those of all cells
+// within the radius. A drawing can be suspended. The result is available only when the drawing is
+// complete.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +27,18 @@ class TileDrawing {
   // `radius` is in cells, 0 ... kHalo.
   TileDrawing(const Block& block, const TilePlace& place, std::int32_t radius);
 
-  // Returns true if all cells within the radius are outside the extent, so that all cells of the
-  // tile may have any class.
+  // Returns true if the tile and all cells within the radius are outside the extent. In this case,
+  // the cells of the tile may have any class.
   [[nodiscard]] static bool is_outside(const Block& block, const TilePlace& place,
                                        std::int32_t radius) {
     return !place.box(radius).meets(block.extent());
   }
 
   // Continues until the budget is used up or the drawing is complete. Returns true if the drawing
-  // is complete. Each entry in the block's index costs 1 unit. An edge also costs 1 unit if the box
-  // of its feature reaches the tile's rows and columns. If the edge crosses a row, it costs
-  // kWorkPerCrossing units instead, but at most the remaining budget.
+  // is complete. Each entry in the block's index costs 1 unit. The edges of a feature are examined
+  // only if its box overlaps the tile or the cells within the radius. An edge costs
+  // kWorkPerCrossing units if it crosses a row, and 1 unit otherwise. However, an edge never costs
+  // more than the remaining budget.
   [[nodiscard]] bool go_on(std::uint32_t& budget);
 
   // Returns the mask. The mask is valid only when the drawing is complete.
