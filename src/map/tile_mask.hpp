@@ -1,12 +1,12 @@
-// Defines the classes that the map allows in the cells of a tile.
+// Defines which classes the map allows in each cell of a tile.
 #pragma once
 
 #include "window/tile.hpp"
 
 namespace iog::map {
 
-// Contains, for each class of the map, the cells that may have this class. Each cell must be
-// allowed at least one class.
+// For each class of the map, contains the cells that may have this class. At least one class must
+// be allowed in each cell.
 struct TileMask {
   window::Plane building{};
   window::Plane road{};

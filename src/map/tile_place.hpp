@@ -1,10 +1,10 @@
-// Transforms between a tile of the window and the plane of a map.
+// Transforms coordinates between a tile of the window and the plane of a map.
 //
-// Vertices are rounded to fine units. Each side of a cell is kFine units long, so a unit is 0.4 mm
-// if cells are 0.1 m. Cell sizes are 50, 100, 200 or 500 mm. Fine units are counted from the lower
-// corner of the tile's frame. The frame is the tile with kHalo additional cells on each side. The
-// rounding depends only on the position in the local frame. A vertex therefore has the same rounded
-// position in all tiles and features.
+// Vertices are rounded to fine units. A cell is kFine units wide, so a unit is 0.4 mm long if cells
+// are 0.1 m wide. Cell sizes are 50, 100, 200 or 500 mm. The origin of fine coordinates is the
+// corner of the tile's frame with the lowest x and y. The frame consists of the tile and a margin
+// of kHalo cells on each side. The rounding depends only on the position in the local frame. A
+// vertex therefore has the same rounded position in all tiles and features.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace iog::map {
 
-// The width, in cells, of the margin around a tile in which features can affect the tile.
+// The width of a tile's margin in cells. Features in this margin can affect the tile.
 inline constexpr std::int32_t kHalo = 16;
 inline constexpr std::int32_t kFrameSide = window::kTileSide + 2 * kHalo;
 static_assert(kFrameSide == 64, "a row of the frame is a word");
@@ -31,7 +31,7 @@ struct FinePoint {
   friend constexpr bool operator==(const FinePoint&, const FinePoint&) = default;
 };
 
-// Contains points with low <= p <= high in both coordinates.
+// Contains every point `p` with `low <= p <= high` in both coordinates.
 struct FineBox {
   FinePoint low;
   FinePoint high;
@@ -39,20 +39,20 @@ struct FineBox {
 
 class TilePlace {
  public:
-  // `local_frame` is the pose of the local frame in the plane of the map, within
-  // pose::kMaxCoordinateMm.
+  // `local_frame` is the pose of the local frame in the plane of the map. The absolute values of
+  // its coordinates must not exceed pose::kMaxCoordinateMm.
   TilePlace(const pose::Pose& local_frame, window::TileNumber tile,
             std::int32_t cell_mm = geometry::kCellMm);
 
-  // Converts a vertex to fine units. The vertex must lie in the extent of a map, and the tile's box
-  // must overlap this extent.
+  // Converts a vertex to fine units. The vertex must lie within the extent of a map, and the tile's
+  // box must overlap this extent.
   [[nodiscard]] FinePoint fine(PointCm point) const;
 
-  // Returns the smallest box in the tile's frame that contains the corners of the given box, and
-  // therefore the entire box.
+  // Returns the smallest box in fine units that contains all of `box`.
   [[nodiscard]] FineBox fine_box(const BoxCm& box) const;
 
-  // Returns a box in the plane that contains the tile and `cells_around` cells on each side of it.
+  // Returns a box in the plane of the map that contains the tile and `cells_around` cells on each
+  // side of it.
   [[nodiscard]] BoxCm box(std::int32_t cells_around) const;
 
  private:
@@ -69,8 +69,8 @@ class TilePlace {
   std::int32_t cell_mm_;
 };
 
-// Returns true if the change of the pose moves any corner of the tile by more than a cell in the
-// plane of the map. The result is accurate to 2^-10 mm.
+// Returns true if any corner of the tile moves by more than one cell in the plane of the map when
+// the pose changes from `from` to `to`. The movement is computed to within 2^-10 mm.
 [[nodiscard]] bool has_moved(window::TileNumber tile, const pose::Pose& from, const pose::Pose& to,
                              std::int32_t cell_mm = geometry::kCellMm);
 

@@ -1,4 +1,4 @@
-// Parses, writes and interprets ARP packets for IPv4 on Ethernet (RFC 826).
+// Parses, writes and interprets ARP packets for IPv4 over Ethernet (RFC 826).
 #pragma once
 
 #include <cstddef>
@@ -33,9 +33,9 @@ void write_arp(wire::ByteWriter& writer, const ArpPacket& packet);
 // Returns true if another station uses our address (RFC 5227, section 2.4).
 [[nodiscard]] bool claims_our_address(const ArpPacket& packet, const Config& config);
 
-// Returns true if the packet requests our address and may be answered. The sender must be another
-// station with a unicast address. The sender's IPv4 address must be a host address in our subnet,
-// or 0.0.0.0 for an address probe (RFC 5227, section 2.1.1).
+// Returns true if the packet is a request for our address that we may answer. The sender must be
+// another station with a unicast address. The sender's IPv4 address must be a host address in our
+// subnet, or 0.0.0.0 for an address probe (RFC 5227, section 2.1.1).
 [[nodiscard]] bool asks_for_us(const ArpPacket& packet, const Config& config);
 
 // Returns true if the packet contains the Ethernet address of `host`. The packet may be a request

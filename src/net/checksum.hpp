@@ -1,9 +1,9 @@
 // The Internet checksum (RFC 1071) is the one's complement of the one's complement sum of 16-bit
 // words.
 //
-// The carries can be added back at the end because 2^16 = 1 modulo 2^16 - 1. A sum of n words is
-// below 2^16 * n, so a 32-bit sum can hold 2^16 words. No caller sums more than two datagrams of
-// 2^15 words.
+// The carries can be added back at the end because 2^16 is congruent to 1 modulo `2^16 - 1`. The
+// sum of `n` words is below `2^16 * n`, so 32 bits are enough for the sum of 2^16 words. No caller
+// sums more than two datagrams, each with at most 2^15 words.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace iog::net {
 
-// Sums several pieces as if they were contiguous in memory. Each piece may have an odd number of
-// bytes. If the data contains its own correct checksum, its sum is 0.
+// Sums several pieces as if they were contiguous in memory. A piece may have an odd number of
+// bytes. If the data includes a correct checksum, value() returns 0.
 class Checksum {
  public:
   void add(std::span<const std::byte> bytes);
@@ -23,7 +23,7 @@ class Checksum {
     add_u16(static_cast<std::uint16_t>(words));
   }
 
-  // Copies `bytes` to the front of `to`, and adds them to the sum. `bytes` and `to` must not
+  // Copies `bytes` to the front of `to` and adds them to the sum. `bytes` and `to` must not
   // overlap. Each byte of `to` is written exactly once, in order, and is never read, so `to` may be
   // uncached memory.
   void add_copied(std::span<const std::byte> bytes, std::span<std::byte> to);
@@ -39,15 +39,15 @@ class Checksum {
     return static_cast<std::uint16_t>(word << 8 | word >> 8);
   }
 
-  // The first addition leaves at most 2 * (2^16 - 1), which consists of a carry of 1 and a lower
-  // half of at most 2^16 - 2. The second addition therefore leaves at most 2^16 - 1.
+  // The first addition yields at most `2^17 - 2`. If this sum has a carry, its lower half is at
+  // most `2^16 - 2`, so the second addition yields at most `2^16 - 1`.
   static constexpr std::uint16_t fold(std::uint32_t sum) {
     const std::uint32_t once = (sum >> 16) + (sum & 0xFFFFU);
     return static_cast<std::uint16_t>((once >> 16) + (once & 0xFFFFU));
   }
 
-  // After an odd number of bytes, each byte of the next piece belongs to the other half of its
-  // 16-bit word. The sum of byte-swapped words is the byte-swapped sum.
+  // If a piece is preceded by an odd number of bytes, the bytes in each of its words must be
+  // swapped. The sum of byte-swapped words is the byte-swapped sum.
   constexpr void add_sum(std::uint16_t sum, std::size_t size) {
     sum_ += odd_ ? swapped(sum) : sum;
     odd_ ^= (size % 2 != 0);

@@ -20,12 +20,12 @@ struct Config {
   // The target's IPv4 address. The address must be a host address in the subnet.
   Ipv4Address address;
 
-  // The length of the subnet prefix, from 8 to 30. The network has no router, so hosts outside the
-  // subnet are unreachable.
+  // The length of the subnet prefix in bits, from 8 to 30. The network has no router, so hosts
+  // outside the subnet are unreachable.
   std::uint8_t prefix_bits;
 
-  // The only host that receives messages and ping replies. The peer must be another host in the
-  // subnet.
+  // The only host to which the target sends messages and ping replies. The peer must be another
+  // host in the subnet.
   Ipv4Address peer;
 
   // The peer's UDP port for messages, from 1 to 65535.
@@ -34,9 +34,9 @@ struct Config {
   // The target's UDP source port for messages, from 1 to 65535.
   std::uint16_t source_port;
 
-  // The instance ID of the service that is offered through SOME/IP service discovery. If the ID is
-  // not 0, the target also listens on the discovery port and joins the discovery group. If the ID
-  // is 0, service discovery is disabled.
+  // The instance ID of the service offered through SOME/IP service discovery. If the ID is not 0,
+  // the target also listens on the discovery port and joins the discovery group. If the ID is 0,
+  // service discovery is disabled.
   std::uint8_t service_instance = 0;
 };
 

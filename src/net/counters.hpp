@@ -3,7 +3,7 @@
 // Two equations always hold modulo 2^32, because every counter wraps around:
 //   received = delivered + arp_answered + arp_learned + ping_answered + the sum of drops
 //     + fragments.joined
-//   failed calls of send_message() = the sum of refusals
+//   failed calls to send_message() and send_to() = the sum of refusals
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ enum class Refusal : std::uint8_t {
 inline constexpr std::size_t kRefusalCauses = 3;
 
 // The outcomes of fragments. `joined`, `duplicates`, `overlaps`, `bad` and `refused` count frames.
-// The other counters count datagrams. Frames in `duplicates`, `overlaps`, `bad` and `refused` are
-// also counted as Drop::kFragment.
+// The other counters count datagrams. Frames counted in `duplicates`, `overlaps`, `bad` or
+// `refused` also count towards Drop::kFragment.
 struct FragmentCounters {
   std::uint32_t joined = 0;      // stored; the datagram is still incomplete
   std::uint32_t duplicates = 0;  // same bytes at the same offset as an earlier fragment
@@ -72,8 +72,8 @@ struct Counters {
   std::array<std::uint32_t, kRefusalCauses> refusals{};
   FragmentCounters fragments{};
 
-  // The names of the counters in the stream (stream/target_table.hpp), in the order of the members
-  // and their enumerators.
+  // The names of the counters in the stream (stream/target_table.hpp), in the order of the members.
+  // The elements of an array are in the order of the corresponding enumerators.
   static constexpr auto kNames = std::to_array<std::string_view>(
       {"frames received", "datagrams delivered", "ARP answered", "ARP learned", "pings answered",
        "messages sent", "ARP requested",

@@ -1,12 +1,12 @@
 // A small network host on one Ethernet port. The host receives datagrams and sends messages to one
-// peer. The host answers pings only from the peer. The host answers ARP requests from every host in
-// its subnet, so that sensors can reach it.
+// peer. Pings are answered only if they come from the peer. ARP requests from every host in the
+// subnet are answered, so that sensors can reach the target.
 //
-// `send_message()` sends only to the peer, while send_to() sends to any given destination. The host
-// can also use ARP to resolve one more address, called the neighbour.
+// `send_message()` sends only to the peer, while send_to() sends to any destination. The host can
+// also use ARP to resolve the address of one more host, called the neighbour.
 //
-// The host reads no clock and owns no memory except the port's buffers. Received data is copied
-// only for reassembly. Sent data is copied once, and its checksum is computed during the copy. The
+// The host reads no clock, and its only buffers are those of the port. Received data is copied only
+// for reassembly. Sent data is copied once, and its checksum is computed during the copy. The
 // port's memory is uncached, so reading the data back would be slow.
 //
 // In each iteration, the main loop calls poll() until it returns nothing, sends its messages, and
@@ -29,7 +29,7 @@
 
 namespace iog::net {
 
-// `poll()` returns after kMaxFramesPerPoll frames without a datagram, so a flood of unrelated
+// `poll()` returns if kMaxFramesPerPoll frames in a row yield no datagram, so a flood of unrelated
 // frames cannot block the loop. At 100 Mbit/s, 32 frames of the minimum size arrive in 215 us.
 inline constexpr int kMaxFramesPerPoll = 32;
 
@@ -43,7 +43,7 @@ class Host {
   Host& operator=(const Host&) = delete;
 
   // Returns the next datagram addressed to us. The datagram is valid until the next call to poll().
-  // Returns nothing if no datagram has arrived, or after kMaxFramesPerPoll frames without a
+  // Returns nothing if no datagram has arrived, or if kMaxFramesPerPoll frames in a row yield no
   // datagram. `now_us` must not decrease.
   [[nodiscard]] std::optional<Datagram> poll(std::uint64_t now_us);
 
@@ -54,16 +54,16 @@ class Host {
   // Returns true if the peer's Ethernet address is known.
   [[nodiscard]] bool peer_known() const { return resolver_.known(); }
 
-  // Sends a copy of `payload` to the peer. If the payload is longer than kMaxUdpPayloadBytes, the
-  // peer is unresolved, or the transmit ring is full, the call increments the counter for the cause
-  // and returns false without sending the payload.
+  // Sends a copy of `payload` to the peer. Returns false and increments the counter for the cause
+  // if the payload is longer than kMaxUdpPayloadBytes, the peer is unresolved, or the transmit ring
+  // is full. Nothing is sent in these cases.
   [[nodiscard]] bool send_message(std::span<const std::byte> payload);
 
   // Sends a copy of `payload` to a destination whose Ethernet address the caller knows.
   [[nodiscard]] bool send_to(const Destination& to, std::span<const std::byte> payload);
 
-  // Sets or clears the neighbour. The neighbour is another host in the subnet, and ARP resolves its
-  // address.
+  // Sets or clears the neighbour. The neighbour is another host in the subnet, whose address ARP
+  // resolves.
   void know(std::optional<Ipv4Address> neighbour);
 
   // Returns the neighbour's Ethernet address and the time at which ARP last confirmed it.
@@ -77,13 +77,14 @@ class Host {
   }
 
  private:
-  // Returns the first bytes of a free transmit buffer, or nothing if the ring is full.
+  // Returns the first kMaxFrameBytes bytes of a free transmit buffer, or nothing if the ring is
+  // full.
   [[nodiscard]] std::optional<FrameBuffer> acquire();
 
   void release_frame();
   void request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us);
   // If `fragment` completes a datagram, returns this datagram. Otherwise, stores or drops the
-  // fragment.
+  // fragment and returns nothing.
   [[nodiscard]] std::optional<Datagram> take_fragment(const Ipv4Packet& fragment,
                                                       std::uint64_t now_us);
   [[nodiscard]] bool learn(const ArpPacket& packet, std::uint64_t now_us);
@@ -234,9 +235,9 @@ void Host<Port>::release_frame() {
   }
 }
 
-// Sends an ARP request if one is due. The first poll() sends a request immediately, which also
-// announces the target. QEMU's user network does not forward frames to the target until the target
-// has sent this request. If the ring is full, the request is not stored, and the next one is due a
+// Sends an ARP request if one is due. The first call to poll() immediately sends a request, which
+// also announces the target. QEMU's user network does not forward frames to the target until the
+// target has sent this request. If the ring is full, the request is lost, and the next one is due a
 // second later.
 template <hal::EthernetPort Port>
 void Host<Port>::request(PeerResolver& resolver, Ipv4Address host, std::uint64_t now_us) {
@@ -264,9 +265,9 @@ bool Host<Port>::learn(const ArpPacket& packet, std::uint64_t now_us) {
   return tells_peer || tells_neighbour;
 }
 
-// According to RFC 826, "Packet Reception", the address of the sender is learned first, and then
-// the request is answered. A request from the peer updates the peer's address and is answered, but
-// is counted only as answered.
+// The sender's address is learned before the request is answered (RFC 826, "Packet Reception"). If
+// a request from the peer both updates the peer's address and is answered, only the answer is
+// counted.
 template <hal::EthernetPort Port>
 void Host<Port>::answer_arp(const ArpPacket& packet, std::uint64_t now_us) {
   if (claims_our_address(packet, config_)) {

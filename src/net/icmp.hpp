@@ -15,9 +15,9 @@ enum class IcmpStatus : std::uint8_t { kEchoRequest, kOther, kBad };
 // `message` is wrong.
 [[nodiscard]] IcmpStatus classify_icmp(std::span<const std::byte> message);
 
-// Writes the reply to `request`. Before the call, classify_icmp() must have classified `request` as
-// an echo request. Copies the identifier, the sequence number and the data. `target` must be as
-// long as `request` and must not overlap it.
+// Writes the reply to `request`. classify_icmp() must have returned kEchoRequest for `request`.
+// Copies the identifier, the sequence number and the data. `target` must be as long as `request`
+// and must not overlap it.
 void write_echo_reply(std::span<std::byte> target, std::span<const std::byte> request);
 
 }  // namespace iog::net

@@ -1,5 +1,5 @@
-// Classifies a received frame. The result is the frame's kind or, if the frame is dropped, the
-// reason. The functions accept any bytes and are stateless.
+// Classifies a received frame. The result is the kind of the frame or the reason why it is dropped.
+// The functions accept any bytes and are stateless.
 #pragma once
 
 #include <cstddef>

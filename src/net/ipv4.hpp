@@ -23,7 +23,7 @@ struct Ipv4Packet {
   Ipv4Address destination{};
   std::uint8_t protocol = 0;
   std::uint16_t identification = 0;
-  // The offset of the payload in its datagram, in bytes. The offset is a multiple of 8 and is below
+  // The byte offset of the payload in its datagram. The offset is a multiple of 8 and is below
   // 2^16. `has_more_fragments` is false only for the last fragment.
   std::uint32_t fragment_offset = 0;
   bool has_more_fragments = false;
@@ -35,9 +35,9 @@ struct [[nodiscard]] Ipv4Result {
   Ipv4Packet packet{};  // valid only for kOk and kFragment
 };
 
-// Returns kBadHeader if the version, header length or total length is inconsistent with the other
-// fields or with the length of the packet. Returns kBadChecksum if the header checksum is wrong.
-// Returns kFragment if the packet is valid and contains only a part of a datagram.
+// Returns kBadHeader if the packet is shorter than a header, if the version is not 4, or if the
+// header length or total length is invalid. Returns kBadChecksum if the header checksum is wrong.
+// Returns kFragment if the packet is valid but contains only part of a datagram.
 Ipv4Result parse_ipv4(std::span<const std::byte> bytes);
 
 // The header fields that differ between sent packets.
@@ -52,7 +52,7 @@ struct Ipv4Header {
 };
 
 // Sets the Don't Fragment flag unless the packet is a fragment. Sets the time to live to 64 (RFC
-// 1700), and computes the checksum.
+// 1700) and computes the checksum.
 void write_ipv4_header(std::span<std::byte, kIpv4HeaderBytes> target, const Ipv4Header& header);
 
 }  // namespace iog::net

@@ -1,6 +1,6 @@
-// Builds outgoing ARP packets, echo replies and datagrams. Each function writes to the front of a
-// buffer that can hold the largest frame, pads with zeros to the minimum length, and returns the
-// length to commit.
+// Builds outgoing ARP packets, echo replies and datagrams. Each function writes a frame to the
+// front of a buffer, pads it with zeros to the minimum length, and returns the length to commit.
+// The buffer can hold the largest frame.
 #pragma once
 
 #include <cstddef>
@@ -32,12 +32,12 @@ struct Destination {
   friend constexpr bool operator==(const Destination&, const Destination&) = default;
 };
 
-// Builds a request for the Ethernet address of `host`. The request is sent to one station or is
-// broadcast.
+// Builds an ARP request for the Ethernet address of `host`. `whom` is the Ethernet address of one
+// station or the broadcast address.
 [[nodiscard]] std::size_t build_arp_request(FrameBuffer frame, const Config& config,
                                             Ipv4Address host, const MacAddress& whom);
 
-// Builds a reply with our Ethernet address, which is sent only to the sender of `request`.
+// Builds a unicast reply that tells the sender of `request` our Ethernet address.
 [[nodiscard]] std::size_t build_arp_reply(FrameBuffer frame, const Config& config,
                                           const ArpPacket& request);
 

@@ -9,7 +9,7 @@
 
 namespace iog::net {
 
-// At most one ARP request per second is sent to any one destination (RFC 1122, section 2.3.2.1).
+// ARP requests for the same host are sent at most once per second (RFC 1122, section 2.3.2.1).
 inline constexpr std::uint64_t kArpRequestIntervalUs = 1'000'000;
 
 // If an address has not been confirmed for kArpRefreshUs, it is requested again (RFC 1122, section
@@ -38,22 +38,22 @@ class PeerResolver {
     return mac_ ? std::optional(Told{*mac_, learned_us_}) : std::nullopt;
   }
 
-  // Call learn() when an ARP packet contains the address `mac` for the peer. Anyone can send an
-  // unsolicited ARP packet. Another station's address is therefore accepted only if the known
-  // station has not answered for one interval. Until then, the known station is treated as
-  // unconfirmed, as it is after a call to hear().
+  // Call learn() when an ARP packet states that `mac` is the peer's Ethernet address. Anyone can
+  // send an unsolicited ARP packet. Another station's address is therefore accepted only if the
+  // known station has left a request unanswered for kArpRequestIntervalUs. Until then, the packet
+  // only marks the known station as unconfirmed.
   void learn(const MacAddress& mac, std::uint64_t now_us);
 
   // Call hear() when a frame with the peer's IP address arrives. `mac` is the source MAC address of
-  // the frame. If `mac` differs from the known MAC address, the station with the known address is
-  // soon asked to confirm it. Traffic alone never replaces the address, because a router also
-  // forwards packets with a forged source.
+  // the frame. If `mac` differs from the known address, the known station is marked as unconfirmed.
+  // Traffic alone never replaces the address, because a router may also forward packets with a
+  // forged source.
   void hear(const MacAddress& mac);
 
-  // If an ARP request is due now, returns its destination and counts it as sent. If the known
-  // station is unconfirmed, the request is sent directly to it (RFC 1122, section 2.3.2.1, "Unicast
-  // Poll"). The request is broadcast if no station is known, if the address is due for a refresh,
-  // or if the known station has not answered.
+  // If an ARP request is due now, returns its destination and assumes that the caller sends the
+  // request. If the known station is unconfirmed, the request is sent directly to it (RFC 1122,
+  // section 2.3.2.1, "Unicast Poll"). The request is broadcast if no station is known, if the
+  // address is due for a refresh, or if the known station has not answered.
   [[nodiscard]] std::optional<MacAddress> request_due(std::uint64_t now_us);
 
  private:

@@ -12,7 +12,8 @@ namespace iog::net {
 inline constexpr std::size_t kUdpHeaderBytes = 8;
 inline constexpr std::size_t kMaxUdpPayloadBytes = kMaxIpv4PayloadBytes - kUdpHeaderBytes;
 
-// A UDP datagram addressed to us. The payload is a view of the received frame.
+// A UDP datagram addressed to us. The payload is a view of the received frame or, if the datagram
+// was fragmented, of the reassembled bytes.
 struct Datagram {
   Ipv4Address source{};
   Ipv4Address destination{};  // our address, a broadcast address that includes us, or our group
@@ -29,9 +30,9 @@ struct [[nodiscard]] UdpResult {
   Datagram datagram{};  // valid only for kOk
 };
 
-// Returns kBadLength if the UDP length is shorter than a header or extends beyond the packet's
-// payload. Returns kBadChecksum if a checksum is present (not 0) but wrong. Bytes after the UDP
-// length are ignored.
+// Returns kBadLength if the UDP length is less than kUdpHeaderBytes or exceeds the length of the
+// packet's payload. Returns kBadChecksum if a checksum is present (not 0) but wrong. Bytes beyond
+// the UDP length are ignored.
 UdpResult parse_udp(const Ipv4Packet& packet);
 
 struct UdpHeader {

@@ -1,13 +1,13 @@
-// Divides exactly by a divisor that is known only at run time, without a divide instruction.
+// Divides exactly, without a divide instruction, by a divisor known only at run time.
 //
 // The Cortex-A9 has no integer divide instruction, and the compiler's 64-bit division takes about
 // 400 instructions. This class follows Moeller and Granlund, "Improved division by invariant
-// integers" (IEEE Transactions on Computers 60, 2011). The divisor d is first shifted left until
+// integers" (IEEE Transactions on Computers 60, 2011). The divisor `d` is first shifted left until
 // its top bit is set. Algorithm 2 then computes
 //     inverse = floor((2^64 - 1) / d) - 2^32
-// from a table of 512 entries and two Newton steps. Algorithm 4 divides a 64-bit dividend by d with
-// one multiplication by the inverse and two corrections. All operations may wrap around. The paper
-// proves that the result is correct even after a wrap-around.
+// from a table of 512 entries and two Newton steps. Algorithm 4 divides a 64-bit dividend by `d`
+// with one multiplication by the inverse and two corrections. All operations may wrap around. The
+// paper proves that the result is correct even after a wrap-around.
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ consteval Inverses make_inverses() {
   return inverses;
 }
 
-// The entries are floor((2^24 - 2^14 + 2^9) / u), where u is the upper ten bits of the divisor. The
-// index of an entry is u without its top bit. The table is global because the compiler would
-// otherwise copy it to the stack in each call.
+// Each entry is `floor((2^24 - 2^14 + 2^9) / u)`, where `u` is the value of the upper ten bits of
+// the divisor. The index of an entry is `u` without its top bit. The table is global because the
+// compiler would otherwise copy it to the stack in each call.
 inline constexpr Inverses kInverses = make_inverses();
 
 }  // namespace divisor_detail

@@ -2,9 +2,9 @@
 //
 // On the target, only consteval functions call the functions in this file. A check at link time
 // ensures that the image contains no floating-point instructions. On the PC, the reference
-// implementations also call these functions at run time. The functions use only +, -, * and / of
-// IEEE doubles. Each operation is correctly rounded, so every compiler computes the same table. The
-// relative error is below 1e-14 in the stated ranges.
+// implementations also call these functions at run time. The functions use only the operators +, -,
+// * and / on IEEE doubles. Each operation is correctly rounded, so every compiler computes the same
+// table. The relative error is below 1e-14 in the stated ranges.
 #pragma once
 
 namespace iog::numeric {
@@ -12,8 +12,8 @@ namespace iog::numeric {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kLn2 = 0.69314718055994530942;
 
-// Returns the exact value of 2^n for |n| <= 1022. Repeated squaring is used because the compiler
-// evaluates the function for many tables.
+// Returns the exact value of 2^n for |n| <= 1022. Repeated squaring keeps compilation fast because
+// the compiler evaluates the function for many tables.
 constexpr double power_of_two(int n) {
   double square = n < 0 ? 0.5 : 2;
   double result = 1;
@@ -28,8 +28,8 @@ constexpr double power_of_two(int n) {
   return result;
 }
 
-// Returns e^x for -700 < x < 700. The argument is reduced to n * ln(2) + f with |f| <= ln(2) / 2,
-// and e^f is computed as a Taylor series.
+// Returns e^x for -700 < x < 700. The argument is written as `n * ln(2) + f`, where `|f|` is at
+// most `ln(2) / 2`, and `e^f` is computed from its Taylor series.
 constexpr double exp(double x) {
   const double scaled = x / kLn2;
   const int n = static_cast<int>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
@@ -43,8 +43,8 @@ constexpr double exp(double x) {
   return sum * power_of_two(n);
 }
 
-// Returns the natural logarithm of x for 1e-300 < x < 1e300. The argument is reduced to m * 2^n
-// with m near 1, and log(m) is computed from the series of atanh((m - 1) / (m + 1)).
+// Returns the natural logarithm of x for 1e-300 < x < 1e300. The argument is written as `m * 2^n`
+// with `m` near 1, and `log(m)` is computed from the series of `atanh((m - 1) / (m + 1))`.
 constexpr double log(double x) {
   int n = 0;
   while (x > 1.5) {
@@ -65,8 +65,8 @@ constexpr double log(double x) {
   return 2 * sum + n * kLn2;
 }
 
-// Returns the sum of (-1)^i * x^(2 * i + first) / (2 * i + first)! for |x| <= pi / 4. The result is
-// the Taylor series of cosine if `first` is 0, and of sine if `first` is 1.
+// Returns the sum of `(-1)^i * x^(2 * i + first) / (2 * i + first)!` over `i` for `|x| <= pi / 4`.
+// This sum is the Taylor series of the cosine if `first` is 0, and of the sine if `first` is 1.
 constexpr double alternating_series(double x, int first) {
   double term = first == 0 ? 1 : x;
   double sum = term;

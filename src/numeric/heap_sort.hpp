@@ -7,7 +7,7 @@
 
 namespace iog::numeric {
 
-// `is_less(a, b)` must be a strict weak order. The order of equivalent values is unspecified.
+// `is_less(a, b)` must be a strict weak ordering. The order of equivalent values is unspecified.
 template <typename T, typename IsLess>
 constexpr void heap_sort(std::span<T> values, IsLess is_less) {
   std::ranges::make_heap(values, is_less);

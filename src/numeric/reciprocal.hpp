@@ -1,16 +1,15 @@
-// Divides exactly without a divide instruction, for a divisor that is known long before the
-// dividend.
+// Divides exactly, without a divide instruction, by a divisor known long before the dividend.
 //
 // The Cortex-A9 has no integer divide instruction, and every beam needs several divisions by the
-// sensor's range. This class uses theorem 4.2 of Granlund and Montgomery, "Division by invariant
-// integers using multiplication" (PLDI 1994). For a divisor d, let l = ceil(log2(d)), s = N + l and
-// m = ceil(2^s / d). Then the error m * d - 2^s is in [0, 2^l). For every 0 <= n < 2^N, it follows
-// that floor(n * m / 2^s) = floor(n / d).
+// length of its line or by the sensor's precision. This class uses theorem 4.2 of Granlund and
+// Montgomery, "Division by invariant integers using multiplication" (PLDI 1994). For a divisor `d`,
+// let `l = ceil(log2(d))`, `s = N + l` and `m = ceil(2^s / d)`. Then the error `m * d - 2^s` is in
+// the interval `[0, 2^l)`. It follows that `floor(n * m / 2^s) = floor(n / d)` for every integer
+// `n` from 0 to `2^N - 1`.
 //
-// In this class, N = 31. The inequality d > 2^(l - 1) implies m < 2^32. If d is a power of two,
-// m = 2^31. The product n * m is therefore below 2^63, and the 32 x 32-bit product does not
-// overflow. The quotient n * m / 2^31 fits into one word, which is the upper word of
-// 2 * n * m.
+// In this class, `N` is 31. If `d` is a power of two, `m` is 2^31. For any `d`, `m` is below 2^32
+// because `d > 2^(l - 1)`. The product `n * m` is therefore below 2^63, so `2 * n * m` fits into 64
+// bits. The upper 32-bit word of `2 * n * m` is `floor(n * m / 2^31)`.
 #pragma once
 
 #include <bit>

@@ -14,7 +14,7 @@ namespace iog::numeric {
 inline constexpr int kSineFractionBits = 30;
 
 // Computes the sine table of the first quadrant. The table has kTicksPerTurn / 4 + 1 values, each
-// rounded to the nearest 2^-30.
+// rounded to the nearest multiple of 2^-30.
 template <std::int32_t kTicksPerTurn>
 consteval auto make_sine_quadrant() {
   static_assert(kTicksPerTurn > 0 && kTicksPerTurn % 4 == 0);
