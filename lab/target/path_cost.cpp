@@ -57,10 +57,11 @@ void measure(InstructionCounter& counter, const vehicle::BeamLine& line, PathCos
     return instructions_of(counter, [&] { path.find_up_to(blocks); });
   };
   const auto carve = [&](std::uint32_t blocks) {
-    grid::Way way = path.way_from(grid.block_at(path.start_offset()));
+    grid::Way way = path.way_from(grid.block_at(path.start_offset()),
+                                  grid.strides(path.orientation().number()).blocks);
     return instructions_of(counter, [&] { grid::carve_run(way, blocks, lanes::Lanes::all(1)); });
   };
-  path.begin(line);
+  path.begin(line, grid);
   const std::uint32_t few = find(kFew);
   cost.find += find(kFew + kMany) - few;
   cost.carve += carve(kMany) - carve(kFew);

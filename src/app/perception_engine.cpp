@@ -42,7 +42,8 @@ Unfit unfit_for_perception(const vehicle::Vehicle& vehicle) {
 
 PerceptionEngine::PerceptionEngine(Frame& frame, const vehicle::Vehicle& vehicle,
                                    std::uint32_t replayer_ipv4)
-    : window_(vehicle.window, vehicle.has_objects, vehicle.grid.cell_mm),
+    : fused_(vehicle.grid),
+      window_(vehicle.window, vehicle.has_objects, vehicle.grid.cell_mm),
       maps_(vehicle.maps, replayer_ipv4),
       poses_(vehicle.poses, replayer_ipv4, vehicle.depends_on_arrival()),
       receptions_(vehicle.depends_on_arrival()),

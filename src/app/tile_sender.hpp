@@ -65,8 +65,9 @@ class TileSender {
   // Begins a frame's grid, either of occupancy indexes or of classes.
   void begin(const stream::Header& header) {
     begin_frame(header);
-    hash_ = Hash();
+    hash_ = Hash(grid_);
     tiles_.begin_grid(header, stream::geometry_of(grid_));
+    end_tile_ = grid_.tile_count();
   }
   void begin(const stream::Header& header, const stream::ClassWindow& window,
              window::Extent extent = {}) {
@@ -281,7 +282,7 @@ class TileSender {
     if constexpr (kIsKept) {
       return tiles_.append(added.tile, encoding, added.age_frames, payload);
     } else {
-      return tiles_.append(grid_.tiles_before(added.tile), encoding, payload);
+      return tiles_.append(added.tile, encoding, payload);
     }
   }
 
@@ -298,9 +299,8 @@ class TileSender {
 
   void send_tiles(std::size_t end_tile) {
     const std::uint32_t count = tiles_.tile_count();
-    const std::size_t end = kIsKept ? end_tile : grid_.tiles_before(end_tile);
     const bool is_sent =
-        messages_->send(tiles_.finish(end, messages_->sequence()), std::exchange(tail_, {}));
+        messages_->send(tiles_.finish(end_tile, messages_->sequence()), std::exchange(tail_, {}));
     (is_sent ? sent_.tiles : sent_.tiles_lost) += count;
   }
 

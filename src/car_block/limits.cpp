@@ -79,7 +79,8 @@ void check_window(window::Extent extent, const Tell& tell) {
   check_side(extent.rows, "window.side_y_m");
 }
 
-// The memory has 1024 x 1024 cells, and each side consists of whole tiles.
+// The memory has 1024 x 1024 cells, and each side consists of whole tiles. A line of the longest
+// range crosses fewer than 2,048 borders and 512 blocks in any such grid (tests/host/grid).
 // Returns false if lengths cannot be converted to cells.
 bool check_grid(const Vehicle& car, const Tell& tell) {
   const geometry::Grid& grid = car.grid;
@@ -89,15 +90,20 @@ bool check_grid(const Vehicle& car, const Tell& tell) {
   }
   const auto check_side = [&](std::uint16_t cells, std::uint16_t origin, std::string_view field,
                               std::string_view allowed) {
-    if (cells == 0 || cells % geometry::kTileSide != 0 || cells > geometry::kCellsPerSide ||
+    if (cells == 0 || cells % geometry::kTileSide != 0 || cells > geometry::kLongestSide ||
         origin > cells) {
       tell({.field = field, .allowed = allowed, .sum = cells});
     }
   };
   check_side(grid.columns, grid.origin_column, "grid.ahead_m",
-             "with behind_m 32 ... 1024 cells, in steps of 32");
+             "with behind_m 32 ... 4096 cells, in steps of 32");
   check_side(grid.rows, grid.origin_row, "grid.left_m",
-             "with right_m 32 ... 1024 cells, in steps of 32");
+             "with right_m 32 ... 4096 cells, in steps of 32");
+  if (grid.tile_count() > geometry::kTileCount) {
+    tell({.field = "grid.ahead_m",
+          .allowed = "at most 1048576 cells in all",
+          .sum = grid.tile_count() * geometry::kTileCells});
+  }
   check_cells(car, tell);
   check_window(car.window.extent, tell);
   return true;

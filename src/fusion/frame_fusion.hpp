@@ -31,7 +31,7 @@ class FrameFusion {
  public:
   // `vehicle` must outlive this object.
   explicit FrameFusion(const vehicle::Vehicle& vehicle)
-      : grids_(vehicle.window.is_opened_from_below),
+      : grids_(vehicle.window.is_opened_from_below, vehicle.grid),
         turns_(vehicle, grids_, marks_),
         azimuths_(vehicle, grids_, marks_),
         first_sensor_(vehicle.sensors.data()),

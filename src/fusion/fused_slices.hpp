@@ -28,6 +28,12 @@ struct FusedSlice {
 // A FusedSlices object uses 7 MB, so it must be in static memory.
 class FusedSlices {
  public:
+  explicit FusedSlices(const geometry::Grid& grid) {
+    for (placing::SliceCells& cells : cells_) {
+      cells.take_shape(grid);
+    }
+  }
+
   // Returns memory for one slice. Only a single core may use this memory. The initial content is
   // arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }

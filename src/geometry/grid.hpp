@@ -12,19 +12,20 @@
 #include "geometry/cell.hpp"
 #include "geometry/sizes.hpp"
 #include "geometry/tile.hpp"
+#include "numeric/reciprocal.hpp"
 
 namespace iog::geometry {
 
 inline constexpr CellArea kGridArea{kCellsPerSide, kCellsPerSide};
 inline constexpr std::size_t kCellCount = std::size_t{kCellsPerSide} * kCellsPerSide;
 
-[[nodiscard]] constexpr Cell cell_of(std::size_t number) {
-  constexpr std::size_t kRow = kCellsPerSide;
-  return {static_cast<std::int32_t>(number % kRow), static_cast<std::int32_t>(number / kRow)};
+// `columns` is the number of cells per row.
+[[nodiscard]] constexpr Cell cell_of(std::size_t number, std::size_t columns = kCellsPerSide) {
+  return {static_cast<std::int32_t>(number % columns), static_cast<std::int32_t>(number / columns)};
 }
 
-[[nodiscard]] constexpr std::int32_t number_of(Cell cell) {
-  return cell.y * kCellsPerSide + cell.x;
+[[nodiscard]] constexpr std::int32_t number_of(Cell cell, std::int32_t columns = kCellsPerSide) {
+  return cell.y * columns + cell.x;
 }
 
 inline constexpr std::size_t kTilesPerSide = kCellsPerSide / kTileSide;
@@ -32,11 +33,11 @@ inline constexpr std::size_t kTileCount = kTilesPerSide * kTilesPerSide;
 static_assert(kCellsPerSide % kTileSide == 0);
 static_assert(kTileCount <= 0xFFFF, "the wire numbers tiles in 16 bits");
 
-// Returns the tile that contains a cell of the grid.
-[[nodiscard]] constexpr std::size_t tile_of(Cell cell) {
+// Returns the tile that contains a cell of a grid with this many tiles per row.
+[[nodiscard]] constexpr std::size_t tile_of(Cell cell, std::size_t across = kTilesPerSide) {
   constexpr std::uint32_t kSide = kTileSide;
   const std::uint32_t tile_x = static_cast<std::uint32_t>(cell.x) / kSide;
-  return static_cast<std::uint32_t>(cell.y) / kSide * kTilesPerSide + tile_x;
+  return static_cast<std::uint32_t>(cell.y) / kSide * across + tile_x;
 }
 
 // In the default grid, the vehicle frame's origin is the cell corner at the centre of the grid. In
@@ -54,9 +55,12 @@ inline constexpr std::array<std::uint16_t, 4> kCellSizesMm{50, 100, 200, 500};
 // Rules that state a distance or an area in cells refer to cells of this size.
 inline constexpr std::uint16_t kUsualCellMm = 100;
 
-// The grid that a car file specifies. The memory always has kCellsPerSide cells per row, so the
-// numbers of cells and tiles above do not depend on the car file. A smaller grid occupies the part
-// of the memory that starts at cell (0, 0).
+// The longest side of a grid that a car file may specify. A column and a row fit 24 bits together.
+inline constexpr std::int32_t kLongestSide = 4096;
+static_assert(kCellsPerSide <= kLongestSide);
+
+// The grid that a car file specifies. The memory has kCellCount cells. Cells and tiles are numbered
+// row by row in the grid's own rows. A tile has the same number in memory and on the wire.
 struct Grid {
   std::uint16_t cell_mm = kCellMm;
   std::uint16_t columns = kCellsPerSide;
@@ -74,25 +78,38 @@ struct Grid {
     return mm * kResolution / cell_mm;
   }
 
+  [[nodiscard]] constexpr std::size_t tiles_across() const { return columns / kTileSide; }
   [[nodiscard]] constexpr std::size_t tile_count() const {
-    return columns / kTileSide * (rows / kTileSide);
+    return tiles_across() * (rows / kTileSide);
   }
-  // Counts the grid's tiles that precede this tile of the memory in row-major order. If the tile is
-  // part of the grid, the result is the tile number on the wire.
-  [[nodiscard]] constexpr std::size_t tiles_before(std::size_t tile) const {
-    const std::size_t across = columns / kTileSide;
-    const std::size_t up = rows / kTileSide;
-    const std::size_t row = tile / kTilesPerSide;
-    const std::size_t column = tile % kTilesPerSide;
-    return row < up ? row * across + (column < across ? column : across) : up * across;
-  }
-  // Returns the tile of the memory that has this number on the wire.
-  [[nodiscard]] constexpr std::size_t tile_in_memory(std::size_t number) const {
-    const std::size_t across = columns / kTileSide;
-    return number / across * kTilesPerSide + number % across;
+  // Returns true if the grid fits into the memory, and the vehicle's origin into the grid.
+  [[nodiscard]] constexpr bool fits() const {
+    return 0 < columns && columns <= kLongestSide && 0 < rows && rows <= kLongestSide &&
+           columns % kTileSide == 0 && rows % kTileSide == 0 && tile_count() <= kTileCount &&
+           origin_column <= columns && origin_row <= rows;
   }
 
   friend constexpr bool operator==(const Grid&, const Grid&) = default;
+};
+
+// The rows of a grid's tiles.
+class TileRows {
+ public:
+  explicit constexpr TileRows(const Grid& grid = {})
+      : across_(static_cast<std::uint32_t>(grid.tiles_across())), by_row_(across_) {}
+
+  // Returns the number of tiles in a row.
+  [[nodiscard]] constexpr std::uint32_t across() const { return across_; }
+  // Returns the column and row of a tile, in tiles.
+  [[nodiscard]] constexpr Cell place_of(std::size_t tile) const {
+    const auto number = static_cast<std::uint32_t>(tile);
+    const std::uint32_t row = by_row_.divide(number);
+    return {static_cast<std::int32_t>(number - row * across_), static_cast<std::int32_t>(row)};
+  }
+
+ private:
+  std::uint32_t across_;
+  numeric::Reciprocal by_row_;
 };
 
 }  // namespace iog::geometry

@@ -17,7 +17,7 @@ Between BeamCarver::end_without_hit(const vehicle::Sensor& sensor, const KeptLin
 template <typename Steps>
 void BeamCarver::carve(KeptLine& line, BlockGrid& grid, Steps& steps) {
   if (line.has_path()) {
-    carve_blocks(grid, line.path(), steps);
+    carve_blocks(grid, line.path(grid), steps);
   } else {
     carve_cells(grid, line.line(), line.in_grid().first.at(), steps);
   }

@@ -133,9 +133,9 @@ class alignas(kCacheLineBytes) KeptLine {
   // Returns true if the line has a block path. A line has a block path if it begins in the grid and
   // does not pass through a corner.
   [[nodiscard]] bool has_path() const { return has_path_; }
-  BlockPath& path() {
+  BlockPath& path(const BlockGrid& grid) {
     if (!path_begun_) {
-      path_.begin(line_);
+      path_.begin(line_, grid);
       path_begun_ = true;
     }
     return path_;

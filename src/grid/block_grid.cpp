@@ -1,28 +1,44 @@
 #include "grid/block_grid.hpp"
 
+#include <algorithm>
+
+#include "grid/block_shapes.hpp"
+
 namespace iog::grid {
 namespace {
 
 constexpr std::size_t kBlocksAtOnce = 4;
 constexpr std::int32_t kHalves = geometry::kTileSide / static_cast<std::int32_t>(kLaneCount);
 
-// Index of the tile's first stored block.
-constexpr std::size_t first_block(std::size_t tile) {
-  const std::size_t row = tile / geometry::kTilesPerSide * kBlocksPerTile;
-  return row * kBlockStride + tile % geometry::kTilesPerSide * kBlocksPerTile;
-}
-
 static_assert(kBlocksPerTile == kHalves * kBlocksAtOnce);
 
 }  // namespace
 
-const LaneBytes* BlockGrid::blocks_of(std::size_t tile, std::int32_t row) const {
-  return &blocks_[first_block(tile) + static_cast<std::size_t>(row) * kBlockStride];
+BlockGrid::BlockGrid(const geometry::Grid& grid)
+    : tiles_(grid), stride_(block_stride_of(grid)), area_(grid.area()) {
+  for (std::size_t number = 0; number < strides_.size(); ++number) {
+    const Orientation orientation = Orientation::of(number);
+    strides_[number] = {orientation.strides(stride_),
+                        orientation.strides(static_cast<std::ptrdiff_t>(tiles_.across()))};
+  }
+}
+
+std::size_t BlockGrid::first_block(std::size_t tile) const {
+  const geometry::Cell place = tiles_.place_of(tile);
+  return static_cast<std::size_t>((place.y * stride_ + place.x) * kBlocksPerTile);
+}
+
+const LaneBytes* BlockGrid::blocks_of(std::size_t tile) const {
+  return &blocks_[first_block(tile)];
 }
 
 void BlockGrid::copy_cells(std::span<OccupancyIndex, geometry::kCellCount> to) const {
-  for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
-    to[number] = at(geometry::cell_of(number));
+  std::ranges::fill(to, index::kUnknown);
+  auto next = to.begin();
+  for (std::int32_t y = 0; y < area_.height; ++y) {
+    for (std::int32_t x = 0; x < area_.width; ++x) {
+      *next++ = at({x, y});
+    }
   }
 }
 
@@ -32,6 +48,7 @@ bool BlockGrid::copy_tile(std::size_t tile,
   Lanes known = Lanes::all(index::kUnknown);
   const LaneBytes* from = &blocks_[first_block(tile)];
   OccupancyIndex* row_start = to.data();
+  const std::ptrdiff_t stride = stride_;  // which no store to a cell changes
   for (std::int32_t row = 0; row < kBlocksPerTile; ++row) {
     for (std::size_t half = 0; half < kHalves; ++half) {
       const std::array<Lanes, kBlockSide> rows = Lanes::rows_of(from + half * kBlocksAtOnce);
@@ -43,7 +60,7 @@ bool BlockGrid::copy_tile(std::size_t tile,
         out += geometry::kTileSide;
       }
     }
-    from += kBlockStride;
+    from += stride;
     row_start += std::ptrdiff_t{geometry::kTileSide} * kBlockSide;
   }
   return !known.is_zero();
@@ -53,11 +70,12 @@ void BlockGrid::clear_tile(std::size_t tile) {
   touched_[tile] = 0;
   const Lanes unknown = Lanes::all(index::kUnknown);
   LaneBytes* row = &blocks_[first_block(tile)];
+  const std::ptrdiff_t stride = stride_;
   for (std::int32_t y = 0; y < kBlocksPerTile; ++y) {
     for (std::int32_t x = 0; x < kBlocksPerTile; ++x) {
       unknown.store(row[x]);
     }
-    row += kBlockStride;
+    row += stride;
   }
 }
 

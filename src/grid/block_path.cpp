@@ -10,20 +10,19 @@ namespace {
 
 // Length of the longest line in subcells, and the largest number of columns in which its height is
 // evaluated. car_block/limits.cpp ensures that the error term fits, sqrt(2) L r < 2^31, and that a
-// range is at most 130 m in cells of at least 50 mm. A path stays in the grid, except for one
+// range is at most 130 m in cells of at least 50 mm. A path stays on its line, except for one
 // column of blocks before its start and one behind its end.
 constexpr std::uint32_t kLongest = std::min((std::int64_t{1} << 31) / geometry::kResolution * 5 / 7,
                                             std::int64_t{130'000} / 50 * geometry::kResolution + 1);
-constexpr std::int32_t kMostColumns =
-    std::min<std::int32_t>(geometry::kCellsPerSide, kLongest / geometry::kResolution + 1);
+constexpr std::int32_t kMostColumns = kLongest / geometry::kResolution + 1;
 static_assert(kMostColumns + 2 * kBlockSide <= std::int64_t{traversal::most_columns(kLongest)});
 }  // namespace
 
-void BlockPath::begin(const vehicle::BeamLine& line) {
+void BlockPath::begin(const vehicle::BeamLine& line, const BlockGrid& grid) {
   const geometry::Cell start = line.cell({});
-  require(geometry::kGridArea.contains(start));
-  start_offset_ = offset_of(start);
-  start_tile_ = static_cast<std::uint16_t>(geometry::tile_of(start));
+  require(grid.area().contains(start));
+  start_offset_ = offset_of(start, grid.stride());
+  start_tile_ = static_cast<std::uint16_t>(geometry::tile_of(start, grid.tiles_across()));
   require(std::max(line.x().length(), line.y().length()) <= kLongest);
   orientation_ = {.is_steep = line.y().length() > line.x().length(),
                   .x_is_negative = line.x().step() < 0,

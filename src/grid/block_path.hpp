@@ -23,7 +23,7 @@ namespace iog::grid {
 // The entry masks[code / 2] selects the cells of the block that the line crosses.
 struct Way {
   const LaneBytes* masks;
-  Orientation::Strides strides;
+  Strides strides;
   LaneBytes* block;
   std::uint32_t code;
   const BlockCode* next_codes;
@@ -51,9 +51,9 @@ struct Way {
 
 class BlockPath {
  public:
-  // Begins the path of a line that starts in the grid and does not pass through a corner after its
-  // start (traversal/corner.hpp).
-  void begin(const vehicle::BeamLine& line);
+  // Begins the path of a line that starts in the grid and meets no corner after its start
+  // (traversal/corner.hpp).
+  void begin(const vehicle::BeamLine& line, const BlockGrid& grid);
 
   // Returns the position relative to the corner of the first block, in the line's own direction.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
@@ -68,9 +68,9 @@ class BlockPath {
   }
 
   // Returns the offset, in stored blocks, from the first block to the block that contains a
-  // position. `corner` is the position's from_corner().
-  [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner) const {
-    const auto [along_u, along_v] = orientation_.strides(kBlockStride);
+  // position. `corner` is the position's from_corner(). `strides` are those of way_from().
+  [[nodiscard]] std::ptrdiff_t stride_to(traversal::Position corner, const Strides& strides) const {
+    const auto [along_u, along_v] = strides;
     const auto x = static_cast<std::ptrdiff_t>(corner.x / kBlockSide);
     const auto y = static_cast<std::ptrdiff_t>(corner.y / kBlockSide);
     return orientation_.is_steep ? y * along_u + x * along_v : x * along_u + y * along_v;
@@ -89,21 +89,22 @@ class BlockPath {
   // Returns a mask of the cells of the first block, excluding the cells before the line's start.
   [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
-  // Returns a cursor at the first block. `start` is the block at start_offset().
-  [[nodiscard]] Way way_from(LaneBytes* start) const {
-    return {masks().of_shape.data(), orientation_.strides(kBlockStride), start, codes_[0],
-            &codes_[1]};
+  // Returns a cursor at the first block. `start` is the block at start_offset(). `strides` are
+  // those of the grid's blocks.
+  [[nodiscard]] Way way_from(LaneBytes* start, const Strides& strides) const {
+    return {masks().of_shape.data(), strides, start, codes_[0], &codes_[1]};
   }
 
-  // Calls visit(tile) at least once for each tile that the line enters up to this position. The
-  // line's heights at the tile borders determine where the line enters another row of tiles. The
-  // line enters another row at most once per column of tiles, because the slope is at most 1.
+  // Calls visit(tile) once or more for each tile that the line enters up to this position.
+  // `strides` are those of the grid's tiles. The line's heights at the tile borders determine where
+  // the line enters another row of tiles. The line enters another row at most once per column of
+  // tiles, because the slope is at most 1.
   template <typename Visit>
-  void for_each_tile(traversal::Position last, Visit&& visit) const {
+  void for_each_tile(traversal::Position last, const Strides& strides, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
     const std::uint32_t columns_y = (last.y + y_in_tile_) / geometry::kTileSide;
     std::uint32_t columns = orientation_.is_steep ? columns_y : columns_x;
-    const auto [along_u, along_v] = orientation_.strides(geometry::kTilesPerSide);
+    const auto [along_u, along_v] = strides;
     auto tile = std::ptrdiff_t{start_tile_};
     const auto last_tile = tile + static_cast<std::ptrdiff_t>(columns) * along_u +
                            static_cast<std::ptrdiff_t>(columns_x + columns_y - columns) * along_v;
@@ -127,9 +128,10 @@ class BlockPath {
   }
 
  private:
-  // A line is monotonic along each axis. The number of blocks that a line enters is therefore at
-  // most the number of block columns plus the number of block rows. The search always stores two
-  // codes per column of blocks, even if only one of them is valid.
+  // A line is monotone on each axis. The number of blocks that a line enters is therefore less than
+  // the number of block columns plus the number of block rows. In a grid with a longer side, the
+  // longest line enters no more (car_block/limits.cpp). The search always stores two codes per
+  // column of blocks, even if only one of them is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);

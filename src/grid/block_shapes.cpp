@@ -63,9 +63,7 @@ constexpr BlockMasks make_block_masks(const Orientation& orientation) {
 constexpr std::array<BlockMasks, 8> make_all_block_masks() {
   std::array<BlockMasks, 8> masks;
   for (std::size_t number = 0; number < masks.size(); ++number) {
-    masks[number] = make_block_masks({.is_steep = (number & 4U) != 0,
-                                      .x_is_negative = (number & 1U) != 0,
-                                      .y_is_negative = (number & 2U) != 0});
+    masks[number] = make_block_masks(Orientation::of(number));
   }
   return masks;
 }

@@ -62,15 +62,15 @@ struct Orientation {
   bool x_is_negative = false;
   bool y_is_negative = false;
 
+  [[nodiscard]] static constexpr Orientation of(std::size_t number) {
+    return {.is_steep = (number & 4U) != 0,
+            .x_is_negative = (number & 1U) != 0,
+            .y_is_negative = (number & 2U) != 0};
+  }
   [[nodiscard]] constexpr std::size_t number() const {
     return (x_is_negative ? 1U : 0U) + (y_is_negative ? 2U : 0U) + (is_steep ? 4U : 0U);
   }
-  // The offsets from one element to the next along u and along v, in an array with `row` elements
-  // per row.
-  struct Strides {
-    std::ptrdiff_t u;
-    std::ptrdiff_t v;
-  };
+  // Returns the strides in an array with `row` elements per row.
   [[nodiscard]] constexpr Strides strides(std::ptrdiff_t row) const {
     const std::ptrdiff_t along_x = x_is_negative ? -1 : 1;
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;

@@ -23,13 +23,14 @@ template <bool kHasGaps>
 [[gnu::always_inline]] inline void carve_path(BlockGrid& grid, BlockPath& path, FreeSteps& steps) {
   const traversal::Position last = steps.last().at();
   path.find_up_to(path.block_at(last));
-  path.for_each_tile(last, [&](std::size_t tile) { grid.touch(tile); });
+  const Orientation orientation = path.orientation();
+  const BlockGrid::LineStrides& strides = grid.strides(orientation.number());
+  path.for_each_tile(last, strides.tiles, [&](std::size_t tile) { grid.touch(tile); });
 
   const traversal::Position corner = path.from_corner({});
-  const Orientation orientation = path.orientation();
   const BlockMasks& masks = path.masks();
   LaneBytes* const start = grid.block_at(path.start_offset());
-  Way way = path.way_from(start);
+  Way way = path.way_from(start, strides.blocks);
   Lanes cells = Lanes::load(way.cells()).bit_and(path.start_mask());
   std::uint32_t number = 0;
   std::int32_t freer = steps.from_start();
@@ -48,7 +49,7 @@ template <bool kHasGaps>
     if (its_number != number) {
       carve_block(*way.block, cells, in_block);
       if (kHasGaps && freer_before == 0) {
-        way.step_to(start + path.stride_to({x, y}), its_number - number);
+        way.step_to(start + path.stride_to({x, y}, way.strides), its_number - number);
       } else {
         carve_run(way, its_number - number - 1, amount);
         way.step();
@@ -76,17 +77,17 @@ void carve_blocks(BlockGrid& grid, BlockPath& path, LowSteps& steps) {
 
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  FreeSteps& steps) {
-  traversal::Walk walk(line, first, geometry::kCellsPerSide);
+  traversal::Walk walk(line, first, geometry::kLongestSide);
   std::int32_t freer = steps.from_start();
   steps.take_changes([&](Between point, std::int32_t change) {
     if (freer == 0) {
       walk.skip_until(point.crossed());
     } else {
       walk.until(point.crossed(), [&](std::size_t number) {
-        const geometry::Cell cell = geometry::cell_of(number);
-        OccupancyIndex& index = grid.cell_at(offset_of(cell));
+        const geometry::Cell cell = geometry::cell_of(number, geometry::kLongestSide);
+        OccupancyIndex& index = grid.cell_at(offset_of(cell, grid.stride()));
         index = index::sat_lower(index, -freer);
-        grid.touch(geometry::tile_of(cell));
+        grid.touch(geometry::tile_of(cell, grid.tiles_across()));
       });
     }
     freer += change;

@@ -109,9 +109,9 @@ void carve_cone(BlockGrid& grid, const vehicle::Sensor& sensor, const lidar::Sca
       const Side x{std::int64_t{column} * geometry::kResolution - sensor.origin.x};
       if (cone.contains(x, y)) {
         const geometry::Cell cell{column, row};
-        OccupancyIndex& index = grid.cell_at(offset_of(cell));
+        OccupancyIndex& index = grid.cell_at(offset_of(cell, grid.stride()));
         index = index::sat_lower(index, sensor.arc.free);
-        grid.touch(geometry::tile_of(cell));
+        grid.touch(geometry::tile_of(cell, grid.tiles_across()));
       }
     }
   }

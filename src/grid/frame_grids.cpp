@@ -32,12 +32,14 @@ TileBits FrameGrids::low_and_tall(std::size_t tile) const {
   constexpr std::size_t kHalf = kBlocksPerTile / 2;
   static_assert(kHalf * kBlockSide == kLaneCount);
   TileBits bits;
+  const LaneBytes* cells = indexes.blocks_of(tile);
+  const LaneBytes* levels = heights.blocks_of(tile);
   for (std::int32_t row = 0; row < kBlocksPerTile; ++row) {
-    const LaneBytes* const cells = indexes.blocks_of(tile, row);
-    const LaneBytes* const levels = heights.blocks_of(tile, row);
     const auto four = Lanes::negative(both_low_or_tall(cells, levels),
                                       both_low_or_tall(cells + kHalf, levels + kHalf));
     std::ranges::copy(four, &bits[static_cast<std::size_t>(row) * kBlockSide]);
+    cells += indexes.stride();
+    levels += heights.stride();
   }
   return bits;
 }

@@ -23,7 +23,8 @@ using TileBits = std::array<std::uint32_t, geometry::kTileSide>;
 static_assert(geometry::kTileSide == 32);
 
 struct FrameGrids {
-  explicit FrameGrids(bool keep) : keep_heights(keep) {}
+  explicit FrameGrids(bool keep, const geometry::Grid& grid = {})
+      : indexes(grid), heights(grid), keep_heights(keep) {}
 
   // Returns two sets of cells of a tile: the free cells that a low beam freed, and the occupied
   // cells that a tall return hit.

@@ -16,7 +16,7 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
   const traversal::Position first = line.in_grid().first.at();
   const std::uint32_t line_end = line.in_grid().end.crossed();
   const bool from_hit = hit.crossed() >= first.crossed();
-  traversal::Walk walk(line.line(), from_hit ? hit : first, geometry::kCellsPerSide);
+  traversal::Walk walk(line.line(), from_hit ? hit : first, geometry::kLongestSide);
   if (from_hit) {
     walk.skip_until(std::min(hit.crossed() + 1, line_end));
   }
@@ -28,8 +28,9 @@ void PendingMarks::mark_behind(const vehicle::Sensor& sensor, const KeptLine& li
     if (index == 0) {
       walk.skip_until(end);
     } else {
-      walk.until(end,
-                 [&](std::size_t number) { remember(geometry::cell_of(number), index, is_tall); });
+      walk.until(end, [&](std::size_t number) {
+        remember(geometry::cell_of(number, geometry::kLongestSide), index, is_tall);
+      });
     }
   }
 }
@@ -49,10 +50,12 @@ template <bool kWithHeights>
 void PendingMarks::apply(FrameGrids& grids, vehicle::FusionRule rule) const {
   const OccupancyIndex least =
       rule == vehicle::FusionRule::kHitsWin ? index::kUnknown : index::kIndexMin<OccupancyIndex>;
+  const std::int32_t stride = grids.indexes.stride();
+  const std::uint32_t across = grids.indexes.tiles_across();
   for (const Mark& mark : std::span(marks_).first(count_)) {
-    const geometry::Cell cell = geometry::cell_of(mark.cell);
-    const std::uint32_t offset = offset_of(cell);
-    const std::size_t tile = geometry::tile_of(cell);
+    const geometry::Cell cell = geometry::cell_of(mark.cell, geometry::kLongestSide);
+    const std::uint32_t offset = offset_of(cell, stride);
+    const std::size_t tile = geometry::tile_of(cell, across);
     OccupancyIndex& index = grids.indexes.cell_at(offset);
     index = index::sat_add(std::max(index, least), static_cast<OccupancyIndex>(mark.index));
     grids.indexes.touch(tile);

@@ -21,11 +21,11 @@ namespace iog::grid {
 
 // A cell marked by a point.
 struct Mark {
-  std::uint32_t cell : 24;    // cell number
+  std::uint32_t cell : 24;    // cell number in rows of kLongestSide cells
   std::uint32_t is_tall : 1;  // whether the point is a tall return, if heights are kept
   std::uint32_t index : 7;    // 1 ... 127
 };
-static_assert(geometry::kCellCount <= (std::size_t{1} << 24) && sizeof(Mark) == 4);
+static_assert(geometry::kLongestSide <= 1 << 12 && sizeof(Mark) == 4);
 
 // The maximum number of marks per frame. The marks use 1 MiB. This number is enough for one turn of
 // any of the following: a sensor with 128 layers and 2,048 azimuths, two sensors with 64 layers
@@ -96,7 +96,8 @@ class PendingMarks {
 
   void remember(geometry::Cell cell, OccupancyIndex index, bool is_tall) {
     require(count_ < kMaxMarks);
-    marks_[count_] = {static_cast<std::uint32_t>(geometry::number_of(cell)) & 0xFFFFFFU,
+    const std::int32_t number = geometry::number_of(cell, geometry::kLongestSide);
+    marks_[count_] = {static_cast<std::uint32_t>(number) & 0xFFFFFFU,
                       static_cast<std::uint32_t>(is_tall) & 1U,
                       static_cast<std::uint32_t>(index) & 0x7FU};
     ++count_;

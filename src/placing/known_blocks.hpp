@@ -21,15 +21,16 @@ inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
-// Calls visit(first, low, high, evidence) for each block that may be near known cells. `first` is
-// the point in the grid to which the centre of the block's first cell maps. `low` and `high` bound
-// the images of all cells in the block. `evidence` points to the evidence of the first cell.
-// Returns false if no block was visited.
+// Calls visit(first, low, high, evidence) for each block that may be near known cells. `shape` is
+// that of the slice. `first` is the point in the grid to which the centre of the block's first cell
+// maps. `low` and `high` bound the images of all cells in the block. `evidence` points to the
+// evidence of the first cell. Returns false if no block was visited.
 //
 // The evidence of a band is prefetched first. Otherwise, its cache lines would be loaded one by one
 // between the lookups.
-template <typename Visit>
-inline bool for_each_known_block(const SliceCells& slice, FinePoint first, FinePoint step,
+template <typename Shape, typename Visit>
+inline bool for_each_known_block(const SliceCells& slice, const Shape& shape, FinePoint first,
+                                 FinePoint step,
                                  std::span<std::int8_t, geometry::kTileCells> evidence,
                                  Visit&& visit) {
   constexpr std::int32_t kSide = SliceCells::kBlockSide;
@@ -42,7 +43,7 @@ inline bool for_each_known_block(const SliceCells& slice, FinePoint first, FineP
     for (std::size_t x = 0; x < geometry::kTileSide; x += kSide) {
       const geometry::Cell low = block.low(at);
       const geometry::Cell high = block.high(at);
-      if (slice.is_known_near(low, high)) {
+      if (slice.is_known_near(low, high, shape)) {
         if (!is_known) {
           lanes::bring(std::as_bytes(band));
           is_known = true;

@@ -7,7 +7,7 @@ namespace iog::placing {
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence) {
   return for_each_known_block(
-      slice, first, steps.step, evidence,
+      slice, slice.shape(), first, steps.step, evidence,
       [&](FinePoint row, geometry::Cell /*low*/, geometry::Cell /*high*/, std::int8_t* cells) {
         for (std::int32_t y = 0; y < SliceCells::kBlockSide; ++y) {
           FinePoint point = row;

@@ -41,24 +41,24 @@ std::int8_t* put_rows(const std::int8_t* left, const std::int8_t* right, std::in
 }
 
 // The cells low ... high: in place if they lie in one tile, otherwise copied to `memory`.
-Patch patch_of(const SliceCells& slice, geometry::Cell low, geometry::Cell high,
+template <typename Shape>
+Patch patch_of(const SliceCells& slice, const Shape& shape, geometry::Cell low, geometry::Cell high,
                PatchRows& memory) {
+  const auto cells = [&](geometry::Cell its) { return slice.cells(its, shape).data(); };
   const geometry::Cell tile{low.x >> geometry::kTileSideLog2, low.y >> geometry::kTileSideLog2};
   const geometry::Cell last{high.x >> geometry::kTileSideLog2, high.y >> geometry::kTileSideLog2};
   if (tile == last) {
-    return {.cells = slice.cells(tile).data(), .origin = {tile.x * kRow, tile.y * kRow}};
+    return {.cells = cells(tile), .origin = {tile.x * kRow, tile.y * kRow}};
   }
   // From two tiles the halves that meet; from one tile both halves.
   const std::int32_t from = tile.x == last.x ? 0 : kHalf;
   const std::int32_t to = tile.x == last.x ? kHalf : 0;
   const std::int32_t end = std::min(high.y + 1, (tile.y + 1) * kRow);
   const std::int32_t first = (low.y - tile.y * kRow) * kRow;
-  std::int8_t* const next =
-      put_rows(slice.cells(tile).data() + first + from,
-               slice.cells({last.x, tile.y}).data() + first + to, end - low.y, memory.data());
+  std::int8_t* const next = put_rows(
+      cells(tile) + first + from, cells({last.x, tile.y}) + first + to, end - low.y, memory.data());
   if (tile.y != last.y) {
-    put_rows(slice.cells({tile.x, last.y}).data() + from, slice.cells(last).data() + to,
-             high.y + 1 - end, next);
+    put_rows(cells({tile.x, last.y}) + from, cells(last) + to, high.y + 1 - end, next);
   }
   return {.cells = memory.data(), .origin = {tile.x * kRow + from, low.y}};
 }
@@ -198,18 +198,18 @@ inline void pull_along_y(const std::int8_t* cells, FinePoint low, FinePoint to_n
 }
 
 // One instance for each case, so blocks need no branches and the steps stay in registers.
-template <int kRows, bool kIsAlongY>
-bool pull_blocks(const SliceCells& slice, FinePoint first, const EightSteps& steps,
-                 std::span<std::int8_t, geometry::kTileCells> evidence) {
+template <int kRows, bool kIsAlongY, typename Shape>
+bool pull_blocks(const SliceCells& slice, const Shape& shape, FinePoint first,
+                 const EightSteps& steps, std::span<std::int8_t, geometry::kTileCells> evidence) {
   static_assert(SliceCells::kBlockSide == EightSteps::kCount);
   alignas(16) PatchRows memory;
   const Steps lanes(steps);
   const FinePoint to_low = steps.to_low;
   const FinePoint to_next = steps.to_next;
   return for_each_known_block(
-      slice, first, steps.step, evidence,
+      slice, shape, first, steps.step, evidence,
       [&](FinePoint at, geometry::Cell low, geometry::Cell high, std::int8_t* cells) {
-        const Patch patch = patch_of(slice, low, high, memory);
+        const Patch patch = patch_of(slice, shape, low, high, memory);
         const FinePoint lowest{at.x + to_low.x - (patch.origin.x << kFineBits),
                                at.y + to_low.y - (patch.origin.y << kFineBits)};
         if constexpr (kIsAlongY) {
@@ -220,24 +220,26 @@ bool pull_blocks(const SliceCells& slice, FinePoint first, const EightSteps& ste
       });
 }
 
-template <bool kIsAlongY>
-bool pull_along(const SliceCells& slice, FinePoint first, const EightSteps& steps,
-                std::span<std::int8_t, geometry::kTileCells> evidence) {
+template <bool kIsAlongY, typename Shape>
+bool pull_along(const SliceCells& slice, const Shape& shape, FinePoint first,
+                const EightSteps& steps, std::span<std::int8_t, geometry::kTileCells> evidence) {
   if (steps.rows <= 2) {
-    return pull_blocks<2, kIsAlongY>(slice, first, steps, evidence);
+    return pull_blocks<2, kIsAlongY>(slice, shape, first, steps, evidence);
   }
   if (steps.rows <= 4) {
-    return pull_blocks<4, kIsAlongY>(slice, first, steps, evidence);
+    return pull_blocks<4, kIsAlongY>(slice, shape, first, steps, evidence);
   }
-  return pull_blocks<EightSteps::kMostRows, kIsAlongY>(slice, first, steps, evidence);
+  return pull_blocks<EightSteps::kMostRows, kIsAlongY>(slice, shape, first, steps, evidence);
 }
 
 }  // namespace
 
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence) {
-  return steps.is_along_y ? pull_along<true>(slice, first, steps, evidence)
-                          : pull_along<false>(slice, first, steps, evidence);
+  return slice.with_shape([&](const auto& shape) {
+    return steps.is_along_y ? pull_along<true>(slice, shape, first, steps, evidence)
+                            : pull_along<false>(slice, shape, first, steps, evidence);
+  });
 }
 
 }  // namespace iog::placing

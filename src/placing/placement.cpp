@@ -10,7 +10,7 @@
 namespace iog::placing {
 namespace {
 
-static_assert(geometry::kCellsPerSide <= 4096 && window::kCellsAcross == 1024);
+static_assert(geometry::kLongestSide <= 4096 && window::kCellsAcross == 1024);
 
 struct Offset {
   std::int64_t x_mm = 0;

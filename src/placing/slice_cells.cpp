@@ -15,27 +15,22 @@ void SliceCells::copy(std::size_t tile, TileIndexes indexes, const window::Plane
 }
 
 void SliceCells::note(std::size_t tile) {
-  note_extent(tile);
+  const auto [x, y] = tile_rows_.place_of(tile);
+  extent_ = {{std::min(extent_.low.x, x), std::min(extent_.low.y, y)},
+             {std::max(extent_.high.x, x), std::max(extent_.high.y, y)}};
   if (notes_[tile].hit_bands != 0) {
     hit_tiles_[hit_tile_count_++] = static_cast<std::uint16_t>(tile);
   }
-  note_known(tile);
-}
-
-void SliceCells::note_known(std::size_t tile) {
-  std::size_t at = (kRowsAround + tile / geometry::kTilesPerSide * kSquaresOfTile) * kSquareStride +
-                   1 + tile % geometry::kTilesPerSide;
-  for (const std::uint8_t row : notes_[tile].known) {
-    squares_[at] = row;
-    at += kSquareStride;
+  const auto stride =
+      static_cast<std::size_t>(shape_.square_stride());  // which no store to a byte changes
+  std::uint8_t* at =
+      &squares_[(kRowsAround + static_cast<std::size_t>(y) * kSquaresOfTile) * stride + 1 +
+                static_cast<std::size_t>(x)];
+  const auto known = notes_[tile].known;
+  for (const std::uint8_t row : known) {
+    *at = row;
+    at += stride;
   }
-}
-
-void SliceCells::note_extent(std::size_t tile) {
-  const auto x = static_cast<std::int32_t>(tile % geometry::kTilesPerSide);
-  const auto y = static_cast<std::int32_t>(tile / geometry::kTilesPerSide);
-  extent_ = {{std::min(extent_.low.x, x), std::min(extent_.low.y, y)},
-             {std::max(extent_.high.x, x), std::max(extent_.high.y, y)}};
 }
 
 void SliceCells::clear() {
@@ -48,7 +43,8 @@ void SliceCells::clear() {
 void SliceCells::begin() { std::iota(places_.begin(), places_.end(), std::uint16_t{0}); }
 
 void SliceCells::forget_notes() {
-  squares_.fill(0);
+  const auto rows = static_cast<std::size_t>(shape_.cells().height) / kSquareSide + 2 * kRowsAround;
+  std::fill_n(squares_.begin(), rows * static_cast<std::size_t>(shape_.square_stride()), 0);
   extent_ = {};
   hit_tile_count_ = 0;
 }

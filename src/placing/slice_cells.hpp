@@ -24,6 +24,44 @@ class SliceCells {
 
   // The number of rows in a band, and the side length of a block.
   static constexpr std::int32_t kBlockSide = 8;
+  static constexpr std::int32_t kSquaresBeside = 3;
+
+  // The shape of the grid: its columns and rows, in cells and in tiles, and the bytes of a row of
+  // squares_, which has one extra byte before the grid's bytes and two after them.
+  class Shape {
+   public:
+    explicit Shape(const geometry::Grid& grid = {}) : cells_(grid.area()) {}
+    [[nodiscard]] geometry::CellArea cells() const { return cells_; }
+    [[nodiscard]] geometry::CellArea tiles() const {
+      return {cells_.width >> geometry::kTileSideLog2, cells_.height >> geometry::kTileSideLog2};
+    }
+    [[nodiscard]] std::int32_t square_stride() const { return tiles().width + kSquaresBeside; }
+
+   private:
+    geometry::CellArea cells_;
+  };
+  // The shape of the default grid, as constants. Lookups are faster with constants.
+  struct UsualShape {
+    static constexpr geometry::CellArea cells() { return geometry::kGridArea; }
+    static constexpr geometry::CellArea tiles() {
+      return {geometry::kTilesPerSide, geometry::kTilesPerSide};
+    }
+    static constexpr std::int32_t square_stride() { return tiles().width + kSquaresBeside; }
+  };
+  // Sets the shape. All cells must be unknown.
+  void take_shape(const geometry::Grid& grid) {
+    shape_ = Shape(grid);
+    tile_rows_ = geometry::TileRows(grid);
+  }
+  [[nodiscard]] const Shape& shape() const { return shape_; }
+  [[nodiscard]] const geometry::TileRows& tile_rows() const { return tile_rows_; }
+  // Returns look(shape).
+  template <typename Look>
+  auto with_shape(Look&& look) const {
+    const bool is_usual = shape_.cells().width == geometry::kGridArea.width &&
+                          shape_.cells().height == geometry::kGridArea.height;
+    return is_usual ? look(UsualShape{}) : look(shape_);
+  }
 
   // Sets a tile of the grid. The indexes are stored row by row from the lowest y. Before the call,
   // the tile's cells must be unknown. `low_and_tall` contains the free cells that a low beam freed,
@@ -48,7 +86,9 @@ class SliceCells {
   // Returns true if the tile has a known cell. The tile is given by its number or by its column and
   // row.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
-  [[nodiscard]] bool is_known(geometry::Cell tile) const { return is_known_[number_of(tile)]; }
+  [[nodiscard]] bool is_known(geometry::Cell tile) const {
+    return is_known_[number_of(tile, shape_)];
+  }
 
   // Returns true if any cell in a band of a tile may be hit. A band has kBlockSide rows.
   [[nodiscard]] bool may_be_hit(std::size_t tile, std::size_t band) const {
@@ -62,24 +102,31 @@ class SliceCells {
 
   // The bounds of all known tiles, in columns and rows.
   struct Extent {
-    geometry::Cell low{geometry::kTilesPerSide, geometry::kTilesPerSide};
+    geometry::Cell low{geometry::kTileCount, geometry::kTileCount};
     geometry::Cell high{-1, -1};
   };
   [[nodiscard]] const Extent& extent() const { return extent_; }
 
-  // `is_known_near()` returns true if any cell of a rectangle may be known. The rectangle may lie
-  // anywhere, but it must have at most kMostNear columns and rows.
+  // Returns true if any cell of a rectangle may be known. The rectangle may lie anywhere, but it
+  // must have at most kMostNear columns and rows. `shape` is that of the grid.
   static constexpr std::int32_t kMostNear = 13;
-  [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const;
+  template <typename ItsShape>
+  [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high,
+                                   const ItsShape& shape) const;
+  [[nodiscard]] bool is_known_near(geometry::Cell low, geometry::Cell high) const {
+    return is_known_near(low, high, shape_);
+  }
 
   // Returns the cells of the tile in a column and row of the grid, row by row from the lowest y.
-  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read the
-  // same number of bytes after these cells, but the values of these bytes are meaningless.
-  [[nodiscard]] TileBytes cells(geometry::Cell tile) const {
-    const std::size_t number = number_of(tile);
-    return is_inside(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
-                                                : TileBytes(kUnknown.front());
+  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read an
+  // equal number of bytes after these cells, but the values of these bytes are meaningless.
+  template <typename ItsShape>
+  [[nodiscard]] TileBytes cells(geometry::Cell tile, const ItsShape& shape) const {
+    const std::size_t number = number_of(tile, shape);
+    return shape.tiles().contains(tile) && is_known_[number] ? TileBytes(tiles_[places_[number]])
+                                                             : TileBytes(kUnknown.front());
   }
+  [[nodiscard]] TileBytes cells(geometry::Cell tile) const { return cells(tile, shape_); }
   // Returns the byte of any cell, inside or outside the grid.
   [[nodiscard]] std::int8_t at(geometry::Cell cell) const {
     constexpr std::uint32_t kSide = geometry::kTileSide;
@@ -98,23 +145,21 @@ class SliceCells {
   // is_known_near() and overlaps the grid extends at most this far beyond the grid.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
-  static constexpr std::size_t kSquareRows =
-      geometry::kCellsPerSide / kSquareSide + 2 * kRowsAround;
-  // Each row has one extra byte before the grid's bytes and two after them.
-  static constexpr std::size_t kSquareStride = geometry::kTilesPerSide + 3;
+  // An upper bound for all grids.
+  static constexpr std::size_t kMostSquareBytes =
+      geometry::kTileCount * kSquaresOfTile +
+      (geometry::kLongestSide / kSquareSide + 2 * kRowsAround) * kSquaresBeside +
+      2 * kRowsAround * geometry::kLongestSide / geometry::kTileSide;
 
-  [[nodiscard]] static constexpr std::size_t number_of(geometry::Cell tile) {
-    return static_cast<std::uint32_t>(tile.y) * geometry::kTilesPerSide +
-           static_cast<std::uint32_t>(tile.x);
-  }
-  [[nodiscard]] static constexpr bool is_inside(geometry::Cell tile) {
-    return geometry::CellArea{geometry::kTilesPerSide, geometry::kTilesPerSide}.contains(tile);
+  template <typename ItsShape>
+  [[nodiscard]] static std::size_t number_of(geometry::Cell tile, const ItsShape& shape) {
+    return static_cast<std::uint32_t>(tile.y * shape.tiles().width + tile.x);
   }
   void forget_notes();
   void note(std::size_t tile);
-  void note_extent(std::size_t tile);
-  void note_known(std::size_t tile);
 
+  Shape shape_;
+  geometry::TileRows tile_rows_;
   alignas(32) std::array<Bytes, geometry::kTileCount + 1> tiles_{};
   std::array<std::uint16_t, geometry::kTileCount> places_{};  // place of each known tile
   std::uint16_t used_ = 0;                                    // places used by set()
@@ -125,25 +170,28 @@ class SliceCells {
   std::array<std::uint16_t, geometry::kTileCount> hit_tiles_{};
   // The known squares of the grid, surrounded by unknown squares. Each byte represents one row of
   // squares in a tile.
-  std::array<std::uint8_t, kSquareRows * kSquareStride> squares_{};
+  std::array<std::uint8_t, kMostSquareBytes> squares_{};
 };
 
 // Reads at most four rows of squares, and four squares in each row. The squares at the corners may
 // lie up to kAround cells outside the grid, where squares_ has a margin.
-inline bool SliceCells::is_known_near(geometry::Cell low, geometry::Cell high) const {
-  constexpr std::int32_t kSide = geometry::kCellsPerSide;
+template <typename ItsShape>
+inline bool SliceCells::is_known_near(geometry::Cell low, geometry::Cell high,
+                                      const ItsShape& shape) const {
   constexpr std::int32_t kTile = geometry::kTileSide;
-  if (low.x <= -kAround || low.y <= -kAround || low.x >= kSide || low.y >= kSide) {
+  if (low.x <= -kAround || low.y <= -kAround || low.x >= shape.cells().width ||
+      low.y >= shape.cells().height) {
     return false;
   }
   const auto first = static_cast<std::uint32_t>(low.x + kTile) / kSquareSide;
   const auto last = static_cast<std::uint32_t>(high.x + kTile) / kSquareSide;
   const auto rows_end = static_cast<std::uint32_t>(high.y + kAround) / kSquareSide;
+  const auto stride = static_cast<std::uint32_t>(shape.square_stride());
   std::uint32_t known = 0;
   for (auto row = static_cast<std::uint32_t>(low.y + kAround) / kSquareSide; row <= rows_end;
        ++row) {
     std::uint16_t bits = 0;
-    __builtin_memcpy(&bits, &squares_[row * kSquareStride + first / kSquaresOfTile], sizeof bits);
+    __builtin_memcpy(&bits, &squares_[row * stride + first / kSquaresOfTile], sizeof bits);
     known |= bits;
   }
   const std::uint32_t columns = (2U << (last - first)) - 1;

@@ -42,18 +42,17 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {
-  constexpr auto kTiles = static_cast<std::int32_t>(geometry::kTilesPerSide);
   constexpr std::int32_t kRows = std::int32_t{kBandRows};
   const FinePoint step = to_window.step();
   const Reach of_tile = Reach::of_square(window::kTileSide, step);
   const Reach of_band = Reach::of(window::kTileSide, kRows, step);
   for (const std::uint16_t tile : slice.hit_tiles()) {
-    FinePoint first =
-        to_window.exact({tile % kTiles * window::kTileSide, tile / kTiles * window::kTileSide});
+    const geometry::Cell place = slice.tile_rows().place_of(tile);
+    FinePoint first = to_window.exact({place.x * window::kTileSide, place.y * window::kTileSide});
     if (!meets(of_tile.low(first), of_tile.high(first))) {
       continue;
     }
-    const std::int8_t* row = slice.cells({tile % kTiles, tile / kTiles}).data();
+    const std::int8_t* row = slice.cells(place).data();
     for (std::size_t band = 0; band < geometry::kTileSide / kBandRows; ++band) {
       if (slice.may_be_hit(tile, band) && meets(of_band.low(first), of_band.high(first))) {
         for_each_hit_of_band(row, first, step, visit);

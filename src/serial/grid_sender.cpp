@@ -27,13 +27,18 @@ void GridSender::begin_frame(const stream::Header& header) {
 }
 
 void GridSender::take_tile(std::size_t tile, tile_coding::TileCells cells) {
-  coarse_.add_tile(tile, cells);
-  window_.add_tile(tile, cells);
+  if (fits_) {
+    const auto [x, y] = rows_.place_of(tile);
+    const auto number =
+        static_cast<std::size_t>(y) * geometry::kTilesPerSide + static_cast<std::size_t>(x);
+    coarse_.add_tile(number, cells);
+    window_.add_tile(number, cells);
+  }
 }
 
 void GridSender::end_frame() {
-  const bool has_evidence = header_.has_evidence();
-  rounds_[kRough].left = kTileCounts[kRough];
+  const bool has_evidence = fits_ && header_.has_evidence();
+  rounds_[kRough].left = fits_ ? kTileCounts[kRough] : 0;
   rounds_[kFine].left = has_evidence ? kTileCounts[kFine] : 0;
   rounds_[kCells].left = has_evidence ? window_.end() - rounds_[kCells].next : 0;
 }

@@ -42,10 +42,14 @@ class GridSender {
   // no space in the image.
   GridSender();
 
-  // Sets the cell size and origin of the messages. Call describe() before the first frame. The
-  // grids on this link always cover the area of kCellsPerSide x kCellsPerSide full-resolution
-  // cells. Cells outside the car's grid are unknown.
-  void describe(const geometry::Grid& grid) { grid_ = grid; }
+  // Sets the cell size and origin of the messages. Call describe() before the first frame. Each
+  // grid on this link is as large as the default grid. Cells outside the car's grid are unknown. If
+  // a side of the car's grid is longer, nothing is sent.
+  void describe(const geometry::Grid& grid) {
+    grid_ = grid;
+    rows_ = geometry::TileRows(grid);
+    fits_ = grid.columns <= geometry::kCellsPerSide && grid.rows <= geometry::kCellsPerSide;
+  }
 
   // For each complete frame, call the following functions: first the one for its header, then the
   // one for its known tiles in ascending order, and then the one for its end. The functions read
@@ -105,6 +109,8 @@ class GridSender {
 
   // The state of the newest frame.
   geometry::Grid grid_;
+  geometry::TileRows rows_;
+  bool fits_ = true;
   stream::Header header_;
   CoarseLevels coarse_;
   DetailWindow window_;

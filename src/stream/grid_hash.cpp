@@ -3,7 +3,6 @@
 #include <array>
 #include <span>
 
-#include "geometry/grid.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::stream {
@@ -13,11 +12,13 @@ void GridHash::add(std::size_t tile, tile_coding::TileCells cells) {
 }
 
 void GridHash::add_remainder(std::size_t tile, std::uint32_t remainder) {
-  const std::size_t x = tile % geometry::kTilesPerSide;
-  const std::size_t y = tile / geometry::kTilesPerSide;
+  for (; tile >= row_end_; row_end_ += across_) {
+    ++row_;
+  }
   std::array<std::byte, 4> place{};
-  wire::store_be16(std::span(place).first<2>(), static_cast<std::uint16_t>(x));
-  wire::store_be16(std::span(place).last<2>(), static_cast<std::uint16_t>(y));
+  wire::store_be16(std::span(place).first<2>(),
+                   static_cast<std::uint16_t>(tile + across_ - row_end_));
+  wire::store_be16(std::span(place).last<2>(), static_cast<std::uint16_t>(row_));
   crc_.add_remainder(std::span<const std::byte, 4>(place), remainder);
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/grid.hpp"
 #include "stream/crc32.hpp"
 #include "tile_coding/tile_cells.hpp"
 
@@ -14,7 +15,10 @@ namespace iog::stream {
 // has a CRC of 0.
 class GridHash {
  public:
-  // `tile` is the tile's number in row-major order.
+  explicit GridHash(const geometry::Grid& grid = {})
+      : across_(grid.tiles_across()), row_end_(across_) {}
+
+  // `tile` is the tile's number in row-major order. Tiles must be added in ascending order.
   void add(std::size_t tile, tile_coding::TileCells cells);
   // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
@@ -22,6 +26,9 @@ class GridHash {
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }
 
  private:
+  std::size_t across_;   // tiles per row
+  std::size_t row_end_;  // one past the last tile of the last tile's row
+  std::size_t row_ = 0;
   GridCrc32 crc_;
 };
 

@@ -47,8 +47,8 @@ struct Geometry {
   friend constexpr bool operator==(const Geometry&, const Geometry&) = default;
 };
 
-// Returns the geometry of one quadtree level. The grid is the size of the firmware's grid memory.
-// Level 0 contains the cells, and level 5 contains one coarse cell per tile.
+// Returns the geometry of one quadtree level of the default grid, with the cell size and the origin
+// of `grid`. Level 0 contains the cells, and level 5 contains one coarse cell per tile.
 [[nodiscard]] constexpr Geometry geometry_of_level(unsigned level,
                                                    const geometry::Grid& grid = {}) {
   constexpr auto kSide = static_cast<std::uint32_t>(geometry::kCellsPerSide);
@@ -82,10 +82,7 @@ struct Geometry {
                             .rows = geometry.height,
                             .origin_column = cells(-std::int64_t{geometry.origin_x_mm}),
                             .origin_row = cells(-std::int64_t{geometry.origin_y_mm})};
-  const bool fits = grid.tile_count() > 0 && grid.columns <= geometry::kCellsPerSide &&
-                    grid.rows <= geometry::kCellsPerSide && grid.origin_column <= grid.columns &&
-                    grid.origin_row <= grid.rows;
-  return fits && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
+  return grid.fits() && geometry_of(grid) == geometry ? std::optional(grid) : std::nullopt;
 }
 
 // Returns the geometry of a window.

@@ -1,7 +1,7 @@
-// Ranges: grid coordinates stay below 2^21 subcells, because the grid is 2^20 wide and a line at
-// most 2^20 long. Heights stay below 2^27, even at the end of an 89-degree beam over a line of
-// 2^20. Lengths stay below 2^18 mm. Every product of a length with one of these fits 64 bits with
-// room to spare.
+// Ranges: grid coordinates stay below 2^23 subcells, because the grid is at most 2^22 wide and a
+// line at most 2^21 long. Heights stay below 2^27, even at the end of an 89-degree beam over a line
+// of 2^20. Lengths stay below 2^18 mm. Every product of a length with one of these fits 64 bits
+// with room to spare.
 
 #include "vehicle/beam.hpp"
 

@@ -114,10 +114,9 @@ double tiles_in_reach(const CatalogueEntry& car) {
   const geometry::Grid& grid = car.vehicle->grid;
   const double tile_m = geometry::kTileSide * grid.cell_mm / 1000.0;
   std::size_t count = 0;
-  for (std::size_t number = 0; number < grid.tile_count(); ++number) {
-    const std::size_t tile = grid.tile_in_memory(number);
-    const auto column = static_cast<double>(tile % geometry::kTilesPerSide);
-    const auto row_number = static_cast<double>(tile / geometry::kTilesPerSide);
+  const geometry::TileRows rows(grid);
+  for (std::size_t tile = 0; tile < grid.tile_count(); ++tile) {
+    const auto [column, row_number] = rows.place_of(tile);
     const double x_m = (column + 0.5) * tile_m - grid.origin_column * grid.cell_mm / 1000.0;
     const double y_m = (row_number + 0.5) * tile_m - grid.origin_row * grid.cell_mm / 1000.0;
     bool is_seen = false;

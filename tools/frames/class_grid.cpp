@@ -24,7 +24,7 @@ SlotsOfTiles ClassGrid::take_shape(const geometry::Grid& shape) {
   SlotsOfTiles slots{};
   slots.fill(geometry::kTileCount);
   area().for_each_tile([&](std::size_t number, window::TileNumber tile) {
-    slots.at(shape.tile_in_memory(number)) = window::slot_of(tile);
+    slots.at(number) = window::slot_of(tile);
   });
   return slots;
 }

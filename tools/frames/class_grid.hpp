@@ -13,7 +13,7 @@
 
 namespace iog::tools {
 
-// By tile of a window's messages (geometry::Grid::tile_in_memory), its slot; kTileCount: no tile.
+// By tile of a window's messages, its slot; kTileCount: no tile.
 using SlotsOfTiles = std::array<std::size_t, geometry::kTileCount>;
 
 struct ClassGrid {

@@ -321,12 +321,12 @@ bool FrameAssembler::WaitingFrame::agree_on(const stream::ClassWindow& window) {
 
 void FrameAssembler::decode_indexes(WaitingFrame& waiting) {
   GridFrame& frame = waiting.frame;
+  frame.shape = shapes_.indexes = waiting.indexes.grid().value_or(shapes_.indexes);
   const auto tiles =
       waiting.indexes.decode(indexes_, frame.header.frame_number, counts_,
                              [&](const stream::TileRecord& record, const TileBytes& cells) {
-                               put_tile(cells, record.tile, frame.cells);
+                               put_tile(cells, record.tile, frame.cells, frame.shape);
                              });
-  frame.shape = shapes_.indexes = waiting.indexes.grid().value_or(shapes_.indexes);
   shapes_.epsilon_e5 = frame.epsilon_e5 > 0 ? frame.epsilon_e5 : shapes_.epsilon_e5;
   frame.epsilon_e5 = shapes_.epsilon_e5;
   frame.valid_tiles = tiles.valid;

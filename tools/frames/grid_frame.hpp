@@ -29,12 +29,11 @@ struct GridFrame {
   // Everything has arrived, but it is not the grid that the target has hashed. No tile is valid.
   bool is_damaged = false;
   geometry::Grid shape;  // of its grid of occupancy indexes
-  // Sets of tiles are indexed by y * kTilesPerSide + x. Tiles outside the grid are valid and
-  // unknown.
+  // Sets of tiles are by tile of the grid. Tiles beyond its last one are valid and unknown.
   TileSet valid_tiles;      // whose cells are those of this frame; all others are missing
   TileSet known_tiles;      // of these, those in which something is known
   std::uint32_t tiles = 0;  // how many these are
-  // Row by row of the memory (geometry/grid.hpp) from the lowest y; a cell of a missing tile is 0.
+  // The grid row by row from the lowest y; a cell of a missing tile is 0, and so is the rest.
   std::vector<index::OccupancyIndex> cells =
       std::vector<index::OccupancyIndex>(geometry::kCellCount, index::kUnknown);
   // If the target sends classes (stream::kFlagClasses).
@@ -65,21 +64,21 @@ struct GridFrame {
 [[nodiscard]] std::vector<index::OccupancyIndex> cells_in_grid(const GridFrame& frame);
 
 // The number in the grid of a tile's cell i. Both count row by row.
-[[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i) {
-  const std::size_t x =
-      tile % geometry::kTilesPerSide * geometry::kTileSide + i % geometry::kTileSide;
-  const std::size_t y =
-      tile / geometry::kTilesPerSide * geometry::kTileSide + i / geometry::kTileSide;
-  return y * geometry::kCellsPerSide + x;
+[[nodiscard]] constexpr std::size_t cell_of_tile(std::size_t tile, std::size_t i,
+                                                 const geometry::Grid& grid = {}) {
+  const std::size_t across = grid.tiles_across();
+  const std::size_t x = tile % across * geometry::kTileSide + i % geometry::kTileSide;
+  const std::size_t y = tile / across * geometry::kTileSide + i / geometry::kTileSide;
+  return y * grid.columns + x;
 }
 
 // The cells of a tile of this grid, as they travel.
 [[nodiscard]] std::array<std::byte, tile_coding::kTileBytes> cells_of_tile(
-    std::span<const std::int8_t> grid, std::size_t tile);
+    std::span<const std::int8_t> cells, std::size_t tile, const geometry::Grid& grid = {});
 
 // Puts them back.
-void put_tile(std::span<const std::byte, tile_coding::kTileBytes> cells, std::size_t tile,
-              std::span<std::int8_t> grid);
+void put_tile(std::span<const std::byte, tile_coding::kTileBytes> tile_cells, std::size_t tile,
+              std::span<std::int8_t> cells, const geometry::Grid& grid = {});
 
 // The name of the grid as it has arrived. The name that the target gave it is end.grid_crc.
 [[nodiscard]] std::uint32_t grid_crc_of(const GridFrame& frame);

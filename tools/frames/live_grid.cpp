@@ -5,7 +5,7 @@
 namespace iog::tools {
 
 void LiveGrid::take(const GridFrame& frame) {
-  if (frame.header.run_number != run_number_) {
+  if (frame.header.run_number != run_number_ || frame.shape != shape_) {
     forget();
     run_number_ = frame.header.run_number;
   }
@@ -16,9 +16,8 @@ void LiveGrid::take(const GridFrame& frame) {
       continue;
     }
     frame_of_.at(tile) = newest_frame_;
-    for (std::size_t row = 0; row < geometry::kTileSide; ++row) {
-      const auto first = static_cast<std::ptrdiff_t>(cell_of_tile(tile, row * geometry::kTileSide));
-      std::copy_n(frame.cells.begin() + first, geometry::kTileSide, cells_.begin() + first);
+    if (tile < shape_.tile_count()) {
+      put_tile(cells_of_tile(frame.cells, tile, shape_), tile, cells_, shape_);
     }
   }
 }

@@ -15,7 +15,8 @@ namespace iog::tools {
 
 class LiveGrid {
  public:
-  // The next frame, in order, as FrameAssembler hands them over. Of another run nothing is kept.
+  // The next frame, in order, as FrameAssembler hands them over. Of another run or grid nothing is
+  // kept.
   void take(const GridFrame& frame);
 
   // To be called when the target has been silent: nothing that is known is of now.
@@ -30,7 +31,7 @@ class LiveGrid {
   [[nodiscard]] std::uint32_t run_number() const { return run_number_; }
 
   [[nodiscard]] const geometry::Grid& shape() const { return shape_; }  // of the newest frame
-  // Row by row of the memory from the lowest y; a cell of a tile that has never arrived is 0.
+  // The grid row by row from the lowest y; a cell of a tile that has never arrived is 0.
   [[nodiscard]] std::span<const index::OccupancyIndex> cells() const { return cells_; }
 
  private:

@@ -35,16 +35,15 @@ bool TileMessages::take(const stream::TilesHeader& header, const geometry::Grid&
                         std::span<const std::byte> body) {
   if (bodies_.empty()) {
     grid_ = grid;
-    spoken_of_.set();
-    for (std::size_t number = 0; number < grid.tile_count(); ++number) {
-      spoken_of_.reset(grid.tile_in_memory(number));
+    for (std::size_t tile = grid.tile_count(); tile < geometry::kTileCount; ++tile) {
+      spoken_of_.set(tile);
     }
   }
   if (bodies_.size() == geometry::kTileCount || grid != grid_) {
     return false;
   }
-  for (std::size_t number = header.first_tile; number < header.end_tile; ++number) {
-    spoken_of_.set(grid.tile_in_memory(number));
+  for (std::size_t tile = header.first_tile; tile < header.end_tile; ++tile) {
+    spoken_of_.set(tile);
   }
   bodies_.emplace_back(body.begin(), body.end());
   return true;
@@ -60,7 +59,6 @@ TileMessages::Tiles TileMessages::decode(TileDecoder& decoder, std::uint32_t fra
     stream::TileRecords records;
     static_cast<void>(stream::read_tiles(body, header, records));  // it was sound when it came
     for (stream::TileRecord record; records.next(record);) {
-      record.tile = static_cast<std::uint16_t>(grid_.tile_in_memory(record.tile));
       if (decoder.decode(record, frame_number, cells, counts)) {
         known.set(record.tile);
         on_tile(record, cells);

@@ -68,7 +68,7 @@ class TileMessages {
 
  private:
   geometry::Grid grid_;
-  TileSet spoken_of_;  // and all that are outside the grid
+  TileSet spoken_of_;  // and all that are beyond the grid
   std::vector<std::vector<std::byte>> bodies_;
 };
 

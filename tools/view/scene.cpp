@@ -114,20 +114,16 @@ void Scene::set_layer(LayerName name, Copy&& copy) {
 }
 
 void Scene::set_index_layers(const LiveGrid& grid, const Surroundings& surroundings) {
-  const auto cells = grid.cells();
+  const geometry::Grid& shape = grid.shape();
   set_layer(LayerName::kIndexes, [&](std::size_t tile, Cells& to) {
-    for (std::size_t i = 0; i < to.size(); i += kRow) {
-      std::memcpy(&to[i], &cells[cell_of_tile(tile, i)], kRow);
-    }
+    to = tile < shape.tile_count() ? cells_of_tile(grid.cells(), tile, shape) : Cells{};
   });
   const Truth* const truth = surroundings.truth.get();
   if (truth != nullptr) {
     set_layer(LayerName::kOccupied, [&](std::size_t tile, Cells& to) {
-      for (std::size_t i = 0; i < to.size(); i += kRow) {
-        const std::size_t first = cell_of_tile(tile, i);
-        for (std::size_t x = 0; x < kRow; ++x) {
-          to[i + x] = static_cast<std::byte>(truth->occupied[first + x]);
-        }
+      for (std::size_t i = 0; i < to.size(); ++i) {
+        to[i] = static_cast<std::byte>(tile < shape.tile_count() &&
+                                       truth->occupied[cell_of_tile(tile, i, shape)]);
       }
     });
   }

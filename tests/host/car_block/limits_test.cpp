@@ -39,7 +39,7 @@ TEST(CarLimits, OfTheCarAreToldByTheirField) {
   EXPECT_EQ(fault_with([](Changed& c) { c.network.peer = c.network.address; }), "network.peer");
 }
 
-// Four sizes of cells, sides of whole tiles in a memory of 1024 x 1024 cells.
+// Four sizes of cells, sides of whole tiles, and at most 1024 x 1024 cells.
 TEST(CarLimits, OfTheGrid) {
   const auto fault_of = [](const geometry::Grid& grid) {
     return fault_with([&](Changed& c) {
@@ -56,6 +56,10 @@ TEST(CarLimits, OfTheGrid) {
   EXPECT_EQ(fault_of({.columns = 1000}), "grid.ahead_m");
   EXPECT_EQ(fault_of({.columns = 480}), "grid.ahead_m");  // the origin is farther than that
   EXPECT_EQ(fault_of({.columns = 512}), "");
+  EXPECT_EQ(fault_of({.columns = 2048, .rows = 512, .origin_row = 256}), "");
+  EXPECT_EQ(fault_of({.columns = 4096, .rows = 256, .origin_row = 256}), "");
+  EXPECT_EQ(fault_of({.columns = 4128, .rows = 32, .origin_row = 0}), "grid.ahead_m");
+  EXPECT_EQ(fault_of({.columns = 32, .rows = 4128, .origin_column = 0}), "grid.left_m");
   EXPECT_EQ(fault_of({.rows = 1023}), "grid.left_m");
   EXPECT_EQ(fault_of({.rows = 992, .origin_row = 993}), "grid.left_m");
 }

@@ -113,7 +113,8 @@ class Header(unittest.TestCase):
     def test_a_rectangle_ahead_of_smaller_cells(self):
         """And a change of geometry in a run, to which no tile of the other refers."""
         target, messages = made_stream.Target(0), []
-        for grid in (made_stream.Grid(512, 320, 50, (0, -8000), 10_000), made_stream.Grid(), made_stream.Grid(32, 64, 500)):
+        for grid in (made_stream.Grid(512, 320, 50, (0, -8000), 10_000), made_stream.Grid(), made_stream.Grid(32, 64, 500),
+                     made_stream.Grid(2048, 512, 100, (-4800, -25600)), made_stream.Grid(512, 2048)):
             for i in range(32):
                 grid.set(i, 2 * i % 60, i - 16)
             messages += target.messages_of(grid, 1, made_classes.Window())

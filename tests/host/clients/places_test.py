@@ -95,6 +95,15 @@ class Places(unittest.TestCase):
         self.assertEqual(frame.geometry.epsilon, 0.1)
         self.assertAlmostEqual(iogrid.probability(2, frame.geometry.epsilon), 36 / 52)  # 1 / (1 + (4/6)^2)
 
+    def test_a_long_grid(self):
+        """204.8 x 51.2 m, most of it ahead of the car."""
+        grid = made_stream.Grid(2048, 512, 100, (-4800, -25600))
+        grid.set(2040, 500, 3)  # its corner of lowest x and y is at (199.2, 24.4) m
+        frame = frame_with(made_classes.Window(), grid)
+        self.assertTrue(frame.is_whole)
+        self.assertEqual((frame.indexes.shape, frame.indexes_lost.shape), ((512, 2048), (16, 64)))
+        self.assertEqual([frame.index_at(x, 24.45) for x in (199.25, 199.35)], [3, 0])
+
     def test_probability_is_that_of_the_recursive_set(self):
         """The table of docs/model.md, section 2."""
         table = {-14: 0.057, -7: 0.197, 0: 0.5, 1: 0.55, 2: 0.599}

@@ -26,8 +26,8 @@ struct CompiledCar {
   CompiledCar& operator=(const CompiledCar&) = delete;
 };
 
-// A car of the tests on another grid. Its beams are at most 60 m long, so that they can be walked
-// in cells of 5 cm.
+// A car of the tests on another grid. Beams in cells of 5 cm can be walked if they are at most 60 m
+// long. In a long grid, they are 120 m long.
 template <typename Car>
 struct CarOn {
   std::vector<description::SensorConfig> configs{Car::kConfigs.begin(), Car::kConfigs.end()};
@@ -41,15 +41,21 @@ struct CarOn {
   void prepare(const description::GridConfig& grid) {
     description.grid = grid;
     for (description::SensorConfig& config : configs) {
-      config.range_max_mm = std::min<std::uint32_t>(config.range_max_mm, 60'000);
+      const bool is_long = grid.ahead_m > 102.4 && config.range_max_mm > 60'000;
+      config.range_max_mm =
+          is_long ? 120'000 : std::min<std::uint32_t>(config.range_max_mm, 60'000);
     }
   }
 };
 
-// The other sizes of a cell, and a rectangle ahead: 51.2 x 32 m.
+// The other sizes of a cell, a rectangle ahead of 51.2 x 32 m, and 2,048 x 512 and 512 x 2,048
+// cells.
 inline const std::array kOtherGrids{
-    description::GridConfig{.cell_m = 0.05}, description::GridConfig{.cell_m = 0.2},
+    description::GridConfig{.cell_m = 0.05},
+    description::GridConfig{.cell_m = 0.2},
     description::GridConfig{.cell_m = 0.5},
-    description::GridConfig{.ahead_m = 51.2, .behind_m = 0, .left_m = 16, .right_m = 16}};
+    description::GridConfig{.ahead_m = 51.2, .behind_m = 0, .left_m = 16, .right_m = 16},
+    description::GridConfig{.ahead_m = 200, .behind_m = 4.8, .left_m = 25.6, .right_m = 25.6},
+    description::GridConfig{.ahead_m = 25.6, .behind_m = 25.6, .left_m = 3.2, .right_m = 201.6}};
 
 }  // namespace iog::tests

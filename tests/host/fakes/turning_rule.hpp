@@ -236,7 +236,8 @@ class TurningRule {
 // diagonal, so most of its rectangle is left out; whoever looks for cells that should not be known
 // counts all of the grid.
 template <typename Visit>
-void for_each_cell_around(const TurningRay& ray, Visit&& visit) {
+void for_each_cell_around(const TurningRay& ray, Visit&& visit,
+                          const geometry::CellArea& area = geometry::kGridArea) {
   const auto cells = [](std::int32_t a, std::int32_t b) {
     return std::pair{numeric::div_floor(std::min(a, b), geometry::kResolution) - 1,
                      numeric::div_floor(std::max(a, b), geometry::kResolution) + 1};
@@ -256,7 +257,7 @@ void for_each_cell_around(const TurningRay& ray, Visit&& visit) {
     const auto [x_first, x_last] =
         is_level ? cells(ray.start.x, ray.end.x) : cells(x_at(share(y - 1)), x_at(share(y + 2)));
     for (std::int32_t x = x_first; x <= x_last; ++x) {
-      if (geometry::kGridArea.contains({x, y})) {
+      if (area.contains({x, y})) {
         visit(geometry::Cell{x, y});
       }
     }

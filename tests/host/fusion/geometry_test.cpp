@@ -57,7 +57,7 @@ constexpr std::array kRectangles{
     GridConfig{.ahead_m = 9.6, .behind_m = 16, .left_m = 3.2, .right_m = 6.4},
 };
 
-// What lies inside is as if the grid were without end (docs/model.md section 5), and outside of it
+// What lies inside is as if the grid were without end (docs/model.md section 5), and the rest of
 // the memory stays unknown.
 template <typename Car>
 void expect_parts_of_the_whole(std::uint64_t seed) {
@@ -72,7 +72,7 @@ void expect_parts_of_the_whole(std::uint64_t seed) {
     const Cells part = fuse(compiled.vehicle, frame);
     std::size_t known = 0;
     for (std::size_t i = 0; i < part.size(); ++i) {
-      const geometry::Cell cell = geometry::cell_of(i);
+      const geometry::Cell cell = geometry::cell_of(i, grid.columns);
       const geometry::Cell same{cell.x + geometry::kOriginCell - grid.origin_column,
                                 cell.y + geometry::kOriginCell - grid.origin_row};
       const int expected = grid.area().contains(cell)
@@ -91,6 +91,35 @@ TEST(Geometry, ARectangleIsAPartOfTheWholeGrid) {
   expect_parts_of_the_whole<tests::MixedCar>(3);
   expect_parts_of_the_whole<tests::RadarCar>(4);
   expect_parts_of_the_whole<tests::UltrasonicCar>(5);
+}
+
+// Ahead and behind meet at the car. Its lidars see beyond the 51.2 m of the usual grid.
+TEST(Geometry, ALongGridIsMadeOfItsHalves) {
+  std::vector<SensorConfig> configs(2, tests::LevelVlp16::kConfigs[0]);
+  configs[1].mount.yaw_deg += 180;
+  for (SensorConfig& config : configs) {
+    config.range_max_mm = 60'000;
+  }
+  Description car = tests::LevelVlp16::kDescription;
+  car.grid = {.ahead_m = 102.4, .behind_m = 102.4, .left_m = 25.6, .right_m = 25.6};
+  const CompiledCar all(configs, car);
+  tests::Random random(7);
+  auto frame = points_of(all.vehicle, random, tests::effort(2'000, 400));
+  const Cells cells = fuse(all.vehicle, frame);
+  std::ranges::reverse(frame);  // no order shows
+  for (const bool is_ahead : {false, true}) {
+    car.grid.ahead_m = is_ahead ? 102.4 : 0;
+    car.grid.behind_m = is_ahead ? 0 : 102.4;
+    const CompiledCar half(configs, car);
+    const Cells expected = fuse(half.vehicle, frame);
+    std::size_t far = 0;
+    for (std::size_t i = 0; i < std::size_t{1024} * 512; ++i) {
+      const std::size_t place = i / 1024 * 2048 + i % 1024 + (is_ahead ? 1024U : 0U);
+      ASSERT_EQ(int{cells[place]}, int{expected[i]}) << place;
+      far += expected[i] != 0 && (i % 1024 < 512) != is_ahead ? 1U : 0U;
+    }
+    EXPECT_GT(far, 100U);
+  }
 }
 
 // A pitched VLP-16 and two LUX of 20 m, and a world `scale` times as large, cells included. Lines

@@ -1,6 +1,7 @@
 // Cells and tiles of the grid: numbers and places are each other's inverse, on a grid of any size.
 #include "geometry/grid.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace iog::geometry {
@@ -41,21 +42,36 @@ TEST(Grid, ItsAreaIsThatOfItsCells) {
   EXPECT_FALSE(kGridArea.contains({0, kCellsPerSide}));
 }
 
-// 16 x 10 tiles of the memory's 32 x 32, counted one by one.
+// Any rectangle of at most 1,024 tiles, counted one by one.
 TEST(Grid, TilesOfARectangleAreNumberedRowByRow) {
-  constexpr Grid kGrid{.columns = 512, .rows = 320, .origin_column = 0, .origin_row = 160};
-  EXPECT_EQ(kGrid.tile_count(), 160U);
-  std::size_t before = 0;
-  for (std::size_t tile = 0; tile < kTileCount; ++tile) {
-    ASSERT_EQ(kGrid.tiles_before(tile), before) << tile;
-    if (tile % kTilesPerSide < 16 && tile / kTilesPerSide < 10) {
-      ASSERT_EQ(kGrid.tile_in_memory(before), tile);
-      ++before;
+  constexpr std::uint16_t kSide = kTileSide;
+  for (std::uint16_t across = 1; across <= 128; ++across) {
+    const auto up = static_cast<std::uint16_t>(std::min<std::size_t>(128, kTileCount / across));
+    const Grid grid{.columns = static_cast<std::uint16_t>(across * kSide),
+                    .rows = static_cast<std::uint16_t>(up * kSide),
+                    .origin_column = 0,
+                    .origin_row = 0};
+    EXPECT_TRUE(grid.fits());
+    const TileRows rows(grid);
+    std::size_t tile = 0;
+    for (std::int32_t y = 0; y < up; ++y) {
+      for (std::int32_t x = 0; x < across; ++x, ++tile) {
+        ASSERT_EQ(rows.place_of(tile), (Cell{x, y})) << across;
+        ASSERT_EQ(tile_of({x * kSide + 31, y * kSide}, grid.tiles_across()), tile) << across;
+      }
     }
+    EXPECT_EQ(grid.tile_count(), tile);
   }
-  EXPECT_EQ(kGrid.tiles_before(kTileCount), 160U);
-  EXPECT_EQ(Grid{}.tiles_before(kTileCount), kTileCount);
-  EXPECT_EQ(Grid{}.tiles_before(777), 777U);
+}
+
+TEST(Grid, FitsIntoTheMemory) {
+  EXPECT_TRUE((Grid{.columns = 1056, .rows = 992}).fits());
+  EXPECT_FALSE((Grid{.columns = 1056, .rows = 1024}).fits());
+  EXPECT_TRUE((Grid{.columns = 4096, .rows = 256, .origin_row = 256}).fits());
+  EXPECT_FALSE((Grid{.columns = 4128, .rows = 32, .origin_row = 0}).fits());
+  EXPECT_FALSE((Grid{.columns = 512, .rows = 2047}).fits());
+  EXPECT_FALSE((Grid{.rows = 0, .origin_row = 0}).fits());
+  EXPECT_FALSE((Grid{.columns = 480}).fits());  // the origin is farther than that
 }
 
 }  // namespace

@@ -111,9 +111,10 @@ lidar::ScanPoint within_a_turn(lidar::ScanPoint point) {
 // By hits_win, what single points make of each cell.
 class Sums {
  public:
+  explicit Sums(std::int32_t columns) : columns_(columns) {}
   void add(Cell cell, int index) {
-    int& sum =
-        (index > 0 ? occupied_ : free_).at(static_cast<std::size_t>(geometry::number_of(cell)));
+    const auto place = static_cast<std::size_t>(geometry::number_of(cell, columns_));
+    int& sum = (index > 0 ? occupied_ : free_).at(place);
     sum = std::clamp(sum + index, -127, 127);
   }
   [[nodiscard]] std::vector<OccupancyIndex> joined() const {
@@ -125,6 +126,7 @@ class Sums {
   }
 
  private:
+  std::int32_t columns_;
   std::vector<int> occupied_ = std::vector<int>(geometry::kCellCount);
   std::vector<int> free_ = std::vector<int>(geometry::kCellCount);
 };
@@ -133,7 +135,7 @@ TEST(ArcMarker, MarksTheArcOfEachDetectionAndNothingElse) {
   const Vehicle& car = RadarCar::kVehicle;
   auto fusion = std::make_unique<fusion::FrameFusion>(car);
   tests::Random random(548);
-  Sums sums;
+  Sums sums(geometry::kCellsPerSide);
   int used = 0;
   for (int i = 0; i < tests::effort(4'000, 200); ++i) {
     const Sensor& sensor = car.sensors[1 + random.below(2)];
@@ -265,11 +267,10 @@ bool add_lidar(const tests::TurningRule& rule, const Sensor& sensor, const geome
   const auto ray = rule.ray(point);
   if (ray) {
     const vehicle::Fate fate = rule.fate(*ray, point);
-    tests::for_each_cell_around(*ray, [&](Cell cell) {
-      if (area.contains(cell)) {
-        sums.add(cell, rule.index(sensor.profile, *ray, point, fate, cell));
-      }
-    });
+    const auto add = [&](Cell cell) {
+      sums.add(cell, rule.index(sensor.profile, *ray, point, fate, cell));
+    };
+    tests::for_each_cell_around(*ray, add, area);
   }
   return ray.has_value();
 }
@@ -283,7 +284,7 @@ TEST(ArcMarker, AFrameOfLidarAndRadarIsAsTheRulesSayOnEachGrid) {
                                   lidar::VelodyneVlp16::kElevationsDeg);
     auto fusion = std::make_unique<fusion::FrameFusion>(car);
     tests::Random random(549);
-    Sums sums;
+    Sums sums(car.grid.columns);
     for (const Evidence& each : mixed_frame(random, tests::effort(400, 40))) {
       const Sensor& sensor = car.sensors[each.sensor];
       if (each.sensor == 0 && !add_lidar(rule, sensor, car.grid.area(), each.point, sums)) {

@@ -2,6 +2,7 @@
 #include "grid/carving.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 #include <vector>
@@ -20,31 +21,32 @@ using geometry::SubcellPoint;
 using traversal::Position;
 using vehicle::BeamLine;
 
-// From anywhere in the grid to anywhere in it, some of them short, some along an axis, some nearly,
+// From anywhere in a grid to anywhere in it, some of them short, some along an axis, some nearly,
 // some from a corner between cells.
-BeamLine random_line(tests::Random& random) {
-  constexpr std::int32_t kEnd = geometry::kCellsPerSide * kResolution - 1;
-  const auto near = [&](std::int32_t from, std::int32_t reach) {
-    return std::clamp<std::int32_t>(from + random.between(-reach, reach), 0, kEnd);
+BeamLine random_line(tests::Random& random, const geometry::CellArea& area = geometry::kGridArea) {
+  const std::int32_t x_end = area.width * kResolution - 1;
+  const std::int32_t y_end = area.height * kResolution - 1;
+  const auto near = [&](std::int32_t from, std::int32_t reach, std::int32_t last) {
+    return std::clamp<std::int32_t>(from + random.between(-reach, reach), 0, last);
   };
-  SubcellPoint start{random.between(0, kEnd), random.between(0, kEnd)};
+  SubcellPoint start{random.between(0, x_end), random.between(0, y_end)};
   if (random.one_in(4)) {
     start = {start.x / kResolution * kResolution, start.y / kResolution * kResolution};
   }
   const std::int32_t reach = random.one_in(3) ? 8 * kResolution : 500 * kResolution;
-  SubcellPoint end{near(start.x, reach), near(start.y, reach)};
+  SubcellPoint end{near(start.x, reach, x_end), near(start.y, reach, y_end)};
   if (random.one_in(6)) {
-    end.x = near(start.x, random.one_in(2) ? 0 : kResolution);
+    end.x = near(start.x, random.one_in(2) ? 0 : kResolution, x_end);
   } else if (random.one_in(5)) {
-    end.y = near(start.y, random.one_in(2) ? 0 : kResolution);
+    end.y = near(start.y, random.one_in(2) ? 0 : kResolution, y_end);
   }
   return {start, end};
 }
 
 std::vector<Cell> cells_of_walk(const BeamLine& line, std::uint32_t end) {
   std::vector<Cell> cells;
-  traversal::Walk(line, {}, geometry::kCellsPerSide).until(end, [&](std::size_t number) {
-    cells.push_back(geometry::cell_of(number));
+  traversal::Walk(line, {}, geometry::kLongestSide).until(end, [&](std::size_t number) {
+    cells.push_back(geometry::cell_of(number, geometry::kLongestSide));
   });
   return cells;
 }
@@ -62,7 +64,7 @@ std::vector<Position> positions_of(const BeamLine& line, const std::vector<Cell>
 }
 
 LaneBytes cells_of(const BlockPath& path, std::uint32_t block) {
-  const Way way = path.way_from(nullptr);
+  const Way way = path.way_from(nullptr, {});
   if (block > 0) {
     return way.masks[way.next_codes[block - 1] / 2U];
   }
@@ -74,6 +76,7 @@ LaneBytes cells_of(const BlockPath& path, std::uint32_t block) {
 // The cells of a path, one block after the other, are those of the walk, in the order of blocks.
 TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
   tests::Random random(1);
+  const auto usual = std::make_unique<BlockGrid>();
   for (int i = 0; i < tests::effort(3'000, 60); ++i) {
     const BeamLine line = random_line(random);
     if (traversal::may_meet_corner(line)) {
@@ -82,7 +85,7 @@ TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
     const std::uint32_t end = line.before({1, 1}).crossed() + 1;
     const std::vector<Cell> cells = cells_of_walk(line, end);
     BlockPath path;
-    path.begin(line);
+    path.begin(line, *usual);
     path.find_up_to(path.block_at(positions_of(line, cells).back()));
     std::size_t at = 0;
     const std::vector<Position> positions = positions_of(line, cells);
@@ -106,24 +109,31 @@ TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
   }
 }
 
+// 64 tiles a row, and 16 rows.
+constexpr geometry::Grid kLong{
+    .columns = 2048, .rows = 512, .origin_column = 48, .origin_row = 256};
+
 TEST(BlockPath, NamesTheTilesThatItEnters) {
   tests::Random random(2);
+  const auto grid = std::make_unique<BlockGrid>(kLong);
   for (int i = 0; i < tests::effort(1'000, 30); ++i) {
-    const BeamLine line = random_line(random);
+    const BeamLine line = random_line(random, kLong.area());
     if (traversal::may_meet_corner(line)) {
       continue;
     }
     const std::vector<Cell> cells = cells_of_walk(line, line.before({1, 1}).crossed() + 1);
     std::vector<std::size_t> expected;
     for (const Cell& cell : cells) {
-      if (expected.empty() || expected.back() != geometry::tile_of(cell)) {
-        expected.push_back(geometry::tile_of(cell));
+      const auto tile = static_cast<std::size_t>(cell.y / 32 * 64 + cell.x / 32);
+      if (expected.empty() || expected.back() != tile) {
+        expected.push_back(tile);
       }
     }
     BlockPath path;
-    path.begin(line);
+    path.begin(line, *grid);
     std::vector<std::size_t> named;
     path.for_each_tile(positions_of(line, cells).back(),
+                       grid->strides(path.orientation().number()).tiles,
                        [&](std::size_t tile) { named.push_back(tile); });
     // Each of them once or more.
     named.erase(std::unique(named.begin(), named.end()), named.end());
@@ -133,19 +143,19 @@ TEST(BlockPath, NamesTheTilesThatItEnters) {
 
 // A beam's steps at random places of a line, into two grids that hold anything not above 0.
 template <typename Steps>
-void expect_that_blocks_are_cells(std::uint64_t seed) {
+void expect_that_blocks_are_cells(std::uint64_t seed, const geometry::Grid& grid = {}) {
   tests::Random random(seed);
-  const auto by_blocks = std::make_unique<BlockGrid>();
-  const auto by_cells = std::make_unique<BlockGrid>();
+  const auto by_blocks = std::make_unique<BlockGrid>(grid);
+  const auto by_cells = std::make_unique<BlockGrid>(grid);
   for (int i = 0; i < tests::effort(2'000, 40); ++i) {
-    const BeamLine line = random_line(random);
+    const BeamLine line = random_line(random, grid.area());
     if (traversal::may_meet_corner(line)) {
       continue;
     }
     const std::vector<Cell> cells = cells_of_walk(line, line.before({1, 1}).crossed() + 1);
     const std::vector<Position> positions = positions_of(line, cells);
     BlockPath path;
-    path.begin(line);
+    path.begin(line, *by_blocks);
     const auto block_steps = std::make_unique<Steps>();
     const auto cell_steps = std::make_unique<Steps>();
     for (int beam = random.between(1, 4); beam > 0; --beam) {
@@ -167,20 +177,44 @@ void expect_that_blocks_are_cells(std::uint64_t seed) {
     for (const Cell& cell : cells) {
       ASSERT_EQ(int{by_blocks->at(cell)}, int{by_cells->at(cell)})
           << i << ": " << cell.x << ", " << cell.y;
-      ASSERT_TRUE(by_blocks->at(cell) == 0 || by_blocks->is_touched(geometry::tile_of(cell)));
+      ASSERT_TRUE(by_blocks->at(cell) == 0 ||
+                  by_blocks->is_touched(geometry::tile_of(cell, grid.tiles_across())));
     }
   }
   std::size_t different = 0;
   for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
-    different += by_blocks->at(geometry::cell_of(number)) == by_cells->at(geometry::cell_of(number))
-                     ? 0U
-                     : 1U;
+    const Cell cell = geometry::cell_of(number, grid.columns);
+    different += by_blocks->at(cell) == by_cells->at(cell) ? 0U : 1U;
   }
   EXPECT_EQ(different, 0U);
 }
 
 TEST(Carving, BlockByBlockIsCellByCell) { expect_that_blocks_are_cells<FreeSteps>(3); }
 TEST(Carving, WhatGapsHaveIsPassed) { expect_that_blocks_are_cells<LowSteps>(4); }
+TEST(Carving, BlockByBlockIsCellByCellOnLongGrids) {
+  expect_that_blocks_are_cells<FreeSteps>(5, kLong);
+  expect_that_blocks_are_cells<LowSteps>(6, {.columns = 256, .rows = 4096});
+}
+
+// The longest lines of a car are below 2,048 cells in |dx| + |dy| (car_block/limits.cpp: the error
+// term), so below 1,448 cells. Of all grids of the most cells, and on either axis: a line in a grid
+// of w by h crosses at most w + h - 2 borders of cells, and at most 2 more than |dx| + |dy|. The
+// same is true of blocks, and block 0 comes on top. docs/model.md has r = 1024.
+TEST(Carving, NoGridHasALineWithMoreBordersThanSlots) {
+  for (int width = 32; width <= geometry::kLongestSide; width += 32) {
+    const int height = std::min(geometry::kLongestSide, 1024 * 1024 / width / 32 * 32);
+    int most = 0;
+    int most_blocks = 0;
+    for (int dx = 0; dx <= std::min(width, 1448); ++dx) {
+      const int dy = std::min(height, static_cast<int>(std::sqrt(1448.2 * 1448.2 - dx * dx)) + 1);
+      most = std::max(most, std::min(width + height - 2, dx + dy + 2));
+      most_blocks = std::max(
+          most_blocks, std::min(width / 4 - 1, dx / 4 + 1) + std::min(height / 4 - 1, dy / 4 + 1));
+    }
+    EXPECT_LE(most, 2046) << width;
+    EXPECT_LE(most_blocks, 511) << width;
+  }
+}
 
 // One point between two cells has two names: after the one, before the other. Beams that change
 // there by either name, in either order, carve what two beams carve that name it alike.
@@ -194,7 +228,7 @@ TEST(Carving, APointBetweenTwoCellsHasTwoNames) {
       const auto grid = std::make_unique<BlockGrid>();
       const auto steps = std::make_unique<FreeSteps>();
       BlockPath path;
-      path.begin(line);
+      path.begin(line, *grid);
       const Between after = Between::after(positions[at]);
       const Between before = Between::before(positions[at + 1]);
       steps->begin_beam(Between::before({}), 14 + 14);

@@ -72,7 +72,7 @@ std::vector<std::size_t> cells_around(const Unit& unit, const std::vector<Occupa
     for (std::int32_t x = cell_at(unit.x_m - 5.5, shape.origin_column);
          x <= cell_at(unit.x_m + 5.5, shape.origin_column); ++x) {
       if (shape.area().contains({x, y})) {
-        near.push_back(static_cast<std::size_t>(geometry::number_of({x, y})));
+        near.push_back(static_cast<std::size_t>(geometry::number_of({x, y}, shape.columns)));
         known += grid[near.back()] != 0 ? 1 : 0;
       }
     }
@@ -84,7 +84,7 @@ std::vector<std::size_t> cells_around(const Unit& unit, const std::vector<Occupa
 // How far inside the cone the worst corner of a cell is, in metres; below 0 outside.
 double depth_of(const Unit& unit, std::size_t number, double free_m,
                 const geometry::Grid& shape = {}) {
-  const geometry::Cell cell = geometry::cell_of(number);
+  const geometry::Cell cell = geometry::cell_of(number, shape.columns);
   double depth = 1e9;
   for (const int dx : {0, 1}) {
     for (const int dy : {0, 1}) {
@@ -143,7 +143,7 @@ void expect_the_arc_is_marked(const Vehicle& car) {
       const double range_m = range_mm / 1000.0;
       int marked = 0;
       for (const std::size_t cell : cells_around(unit, cells, car.grid)) {
-        const geometry::Cell at = geometry::cell_of(cell);
+        const geometry::Cell at = geometry::cell_of(cell, car.grid.columns);
         const Polar middle = polar_of(unit, at.x + 0.5, at.y + 0.5, car.grid);
         const double off_m = std::abs(middle.range_m - range_m);
         if (cells[cell] > 0) {

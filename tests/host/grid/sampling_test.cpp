@@ -210,7 +210,10 @@ void expect_each_sum_as_bayes_says(const Vehicle& vehicle, std::uint64_t seed, i
     }
     fusion->add(vehicle.sensors[0], point);
     for_each_expected(vehicle, point, [&](Cell cell, int index) {
-      (index < 0 ? freed : marked)[static_cast<std::size_t>(geometry::number_of(cell))] += index;
+      (index < 0
+           ? freed
+           : marked)[static_cast<std::size_t>(geometry::number_of(cell, vehicle.grid.columns))] +=
+          index;
     });
     ++i;
   }
@@ -218,7 +221,8 @@ void expect_each_sum_as_bayes_says(const Vehicle& vehicle, std::uint64_t seed, i
   int mixed = 0;
   for (int y = 0; y < vehicle.grid.rows; ++y) {
     for (int x = 0; x < vehicle.grid.columns; ++x) {
-      const auto place = static_cast<std::size_t>(geometry::number_of({x, y}));
+      const auto place =
+          static_cast<std::size_t>(geometry::number_of({x, y}, vehicle.grid.columns));
       ASSERT_EQ(index_at(*fusion, {x, y}),
                 std::min(std::max(freed[place], -127) + marked[place], 127))
           << x << ", " << y;

@@ -8,6 +8,8 @@
 
 #include "fakes/effort.hpp"
 #include "fakes/random.hpp"
+#include "placing/frame_evidence.hpp"
+#include "placing/slice.hpp"
 
 namespace iog::placing {
 namespace {
@@ -97,6 +99,51 @@ TEST(LookUp, PullsForATileWhatEachOfItsCellsFinds) {
     }
   }
   EXPECT_GT(tiles_of_nothing, 0);
+}
+
+// A slice in a grid that is long ahead of the car, and wide to its left, is what it is in the usual
+// one. Tiles of the one are tiles of the other.
+TEST(LookUp, NoShapeOfTheGridShows) {
+  constexpr window::Area kArea({-16, -16});
+  tests::Random random(11);
+  for (const geometry::Grid& grid :
+       {geometry::Grid{.columns = 2048, .rows = 512, .origin_column = 256, .origin_row = 192},
+        geometry::Grid{.columns = 512, .rows = 2048, .origin_column = 320, .origin_row = 1600}}) {
+    const auto cells = std::make_unique<SliceCells>();
+    cells->take_shape(grid);
+    const auto found = std::make_unique<FrameEvidence>();
+    const auto expected = std::make_unique<FrameEvidence>();
+    for (int time = 0; time < tests::effort(12, 3); ++time) {
+      tests::Slice slice;
+      for (int i = 0; i < 3'000; ++i) {
+        const geometry::Cell cell{geometry::kOriginCell + random.between(-150, 150),
+                                  geometry::kOriginCell + random.between(-150, 150)};
+        slice.set(cell, random.one_in(9) ? 2 : -14);
+      }
+      Placement at = tests::placed(random.between(-5'000, 5'000), random.between(-5'000, 5'000),
+                                   random.between(0, 359));
+      const auto usual = std::make_unique<SliceCells>();
+      slice.release([&](std::size_t tile, auto indexes, const window::Plane& low_and_tall) {
+        const geometry::Cell place{
+            static_cast<std::int32_t>(tile % 32) - 16 + grid.origin_column / 32,
+            static_cast<std::int32_t>(tile / 32) - 16 + grid.origin_row / 32};
+        usual->set(tile, indexes, low_and_tall);
+        cells->set(static_cast<std::size_t>(place.y * grid.columns / 32 + place.x), indexes,
+                   low_and_tall);
+      });
+      expected->add(*usual, kArea, at);
+      at.grid = grid;
+      found->add(*cells, kArea, at);
+      cells->clear();
+    }
+    std::size_t hit = 0;
+    for (std::size_t slot = 0; slot < window::kSlotCount; ++slot) {
+      ASSERT_EQ(found->is_touched(slot), expected->is_touched(slot));
+      ASSERT_TRUE(!found->is_touched(slot) || found->tile(slot) == expected->tile(slot)) << slot;
+      hit += found->has_hit(slot) ? 1U : 0U;
+    }
+    EXPECT_GT(hit, 20U);
+  }
 }
 
 }  // namespace

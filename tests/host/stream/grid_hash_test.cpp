@@ -14,6 +14,9 @@ TEST(GridHash, IsTheCrcOfPlaceAndCells) {
   EXPECT_EQ(hash.value(), 0U);
   hash.add(5 * geometry::kTilesPerSide + 4, tile);
   EXPECT_EQ(hash.value(), 0xB68EC44CU);
+  GridHash of_long(geometry::Grid{.columns = 2048, .rows = 512, .origin_row = 0});
+  of_long.add(5 * 64 + 4, tile);
+  EXPECT_EQ(of_long.value(), hash.value());
 }
 
 }  // namespace

@@ -184,7 +184,9 @@ TEST(Geometry, IsOfAGridThatACarCanHave) {
     change(geometry);
     return grid_of(geometry).has_value();
   };
-  EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 2048; }));
+  EXPECT_TRUE(is_taken([](Geometry& its) { its.width = 1632; }));
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 1664; }));  // more cells than the memory
+  EXPECT_FALSE(is_taken([](Geometry& its) { its.width = 8192; }));
   EXPECT_FALSE(is_taken([](Geometry& its) { its.height = 0; }));
   for (const std::uint16_t mm : std::array<std::uint16_t, 4>{0, 99, 2'000, 65'535}) {
     EXPECT_FALSE(is_taken([mm](Geometry& its) { its.cell_mm = mm; })) << mm;

@@ -143,7 +143,7 @@ void FakeClassTarget::send_end(stream::MessageType type, const Write& write) {
 
 void FakeClassTarget::send_indexes() {
   writer_.begin_grid(header_, stream::geometry_of_level(0));
-  hash_ = {};
+  hash_ = stream::GridHash();
   for (std::size_t tile = 0; tile < geometry::kTileCount; tile += 50) {
     const auto cells = index_tile(tile, frame_);
     hash_.add(tile, cells);

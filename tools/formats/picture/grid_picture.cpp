@@ -65,7 +65,7 @@ class Painter {
 
  private:
   [[nodiscard]] int radius_cells(const PictureScale& scale) const {
-    return scale.radius_m == 0 ? geometry::kCellsPerSide : scale.radius_m * cells_per_metre_;
+    return scale.radius_m == 0 ? geometry::kLongestSide : scale.radius_m * cells_per_metre_;
   }
   [[nodiscard]] double pixels(double metres) const { return metres * cells_per_metre_ * scale_; }
   [[nodiscard]] double column(double y_m) const {
@@ -79,8 +79,8 @@ class Painter {
   void for_each_cell(Visit&& visit) const {
     for (int x = x_.first; x < x_.end; ++x) {
       for (int y = y_.first; y < y_.end; ++y) {
-        visit(static_cast<std::size_t>(geometry::number_of({x, y})), (y_.end - 1 - y) * scale_,
-              (x_.end - 1 - x) * scale_);
+        visit(static_cast<std::size_t>(geometry::number_of({x, y}, frame_->shape.columns)),
+              (y_.end - 1 - y) * scale_, (x_.end - 1 - x) * scale_);
       }
     }
   }

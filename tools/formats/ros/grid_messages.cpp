@@ -65,12 +65,12 @@ std::vector<std::byte> image(const GridFrame& frame, std::uint64_t stamp_us,
                              const Percents& percents) {
   constexpr std::uint32_t kWhite = 255;
   std::vector<std::byte> pixels;
-  pixels.reserve(geometry::kCellCount);
+  pixels.reserve(frame.shape.tile_count() * geometry::kTileCells);
   const std::uint32_t height = frame.shape.columns;
   const std::uint32_t width = frame.shape.rows;
   for (std::size_t x = height; x-- > 0;) {
     for (std::size_t y = width; y-- > 0;) {
-      const std::uint32_t free = 100U - percents[frame.cells[y * geometry::kCellsPerSide + x]];
+      const std::uint32_t free = 100U - percents[frame.cells[y * frame.shape.columns + x]];
       pixels.push_back(static_cast<std::byte>((free * kWhite + 50) / 100));
     }
   }
@@ -90,14 +90,11 @@ std::vector<std::byte> foxglove_grid(const LiveGrid& grid, std::uint64_t stamp_u
                                      const Percents& percents) {
   const geometry::Grid& shape = grid.shape();
   std::vector<std::byte> cells(std::size_t{shape.columns} * shape.rows * kBytesPerCell);
-  for (std::size_t number = 0; number < shape.tile_count(); ++number) {
-    const std::size_t tile = shape.tile_in_memory(number);
+  for (std::size_t tile = 0; tile < shape.tile_count(); ++tile) {
     const std::byte age{age_of(grid, tile)};
     for (std::size_t i = 0; i < tile_coding::kTileBytes; ++i) {
-      const std::size_t place = cell_of_tile(tile, i);
-      const index::OccupancyIndex index = grid.cells()[place];
-      const std::size_t cell =
-          place / geometry::kCellsPerSide * shape.columns + place % geometry::kCellsPerSide;
+      const std::size_t cell = cell_of_tile(tile, i, shape);
+      const index::OccupancyIndex index = grid.cells()[cell];
       cells[cell * kBytesPerCell] = static_cast<std::byte>(index);
       cells[cell * kBytesPerCell + 1] = std::byte{percents[index]};
       cells[cell * kBytesPerCell + 2] = age;

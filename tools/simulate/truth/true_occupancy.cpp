@@ -47,7 +47,7 @@ void draw(const Solid& solid, const geometry::Grid& grid, std::vector<bool>& occ
     for (std::int32_t x = along_x.first_of(solid.at.x - reach);
          x <= along_x.last_of(solid.at.x + reach); ++x) {
       if (covers(solid, along_x.centre_of(x), along_y.centre_of(y))) {
-        occupied[static_cast<std::size_t>(geometry::number_of({x, y}))] = true;
+        occupied[static_cast<std::size_t>(geometry::number_of({x, y}, grid.columns))] = true;
       }
     }
   }
@@ -73,7 +73,8 @@ void write_truth(const std::string& path, const std::vector<bool>& occupied,
   pixels.reserve(std::size_t{grid.columns} * grid.rows);
   for (std::int32_t y = grid.rows; y-- > 0;) {
     for (std::int32_t x = 0; x < grid.columns; ++x) {
-      pixels.push_back(occupied[static_cast<std::size_t>(geometry::number_of({x, y}))] ? 0 : 255);
+      const auto place = static_cast<std::size_t>(geometry::number_of({x, y}, grid.columns));
+      pixels.push_back(occupied[place] ? 0 : 255);
     }
   }
   write_pgm(path, grid.columns, grid.rows, pixels);

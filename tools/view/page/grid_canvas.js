@@ -6,7 +6,7 @@
 // screen, y to the left, with the car at its origin. `turn` is how far the car is turned in the
 // view, counter-clockwise: not at all, unless the ground stands still.
 
-import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE } from "./messages.js";
+import { LAYERS, TILES_PER_SIDE, TILE_CELLS, TILE_COUNT, TILE_SIDE } from "./messages.js";
 import { CLASS_COUNT, MOVING, classOf, classTable, colourOfClass, css, isSomething, paletteOf,
          pixelTable } from "./palette.js";
 import * as overlays from "./overlays.js";
@@ -15,12 +15,14 @@ import { TileImage } from "./tile_image.js";
 const MIN_SCALE = 0.3; // pixels a cell
 const MAX_SCALE = 40;
 const START_HEIGHT = 620; // cells
-const USUAL_SHAPE = { cell_m: 0.1, columns: SIDE, rows: SIDE, origin: [SIDE / 2, SIDE / 2] };
+const USUAL_SHAPE = { cell_m: 0.1, columns: 1024, rows: 1024, origin: [512, 512] };
 const shapeOfWindow = ({ cell_m, columns, rows }) =>
   ({ cell_m, columns, rows, origin: [columns / 2, rows / 2] });
 
 const coloursOfMarks = () =>
   Array.from({ length: 8 * CLASS_COUNT }, (_, byte) => css(colourOfClass(byte)));
+
+const modulo = (number, count) => ((number % count) + count) % count;
 
 const rotated = (x, y, angle) => {
   const cos = Math.cos(angle);
@@ -233,24 +235,25 @@ export class GridCanvas {
                              : [metres(-this.shape.origin[0], x), metres(-this.shape.origin[1], y)];
   }
 
-  // Of a cell of the picture its number in the layer, where tiles of the window lie by slot.
-  numberOf(x, y) {
-    if (!this.showsClasses) {
-      return y * SIDE + x;
-    }
-    const { corner_a: a, corner_b: b } = this.grid.classes;
-    return ((b * TILE_SIDE + y) & (SIDE - 1)) * SIDE + ((a * TILE_SIDE + x) & (SIDE - 1));
+  // The layer's tiles of a row, its most rows, and the place in the layer of the picture's first
+  // tile. Tiles of the window lie by slot.
+  get tiles() {
+    const { corner_a: a, corner_b: b } = this.grid.classes ?? {};
+    return this.showsClasses ? { across: TILES_PER_SIDE, up: TILES_PER_SIDE, a, b }
+                             : { across: this.shape.columns / TILE_SIDE, up: TILE_COUNT, a: 0, b: 0 };
   }
 
-  // Of a tile of the layer its number in the picture.
+  // Of a cell of the picture its number in the layer.
+  numberOf(x, y) {
+    const { across, up, a, b } = this.tiles;
+    const tile = modulo(b + (y >> 5), up) * across + modulo(a + (x >> 5), across);
+    return tile * TILE_CELLS + (y & 31) * TILE_SIDE + (x & 31);
+  }
+
+  // Of a tile of the layer its column and row of tiles in the picture.
   placeOf(tile) {
-    if (!this.showsClasses) {
-      return tile;
-    }
-    const { corner_a: a, corner_b: b } = this.grid.classes;
-    const within = TILES_PER_SIDE - 1;
-    return ((Math.floor(tile / TILES_PER_SIDE) - b) & within) * TILES_PER_SIDE +
-           ((tile - a) & within);
+    const { across, up, a, b } = this.tiles;
+    return [modulo(tile % across - a, across), modulo(Math.floor(tile / across) - b, up)];
   }
 
   pan(columns, rows) {
@@ -303,8 +306,8 @@ export class GridCanvas {
 
   // A name of the frame that is shown and of where its tiles lie: what has the same name looks alike.
   get pictureName() {
-    const { classes, version } = this.grid;
-    return this.showsClasses ? `${version} ${classes.corner_a} ${classes.corner_b}` : `${version}`;
+    const { a, b, across } = this.tiles;
+    return `${this.grid.version} ${a} ${b} ${across} ${this.shape.columns} ${this.shape.rows}`;
   }
 
   // Brings an image up to a layer of the frame that is shown.
@@ -315,7 +318,7 @@ export class GridCanvas {
       this.grid.changed[layer].fill(1);
     }
     image.paint(this.pictureName, this.grid.layers[layer], this.grid.changed[layer],
-                { table, isMarked, placeOf: (tile) => this.placeOf(tile) });
+                { table, isMarked, shape: this.shape, placeOf: (tile) => this.placeOf(tile) });
     return image;
   }
 
@@ -370,11 +373,11 @@ export class GridCanvas {
   // An image of the whole grid. A cell that is turned has ragged edges, unless it is large.
   drawImage({ canvas }) {
     const { context } = this;
-    const { columns, rows } = this.shape;
+    const { rows } = this.shape;
     this.inPicture((width, height) => {
       context.imageSmoothingEnabled = width / rows < (this.pictureTurn === 0 ? 1 : 2.5);
       context.imageSmoothingQuality = "medium";
-      context.drawImage(canvas, SIDE - rows, SIDE - columns, rows, columns, 0, 0, width, height);
+      context.drawImage(canvas, 0, 0, width, height);
     });
   }
 

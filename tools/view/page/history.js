@@ -1,7 +1,8 @@
 // The frames of the last minute, as they came: messages, most of which hold only the tiles that have
 // changed. A key among them is whole in itself, so any frame is at most a second of tiles away.
 
-import { LAYERS, LAYER_COUNT, SIDE, TILE_COUNT, decodeTile, forEachTile, readObjects } from "./messages.js";
+import { LAYERS, LAYER_COUNT, TILE_CELLS, TILE_COUNT, decodeTile, forEachTile,
+         readObjects } from "./messages.js";
 
 const KEPT_MS = 60000;
 const KEPT_BYTES = 192 * 1024 * 1024;
@@ -62,7 +63,7 @@ export class History {
 // One frame: the cells of its layers, and what is drawn with them.
 export class ShownGrid {
   constructor() {
-    this.layers = Array.from({ length: LAYER_COUNT }, () => new Int8Array(SIDE * SIDE));
+    this.layers = Array.from({ length: LAYER_COUNT }, () => new Int8Array(TILE_COUNT * TILE_CELLS));
     this.changed = this.layers.map(() => new Uint8Array(TILE_COUNT)); // tiles to draw anew
     this.hasTruth = false;
     this.hasTrueClasses = false;

@@ -1,7 +1,7 @@
 // What is said of the cell under the mouse or the finger, or of what is measured.
 
 import { Measure, placeWords } from "./measure.js";
-import { LAYERS, TILES_PER_SIDE } from "./messages.js";
+import { LAYERS, TILE_CELLS } from "./messages.js";
 import { objectAt, wordsOfObject } from "./objects.js";
 import { classOf, meaningOfClass, nameOfClass, probabilityOf, surenessOf } from "./palette.js";
 
@@ -117,7 +117,7 @@ class HoverText {
 
   wordsOf(cell, view) {
     const value = view.grid.layers[view.showsClasses ? LAYERS.CLASSES : LAYERS.INDEXES][cell.number];
-    const tile = (cell.number >> 15) * TILES_PER_SIDE + ((cell.number >> 5) & (TILES_PER_SIDE - 1));
+    const tile = Math.floor(cell.number / TILE_CELLS);
     this.box.dataset.index = String(value);
     this.box.dataset.cell = `${cell.x},${cell.y}`;
     return { ...(view.showsClasses ? wordsOfClass(cell, value, view) : wordsOfIndex(cell, value, view)),

@@ -9,11 +9,10 @@
 export const TILE_SIDE = 32;
 export const TILES_PER_SIDE = 32;
 export const TILE_COUNT = TILES_PER_SIDE * TILES_PER_SIDE;
-export const SIDE = TILE_SIDE * TILES_PER_SIDE;
-const TILE_CELLS = TILE_SIDE * TILE_SIDE;
+export const TILE_CELLS = TILE_SIDE * TILE_SIDE;
 
-// Layers of tiles. Those of the last two are numbered by slot: b mod 32 * 32 + a mod 32 for tile
-// (a, b) of the local frame, wherever the window is.
+// Layers of tiles. Those of the first two are numbered row by row of the grid, those of the last two
+// by slot: b mod 32 * 32 + a mod 32 for tile (a, b) of the local frame, wherever the window is.
 export const LAYERS = { INDEXES: 0, OCCUPIED: 1, CLASSES: 2, TRUE_CLASSES: 3 };
 export const LAYER_COUNT = 4;
 const HAS_FRAME = 1;
@@ -197,12 +196,12 @@ function readDigits(reader, n, count) {
 
 // Symbol 0 is 0, as all cells of a tile that is not known; the values count from 1. The tile begins
 // with symbol 0, and no run has the symbol of the run before it.
-function decodeRunStarts(payload, put) {
+function decodeRunStarts(payload, cells) {
   const count = payload[0];
   if (count > MOST_VALUES) {
     throw new Error(`${count} values`);
   }
-  put(0, TILE_CELLS, 0);
+  cells.fill(0);
   if (count === 0) {
     return;
   }
@@ -214,30 +213,20 @@ function decodeRunStarts(payload, put) {
   starts.cells.forEach((begin, run) => {
     symbol = digits[run] + (digits[run] >= symbol ? 1 : 0);
     const end = run + 1 < runs ? starts.cells[run + 1] : TILE_CELLS;
-    put(begin, end, symbol === 0 ? 0 : (payload[symbol] << 24) >> 24);
+    cells.fill(symbol === 0 ? 0 : payload[symbol], begin, end);
   });
 }
 
-// Writes a tile into cells, SIDE to a row from the lowest y. An empty payload is 0 everywhere.
-export function decodeTile(tile, encoding, payload, cells) {
-  const origin = Math.floor(tile / TILES_PER_SIDE) * TILE_SIDE * SIDE +
-                 (tile % TILES_PER_SIDE) * TILE_SIDE;
-  const put = (begin, end, value) => {
-    for (let i = begin; i < end;) {
-      const stop = Math.min(end, (i | (TILE_SIDE - 1)) + 1);
-      const row = origin + (i >> 5) * SIDE;
-      cells.fill(value, row + (i & 31), row + ((stop - 1) & 31) + 1);
-      i = stop;
-    }
-  };
+// Writes a tile into the cells of its layer, an Int8Array that holds one tile after the other. An
+// empty payload is 0 everywhere.
+export function decodeTile(tile, encoding, payload, layer) {
+  const cells = layer.subarray(tile * TILE_CELLS, (tile + 1) * TILE_CELLS);
   if (payload.length === 0) {
-    put(0, TILE_CELLS, 0);
+    cells.fill(0);
   } else if (encoding === 4) {
-    decodeRunStarts(payload, put);
+    decodeRunStarts(payload, cells);
   } else if (encoding === 0 && payload.length === TILE_CELLS) {
-    for (let i = 0; i < TILE_CELLS; ++i) {
-      cells[origin + (i >> 5) * SIDE + (i & 31)] = (payload[i] << 24) >> 24;
-    }
+    cells.set(payload);
   } else {
     throw new Error(`encoding ${encoding}`);
   }

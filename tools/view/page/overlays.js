@@ -2,7 +2,7 @@
 
 import { drawOutlines } from "./map_outlines.js";
 import { drawEnd, drawWords } from "./measure.js";
-import { LAYERS, SIDE, TILES_PER_SIDE, TILE_SIDE, forEachPoint } from "./messages.js";
+import { LAYERS, TILE_CELLS, TILE_SIDE, forEachPoint } from "./messages.js";
 import { drawObjects } from "./objects.js";
 import { FATES, MOVING, classOf, css } from "./palette.js";
 import { drawCar, drawDeviation, drawTrack, drawUnwatched, drawViews } from "./vehicle_overlays.js";
@@ -125,8 +125,8 @@ function drawJudged(view) {
   const truth = grid.layers[showsClasses ? LAYERS.TRUE_CLASSES : LAYERS.OCCUPIED];
   const judge = showsClasses ? judgementOfClass : (index, isTrue) => judgement(index, isTrue !== 0);
   const size = Math.max(2.4, view.pixelsPerMetre * view.cellM);
-  for (let y = 0; y < SIDE; ++y) {
-    for (let x = 0; x < SIDE; ++x) {
+  for (let y = 0; y < view.shape.rows; ++y) {
+    for (let x = 0; x < view.shape.columns; ++x) {
       const number = view.numberOf(x, y);
       const verdict = cells[number] === 0 ? "" : judge(cells[number], truth[number]);
       if (verdict !== "") {
@@ -138,11 +138,11 @@ function drawJudged(view) {
   }
 }
 
-// Blocks of one value, as a quadtree over a tile would have them.
+// Blocks of one value, as a quadtree over a tile would have them. `cells` are the tile's.
 function leavesOf(cells, x, y, side, found) {
-  const value = cells[y * SIDE + x];
+  const value = cells[y * TILE_SIDE + x];
   for (let row = y; row < y + side; ++row) {
-    for (let cell = row * SIDE + x; cell < row * SIDE + x + side; ++cell) {
+    for (let cell = row * TILE_SIDE + x; cell < row * TILE_SIDE + x + side; ++cell) {
       if (cells[cell] !== value) {
         const half = side / 2;
         leavesOf(cells, x, y, half, found);
@@ -159,16 +159,19 @@ function leavesOf(cells, x, y, side, found) {
 let leaves = [];
 let shownLeaves = "";
 
-// x, y and side of each, in cells of the layer that is shown.
-export function quadtreeLeaves({ grid, shape, showsClasses }) {
-  const name = `${grid.version} ${showsClasses}`;
+// x, y and side of each, in cells of the picture.
+export function quadtreeLeaves(view) {
+  const { grid, shape, showsClasses, pictureName } = view;
+  const name = `${pictureName} ${showsClasses}`;
   if (shownLeaves !== name) {
     const cells = grid.layers[showsClasses ? LAYERS.CLASSES : LAYERS.INDEXES];
     shownLeaves = name;
     leaves = [];
     for (let y = 0; y < shape.rows; y += TILE_SIDE) {
       for (let x = 0; x < shape.columns; x += TILE_SIDE) {
-        leavesOf(cells, x, y, TILE_SIDE, leaves);
+        const [first, found] = [view.numberOf(x, y), []];
+        leavesOf(cells.subarray(first, first + TILE_CELLS), 0, 0, TILE_SIDE, found);
+        found.forEach((number, i) => leaves.push(number + [x, y, 0][i % 3]));
       }
     }
   }
@@ -183,11 +186,7 @@ function drawLeaves(view) {
   view.inPicture(() => {
     context.beginPath();
     for (let i = 0; i < found.length; i += 3) {
-      const side = found[i + 2];
-      const tile = (found[i + 1] >> 5) * TILES_PER_SIDE + (found[i] >> 5);
-      const place = view.placeOf(tile);
-      const x = (place % TILES_PER_SIDE) * TILE_SIDE + (found[i] & (TILE_SIDE - 1));
-      const y = (place >> 5) * TILE_SIDE + (found[i + 1] & (TILE_SIDE - 1));
+      const [x, y, side] = found.slice(i, i + 3);
       if (side * pixelsPerCell >= 4 && isSeen(view, x + side / 2, y + side / 2, side)) {
         context.rect((rows - y - side) * pixelsPerCell, (columns - x - side) * pixelsPerCell,
                      side * pixelsPerCell, side * pixelsPerCell);
@@ -271,8 +270,7 @@ function forEachTileOf(view, paint) {
   view.inPicture((width) => {
     const side = width / up;
     for (let tile = 0; tile < view.ages.length; ++tile) {
-      const place = view.placeOf(tile);
-      const [x, y] = [place % TILES_PER_SIDE, Math.floor(place / TILES_PER_SIDE)];
+      const [x, y] = view.placeOf(tile);
       if (x < across && y < up) {
         paint((up - 1 - y) * side, (across - 1 - x) * side, side, tile);
       }

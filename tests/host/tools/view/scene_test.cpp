@@ -56,6 +56,19 @@ TEST_F(SceneTest, APageThatReadsAllAndOneThatMissesMostEndWithTheSameGrid) {
   }
 }
 
+TEST_F(SceneTest, TilesHaveTheirNumbersInALongGrid) {
+  GridFrame frame;
+  frame.shape = {.columns = 2048, .rows = 512, .origin_column = 48, .origin_row = 256};
+  frame.valid_tiles.set();
+  frame.cells.at(300 * 2048 + 2000) = 5;
+  grid_->take(frame);
+  scene_->publish_frame(*grid_, *classes_, {}, "{}");
+  PageReader page;
+  page.catch_up(*scene_);
+  EXPECT_EQ(page.tile_records, 1U);
+  EXPECT_EQ(page.cells.at(cell_of_tile(300 / 32 * 64 + 2000 / 32, 300 % 32 * 32 + 2000 % 32)), 5);
+}
+
 TEST_F(SceneTest, WithoutNewsThereIsNoMessage) {
   PageReader page;
   EXPECT_FALSE(page.catch_up(*scene_));
