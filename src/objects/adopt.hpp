@@ -10,9 +10,9 @@
 
 namespace iog::objects {
 
-// If a cluster lies next to the box of a track, attaches the cluster to the nearest track whose box
-// can grow to include it. Such a cluster is a previously hidden part of the object. Only tracks
-// that are old enough to claim hits are considered.
+// Attaches clusters to nearby tracks. A cluster is attached to the nearest track whose box can grow
+// to include the cluster. Attached clusters are assumed to be previously hidden parts of the
+// object. Only tracks that are old enough to claim hits are considered.
 void attach(Point car, std::span<Track> tracks, Clusters& clusters, std::span<FrameHit> hits);
 
 // Associates clusters with tracks that are too young to claim hits. Each of these tracks gets the

@@ -1,4 +1,4 @@
-// Assigns hits to the tracks whose boxes contain the hits or are near them.
+// Assigns the hits in or near a track's box to the track.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ class Claim {
  public:
   // Sets the owner of each hit. The owner is a track whose gate contains the hit. If several gates
   // contain the hit, the owner is the track with the nearest box. Ties go to the track with the
-  // lower slot number. Hits on standing cells are assigned only to two kinds of tracks: moving
-  // tracks, and receding tracks whose visible face may lie on standing cells. Hits that contradict
-  // a track are rejected and counted. Returns the result of TileTracks::list().
+  // lower slot number. Hits on standing cells are assigned only to moving tracks and to receding
+  // tracks whose visible face may lie on standing cells. If a hit contradicts a track, the hit is
+  // counted and is not assigned to this track. Returns the result of TileTracks::list().
   std::uint32_t take(const window::Area& area, Point car, std::span<Track> tracks,
                      std::span<FrameHit> hits);
 

@@ -1,4 +1,4 @@
-// The gate of a track is the distance from its box within which the track claims hits.
+// The gate of a track is the area around its box in which the track claims hits.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace iog::objects {
 
 struct ClaimGate {
-  std::int32_t mm = 0;               // for hits that are not standing
+  std::int32_t mm = 0;               // extent beyond the box, for hits that are not standing
   std::int32_t speed_deviation = 0;  // standard deviation, the larger of the two axes, mm/s
 };
 using ClaimGates = std::array<ClaimGate, kMostTracks>;

@@ -1,10 +1,10 @@
-// Clusters the hits of a frame that have no owner. Each hit in a cluster is near another hit in the
-// same cluster.
+// Groups the unowned hits of a frame into clusters.
 //
-// Two hits are near each other if, along both axes, the distance between them is at most the gap of
-// either hit. The gap is 0.4 m plus an amount that grows with range, because beams diverge. Old
-// hits are ignored. Cells are stored as bits in a plane that covers the window. A cluster grows by
-// adding the set bits around each of its cells. Each bit is visited only once.
+// A cluster grows from its first hit. A hit joins the cluster if, along each axis, its distance
+// from a hit in the cluster is at most the gap. The gap is 0.4 m plus an amount that grows with
+// range, because beams diverge. Old hits are ignored. Cells are stored as bits in a plane that
+// covers the window. For each cell of a cluster, the plane is searched for set bits within the gap.
+// Bits that are found are cleared, so that no cell is found twice.
 #pragma once
 
 #include <array>

@@ -16,8 +16,8 @@ class Covariance {
  public:
   static constexpr std::int32_t kMost = 2'000'000'000;
 
-  // The Kalman gains for the position and the speed. `place` is in units of 2^-16 and between 0 and
-  // 2^16. `speed` is in units of 2^-16 per second.
+  // The Kalman gains for the position and the speed. `place` is in units of 2^-16 and ranges from 0
+  // to 2^16. `speed` is in units of 2^-16 per second.
   struct Gain {
     std::int32_t place = 0;
     std::int32_t speed = 0;

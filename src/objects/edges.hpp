@@ -10,7 +10,8 @@
 
 namespace iog::objects {
 
-// The mean position and the number of the hits within kSlabMm of the outermost hit.
+// The hits within kSlabMm of the outermost hit form an edge. Stores their mean position and their
+// number.
 struct Edge {
   std::int32_t mm = 0;  // from the reference point of the box
   std::int32_t hits = 1;
@@ -26,7 +27,8 @@ using Edges = std::array<Ends, 2>;  // indexed by Side
 [[nodiscard]] Edges edges_of(const Box& box, std::span<const std::uint16_t> numbers,
                              std::span<const FrameHit> hits);
 
-// Returns the side positions of a box with the given edges. The box is at least kThinnestMm thick.
+// Returns the intervals that a box with the given edges covers along its axes. The box is at least
+// kThinnestMm thick.
 [[nodiscard]] Sides sides_of(const Edges& edges);
 
 }  // namespace iog::objects

@@ -4,7 +4,7 @@
 // The nearest hits come first, so the farthest hits are dropped if a frame has too many. If a frame
 // has more than kMostSeen hits, complete rings are dropped, starting with the farthest one. If more
 // than kMostHits hits remain, hits at the end of the sorted list are dropped. Hits outside the
-// window or without a slice are rejected. All dropped and rejected hits are counted.
+// window or with an invalid slice are rejected. All dropped and rejected hits are counted.
 #pragma once
 
 #include <array>
@@ -25,11 +25,11 @@ class FrameHits {
 
   struct Left {
     std::uint32_t beyond = 0;  // dropped because there were too many hits
-    std::uint32_t wrong = 0;   // outside the window, or without a slice
+    std::uint32_t wrong = 0;   // outside the window, or with an invalid slice
     friend bool operator==(const Left&, const Left&) = default;
   };
-  // Replaces the stored hits with the hits of a frame. Sets only the members that can be computed
-  // from the frame.
+  // Replaces the stored hits with the hits of a frame. Members of a FrameHit that cannot be
+  // computed from the frame alone are set to default values.
   Left gather(const Frame& frame);
 
   [[nodiscard]] std::span<FrameHit> all() { return std::span(hits_).first(count_); }
@@ -43,8 +43,8 @@ class FrameHits {
   [[nodiscard]] std::size_t first_of(geometry::Cell cell) const;
 
  private:
-  // The key consists of 5 bits for the ring, 10 bits for the slot, 10 bits for the cell in the
-  // tile, and 5 bits for the slice, from the highest bit to the lowest.
+  // From the highest bit to the lowest, the key consists of 5 bits for the ring, 10 bits for the
+  // slot, 10 bits for the cell in the tile, and 5 bits for the slice.
   using Key = std::uint32_t;
 
   static constexpr std::uint32_t kRings = 32;
@@ -62,8 +62,8 @@ class FrameHits {
   void sort(std::size_t count);
 
   window::Area area_{};
-  // The distance from the car to each column and row of tiles, in tiles. The lowest column and row
-  // come first.
+  // The distances of the tile columns and tile rows from the car, in tiles. The lowest column and
+  // row come first.
   std::array<std::uint8_t, window::kTilesAcross> columns_away_{};
   std::array<std::uint8_t, window::kTilesAcross> rows_away_{};
   std::array<FrameHit, kMostHits> hits_{};

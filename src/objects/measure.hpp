@@ -12,9 +12,9 @@
 namespace iog::objects {
 
 // Counts the hits of the track. If at least one hit is not standing, updates the position, speed
-// and box of the track. If all hits are standing, a track that has a trail or is larger than a
-// pedestrian loses its hits. A mostly standing track loses its standing hits. `step` is the time
-// since the previous frame.
+// and box of the track. Otherwise, if the track has a trail or is larger than a pedestrian, its
+// hits are removed. Standing hits are also removed if the track is mostly standing. `step` is the
+// time since the previous frame.
 void measure(Point car, std::uint64_t now_us, Step step, std::span<const std::uint16_t> numbers,
              std::span<FrameHit> hits, Track& track);
 

@@ -23,9 +23,9 @@ struct Hits {
   const RecentHits& recent;
 };
 
-// Counts good, bad and neutral places in `track.seen`. Compares the track and its hits with the
-// youngest snapshot that is old enough to show motion. If the track is receding, also updates its
-// trail.
+// Counts the good, bad and neutral places and stores the counts in `track.seen`. Compares the track
+// and its hits with the youngest snapshot that is old enough to show motion. If the track is
+// receding, also updates its trail.
 void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
                   std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
                   Track& track);

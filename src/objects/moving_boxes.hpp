@@ -27,9 +27,9 @@ class MovingBoxes {
   }
   void clear() { count_ = 0; }
 
-  // Returns the cells in the set `asked` whose centres are at most kTailMm outside a box. All cells
-  // are in one row. Bit 0 of `asked` is the cell `first`, and bit i is the i-th cell to the right
-  // of `first`. `asked` must not be 0.
+  // Returns those cells in `asked` whose centres are in a stored box or at most kTailMm outside it.
+  // All cells are in one row. Bit 0 of `asked` represents the cell `first`, and bit i represents
+  // the i-th cell to the right of `first`. `asked` must not be 0.
   [[nodiscard]] std::uint32_t hold(geometry::Cell first, std::uint32_t asked) const {
     const Bounds row{.low = centre_of({first.x + std::countr_zero(asked), first.y}),
                      .high = centre_of({first.x + 31 - std::countl_zero(asked), first.y})};

@@ -1,6 +1,5 @@
-// The beams from the car to the hits of a track. All places that these beams pass are now free.
-// Some of these places have only just been left by a receding object, so no other beam reaches them
-// for a while.
+// The beams from the car to the hits of a track. All places that these beams pass are now free. If
+// a receding object has only just left a place, no other beams reach the place for a while.
 #pragma once
 
 #include <array>
@@ -31,7 +30,7 @@ class OwnBeams {
     }
   }
 
-  // Returns true if beams pass close to the place on both sides of it and end beyond it. Beams that
+  // Returns true if beams that end beyond the place pass close to it on both sides. Beams that
   // graze a wall pass a place on only one side.
   [[nodiscard]] bool pass(Point place) const {
     const Point its = from_car(place);

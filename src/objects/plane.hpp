@@ -12,8 +12,8 @@
 
 namespace iog::objects {
 
-// The coordinates of a point are within +-1.1 * 10^9 mm. The difference between two points in one
-// window fits into a word.
+// The absolute value of each coordinate is at most 1.1 * 10^9 mm. The difference between two points
+// in one window fits into a word.
 struct Point {
   std::int32_t x_mm = 0;
   std::int32_t y_mm = 0;
@@ -39,8 +39,8 @@ struct Velocity {
   return {from.x_mm + by.x * ms / 1000, from.y_mm + by.y * ms / 1000};
 }
 
-// Returns the approximate distance, which is max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is
-// at most 1/16 of the distance.
+// Approximates the distance by max(|dx|, |dy|) + 3/8 * min(|dx|, |dy|). The error is at most 1/16
+// of the distance.
 [[nodiscard]] constexpr std::int32_t range_mm(Point from, Point to) {
   const std::int32_t dx = numeric::magnitude(to.x_mm - from.x_mm);
   const std::int32_t dy = numeric::magnitude(to.y_mm - from.y_mm);
@@ -56,7 +56,7 @@ struct Direction {
 };
 inline constexpr int kDirectionBits = 14;
 
-// The two axes of a box. The axis kAcross is the axis kAlong rotated by 90 degrees to the left.
+// The two axes of a box. kAcross points 90 degrees to the left of kAlong.
 enum Side : std::size_t { kAlong, kAcross };
 inline constexpr std::array kSides{kAlong, kAcross};
 
@@ -108,8 +108,8 @@ struct Box {
   // Returns true if the line between two points crosses the box. Both points must be within 2^17 mm
   // of the box, so that products of two words stay below 2^40.
   [[nodiscard]] constexpr bool is_between(Point from, Point to) const {
-    // The fractions of the line's length at which the line has entered the box on both axes, and at
-    // which it first leaves the box on one axis.
+    // The line enters the box at the fraction `enters / enters_of` of its length and leaves it at
+    // the fraction `leaves / leaves_of`. The line misses the box if the first fraction is larger.
     std::int64_t enters = 0;
     std::int64_t enters_of = 1;
     std::int64_t leaves = 1;
@@ -135,8 +135,8 @@ struct Box {
     }
     return enters * leaves_of <= leaves * enters_of;
   }
-  // Returns a corner of the box. `number` is in the range 0 to 3. Bit 0 selects the high end along
-  // the box, and bit 1 selects the high end across the box.
+  // Returns a corner of the box. `number` is in the range 0 to 3. Bit 0 selects the high end of
+  // kAlong, and bit 1 selects the high end of kAcross.
   [[nodiscard]] constexpr Point corner(unsigned number) const {
     const std::int64_t a = number & 1U ? sides[kAlong].high : sides[kAlong].low;
     const std::int64_t b = number & 2U ? sides[kAcross].high : sides[kAcross].low;
@@ -145,8 +145,8 @@ struct Box {
   }
 };
 
-// An axis-aligned rectangle. The conditions combine four sign checks into one branch because four
-// separate branches would be hard to predict.
+// An axis-aligned rectangle. contains() and is_near() combine four sign checks into one branch,
+// because four separate branches would be hard to predict.
 struct Bounds {
   Point low{INT32_MAX, INT32_MAX};
   Point high{INT32_MIN, INT32_MIN};

@@ -29,8 +29,8 @@ class RecentHits {
   // epoch.
   [[nodiscard]] bool is_hit_lately(geometry::Cell cell) const;
 
-  // Call this function at the end of a frame to add its hits. Time may go backwards only after a
-  // call to forget().
+  // Adds the hits of a frame. Call add() at the end of each frame. If time goes backwards between
+  // two frames, call forget() before add().
   void add(std::uint64_t now_us, std::span<const FrameHit> hits);
 
   void forget();

@@ -45,8 +45,9 @@ inline constexpr std::int32_t kMostSpeed = 100'000;
 inline constexpr std::uint32_t kGripFrom = 12;
 inline constexpr std::int32_t kGrip = 10'000;
 
-// The gate of a track is the distance from its box within which the track claims hits. The gate is
-// extended by twice the standard deviation of the track's position, up to the limits below.
+// The gate of a track is the area around its box in which the track claims hits. For hits that are
+// not standing, the gate is extended by twice the standard deviation of the position, up to the
+// limits below.
 inline constexpr std::uint32_t kClaimsFrom = 3;  // updates
 inline constexpr std::uint32_t kSettledFrom = 12;
 inline constexpr std::int32_t kGateMm = 300;
@@ -63,7 +64,7 @@ inline constexpr std::int32_t kStandingAgeMs = 800;
 inline constexpr std::int32_t kEpochSlackMs = 20;
 inline constexpr std::int32_t kContradictionMm = 150;
 
-// Hits belong to the same object if the gap between them is at most this large.
+// Hits that are at most this far apart belong to the same object.
 inline constexpr std::int32_t kGapMm = 400;
 inline constexpr std::int32_t kGapOfAMetre = 14;  // additional gap per metre of range
 
@@ -89,7 +90,7 @@ inline constexpr std::int32_t kBirthSpeed = 10'000;
 
 // Parameters of the measurement.
 inline constexpr std::int32_t kSlabMm = 250;  // hits this close to the outermost hit form an edge
-// A face of the box is visible if the car is more than kFacingMm outside the box on that side.
+// The car can see a face of the box if it is more than kFacingMm in front of this face.
 inline constexpr std::int32_t kFacingMm = 300;
 inline constexpr std::int32_t kFaceMm = 50;        // standard deviation of a face
 inline constexpr std::int32_t kHitMm = 90;         // standard deviation of one hit of a face
@@ -117,8 +118,8 @@ inline constexpr std::int32_t kTurnDeviations = 4;
 // kTurnMovingDeviations applies to moving tracks because the standard deviation of their speed is
 // 0.7 m/s with a 10 Hz scanner.
 inline constexpr std::int32_t kTurnMovingDeviations = 3;
-// kTurnSureSpeed applies to a track that is certainly a car. The speed must also exceed its
-// standard deviation.
+// The box of a track that is certainly a car also turns if the speed reaches both kTurnSureSpeed
+// and its own standard deviation.
 inline constexpr std::int32_t kTurnSureSpeed = 600;
 inline constexpr std::int32_t kTurnShare = 4;
 inline constexpr std::int32_t kTurnSlowShare = 8;
@@ -139,7 +140,7 @@ inline constexpr std::int32_t kMergeReachMm = 20'000;
 // Parameters for using the grid to confirm the motion of a track.
 inline constexpr std::size_t kSnapshots = 8;
 inline constexpr std::size_t kSnapshotHits = 12;
-// This interval between snapshots is shorter than an epoch because frames do not end at regular
+// The interval between snapshots is shorter than an epoch because frames do not end at regular
 // intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
@@ -153,10 +154,10 @@ inline constexpr std::int32_t kOpenSpeed = 3000;
 // left. A frame supports the trail if the track's own beams pass at least kTrailPlaces of these
 // places, and if they pass at least kGoodOverBad places for each place that is hit again. A beam
 // passes a place if it misses the place by at most kBesideMm. A place that is still occupied is hit
-// again within kLayersMs, even if the sensor scans its layers one after the other. Recent hits on a
-// place therefore also count if the track is slower than kLayersSpeed. Hits behind a track that is
-// faster than kLayersSpeed may belong to the track itself, because its speed is not known well
-// enough.
+// again within kLayersMs, even if the sensor scans its layers one after the other. If the track is
+// slower than kLayersSpeed, recently hit places therefore also count as hit again. Hits behind a
+// track that is faster than kLayersSpeed may belong to the track itself, because its speed is not
+// known well enough.
 inline constexpr std::int32_t kTrailPlaces = 3;
 inline constexpr std::int32_t kTrail = 4;
 inline constexpr std::int32_t kMostTrail = 8;
@@ -173,12 +174,12 @@ inline constexpr std::int32_t kToldHits = 2;
 inline constexpr std::int32_t kGoodHits = 3;
 inline constexpr std::int32_t kGoodOverBad = 4;
 inline constexpr std::int32_t kBadOverGood = 8;
-// If a track is at least as fast as kClearSpeed, kClearHits good places increase its confidence
-// more than at lower speeds, because our car will soon have passed the object.
+// If a track has at least kClearHits good places and a speed of at least kClearSpeed, its
+// confidence increases faster, because our car will soon have passed the object.
 inline constexpr std::int32_t kClearSpeed = 15'000;
 inline constexpr std::int32_t kClearHits = 8;
-// If a track's box has been car-sized for kSteadyFrom updates, the track needs only kSteadyHits
-// good places.
+// After kSteadyFrom updates, kSteadyHits good places are enough to confirm the motion of a
+// car-sized track.
 inline constexpr std::uint32_t kSteadyFrom = 50;
 inline constexpr std::int32_t kSteadyHits = 2;
 inline constexpr std::int32_t kShortestCarMm = 2500;
@@ -203,11 +204,11 @@ inline constexpr std::int32_t kGroupSpeed = 1500;     // pedestrian groups are s
 inline constexpr std::int32_t kGroupPercent = 75;     // and most of their hits are moving
 inline constexpr std::int32_t kMostConfidence = 12;
 inline constexpr std::int32_t kMovingConfidence = 5;
-// Standing hits in the box of a car-sized track belong to the track if its confidence is at least
-// kSureConfidence and at least kSureUnopposed frames have supported its motion. A frame opposes the
-// motion if, for each bad place, fewer than kGoodOverBad places are good or neutral. Each frame
-// that opposes the motion cancels kOpposed frames that support it. A frame that does not oppose the
-// motion supports it if at least kSteadyHits places are good.
+// A car-sized track is certainly a car if its confidence is at least kSureConfidence and at least
+// kSureUnopposed frames have supported its motion. Standing hits in the box of such a track belong
+// to the track. A frame opposes the motion if it has fewer than kGoodOverBad good or neutral places
+// per bad place. Each frame that opposes the motion cancels kOpposed frames that support it. A
+// frame that does not oppose the motion supports it if at least kSteadyHits places are good.
 inline constexpr std::int32_t kSureConfidence = 8;
 inline constexpr std::int32_t kSureUnopposed = 4;
 inline constexpr std::int32_t kMostUnopposed = 12;

@@ -23,7 +23,7 @@ struct Snapshot {
   }
 };
 
-// The last kSnapshots snapshots. A snapshot is taken every 80 ms.
+// The last kSnapshots snapshots. Successive snapshots are at least kSnapshotUs apart.
 class Snapshots {
  public:
   [[nodiscard]] bool is_due(std::uint64_t now_us) const { return now_us >= last_us_ + kSnapshotUs; }

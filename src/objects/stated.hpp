@@ -13,8 +13,9 @@
 
 namespace iog::objects {
 
-// Multiplies the filter's standard deviation, in mm/s, by 1 + kStatedAgeMs / age. If the object is
-// less than kStatedNearMm away from the car, the factor is at least kStatedNear.
+// Multiplies `deviation`, the filter's standard deviation in mm/s, by 1 + kStatedAgeMs / age, where
+// `age` is the age of the track in ms. If the object is less than kStatedNearMm away from the car,
+// the factor is at least kStatedNear.
 [[nodiscard]] inline std::uint32_t stated_deviation(std::uint32_t deviation, const Track& track,
                                                     std::uint64_t now_us, Point car) {
   const std::uint64_t age_ms =

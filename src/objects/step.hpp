@@ -14,7 +14,7 @@ class Step {
 
   [[nodiscard]] constexpr std::int32_t ms() const { return ms_; }
 
-  // Converts a given change per second to the change during the step, rounded down. The absolute
+  // Returns the change during the step for a given change per second, rounded down. The absolute
   // value of `per_second` must be below 2^48.
   [[nodiscard]] constexpr std::int64_t of(std::int64_t per_second) const {
     return (per_second * seconds_) >> 16;

@@ -15,8 +15,8 @@
 namespace iog::objects {
 
 // The columns and rows that a rectangle overlaps, with one bit per column or row. Each column or
-// row is about 1 m wide. Strips whose numbers differ by 32 share a bit. If two rectangles have no
-// column or no row in common, they do not overlap.
+// row is about 1 m wide. Columns whose numbers differ by a multiple of 32 share a bit. The same is
+// true for rows. If two rectangles have no column or no row in common, they do not overlap.
 struct Strips {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
@@ -69,8 +69,8 @@ class PlacedTracks {
   [[nodiscard]] const Bounds& bounds(std::size_t number) const { return bounds_[number]; }
   [[nodiscard]] const Strips& strips(std::size_t number) const { return strips_[number]; }
 
-  // Returns the number of the first track, starting at `from`, whose strips may overlap the given
-  // strips. If there is no such track, returns count().
+  // Searches the tracks from number `from` onwards, and returns the number of the first one whose
+  // strips may overlap the given strips. If there is no such track, returns count().
   [[nodiscard]] std::size_t next(const Strips& its, std::size_t from) const {
     while (from < count_ && !strips_[from].may_meet(its)) {
       ++from;

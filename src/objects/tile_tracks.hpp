@@ -25,8 +25,8 @@ class TileTracks {
   std::uint32_t list(std::span<const Track> tracks, const ClaimGates& gates,
                      const window::Area& area);
 
-  // Returns the slots of the tracks listed for the tile that contains a cell, in ascending order.
-  // The cell must be in the window.
+  // Returns the list of tracks for the tile that contains `cell`, as slots in ascending order. The
+  // cell must be in the window.
   [[nodiscard]] std::span<const std::uint8_t> near(geometry::Cell cell) const;
   // Returns true if the track may claim a hit at this place. The test is fast and rules out most
   // tracks.

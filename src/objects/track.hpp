@@ -77,10 +77,11 @@ class Track {
   // Returns the velocity if the track is moving, and 0 otherwise.
   [[nodiscard]] Velocity believed_velocity() const { return moves() ? velocity() : Velocity{}; }
   [[nodiscard]] std::int32_t speed() const { return speed_; }  // mm/s, rounded down
-  // Returns the standard deviation of the speed, computed from both axes, in mm/s.
+  // Returns the standard deviation of the speed in mm/s, computed from both axes.
   [[nodiscard]] std::int32_t speed_deviation() const { return speed_deviation_; }
-  // Returns true if the track is slow and larger than a pedestrian, and most of its hits are
-  // standing hits. These hits may belong to an object that is parked next to the track.
+  // Returns true for a slow track that is larger than a pedestrian and has mostly standing hits,
+  // unless the track has a trail or is certainly a car. The standing hits may belong to an object
+  // that is parked next to the track.
   [[nodiscard]] bool is_mostly_standing() const;
   // Returns true if the track has a heading and is the size of a car.
   [[nodiscard]] bool is_like_a_car() const;
