@@ -1,17 +1,16 @@
 // Stores the poses of the last second and interpolates the pose at any time within this second.
 //
 // Times are in us on the clock of the pose source unless the target's clock is mentioned. Messages
-// must arrive in the order of the source's clock. A message that is not newer than the newest
-// message so far is dropped. A sequence of poses ends with a break. A break is one of the
-// following: a gap of kLostUs without messages, a jump, a new run of the source, a contradiction by
-// the sensors, or a growing delay. After a break, the position of data registered earlier is no
-// longer known, so the window is reset to unknown.
+// must arrive in the order of the source's clock. Messages that are not newer than the newest one
+// so far are dropped. A sequence of poses ends with a break, which can be a gap of kLostUs without
+// messages, a jump, a new run of the source, a contradiction by the sensors, or a growing delay.
+// After a break, the position of previously registered data is no longer known, so the window is
+// reset to unknown.
 //
-// A forged message must not disable the pose input permanently. If the run or the time of a message
-// does not continue the current sequence, the message is therefore accepted only after
-// kConfirmations consecutive messages of this kind. If the message is not newer than the newest
-// message or belongs to an earlier run, the current sequence must also have been silent for
-// kLostUs.
+// A forged message must not disable the pose input permanently. Messages whose run or time does not
+// continue the current sequence are therefore accepted only once kConfirmations of them have
+// arrived in a row. If they are not newer than the newest accepted message, or if they belong to an
+// earlier run, the current sequence must also have been silent for kLostUs.
 #pragma once
 
 #include <array>
@@ -57,9 +56,8 @@ class History {
   [[nodiscard]] Fate add(const Message& message, std::uint64_t arrival_us);
 
   // Reports the current time on the clock of the source. The caller passes the end of the newest
-  // slice, or the current time as converted by source_time(). The function detects that the source
-  // is lost. Without calls to pass(), the loss would be detected only when the source's next
-  // message arrives.
+  // slice, or the current time as converted by source_time(). This detects the loss of the source,
+  // which would otherwise be noticed only when its next message arrives.
   void pass(std::uint64_t now_us);
 
   // Reports the current time on the target's clock. Call pass_silence() if the time since the
@@ -67,20 +65,20 @@ class History {
   void pass_silence(std::uint64_t target_us);
 
   // Reports that the registered data contradict each other. The poses were therefore wrong, and the
-  // source may be stuck. Poses are then rejected until a message differs from the newest pose by
-  // more than the jump limits, but for at most kMaxStuckUs.
+  // source may be stuck. Poses are then rejected for kMaxStuckUs, or until one differs from the
+  // newest pose by more than the jump limits.
   void contradict();
 
   // Returns the pose at a time. Between two messages, the pose is interpolated linearly. After the
-  // newest message, the pose is predicted from the speed and the yaw rate for up to kLateUs. If the
-  // time is before the first message after a break, the result contains the cause of the break:
-  // kLost, kJump, kRestart, kContradicted or kDrifting. If no break has occurred yet, the cause is
-  // kLost. Other possible causes are kLate and kImprecise.
+  // newest message, the pose is predicted from the speed and the yaw rate for up to kLateUs. If no
+  // message since the last break is old enough, the result states the cause of the break: kLost,
+  // kJump, kRestart, kContradicted or kDrifting. If no break has occurred yet, the cause is kLost.
+  // Other possible causes are kLate and kImprecise.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const;
 
-  // Converts a time on the target's clock to the clock of the source, using the message with the
-  // shortest delay in the last second. The result lags behind the source's clock by the delay of
-  // this message. Returns nothing if no message arrived in the last second.
+  // Converts a time from the target's clock to the source's clock, based on the shortest message
+  // delay in the last second. The result lags behind the source's clock by this delay. Returns
+  // nothing if no pose has been accepted since the last break.
   [[nodiscard]] std::optional<std::uint64_t> source_time(std::uint64_t target_us) const;
 
   // Returns the number of breaks so far. The position of data registered in an earlier epoch is no
@@ -91,10 +89,10 @@ class History {
   // limits.
   [[nodiscard]] bool has_moved() const { return has_moved_; }
 
-  // Returns how often each break occurred, and when it last occurred. The times of `kLost` and
-  // `kContradicted` are those of the last message before the break. The times of `kJump`,
-  // `kRestart` and `kDrifting` are those of the first message after the break. All other causes
-  // apply to slices, not to breaks.
+  // Returns how often each break occurred, and when it last occurred. For `kLost` and
+  // `kContradicted`, this is the time of the last message before the break. For `kJump`, `kRestart`
+  // and `kDrifting`, it is the time of the first message after the break. All other causes apply to
+  // slices, not to breaks.
   [[nodiscard]] const Tally& breaks(Cause cause) const {
     return breaks_[static_cast<std::size_t>(cause)];
   }

@@ -1,4 +1,4 @@
-// A pose message begins with the SOME/IP and E2E headers that all messages have
+// Like all messages, a pose message begins with a SOME/IP header and an E2E header
 // (protection/protected_message.hpp). The headers are followed by 72 bytes of big-endian content.
 // Each byte is described in docs/spec.md, section 5.1.
 #pragma once
@@ -26,7 +26,7 @@ inline constexpr protection::Channel kPoseChannel{
     .data_id = 0x494F4703,
     .max_delta_counter = 1};
 
-// Standard deviations from 1 to 65535. The maximum value also represents all larger values.
+// Standard deviations from 1 to 65535. The value 65535 means 65535 or more.
 struct Sigma {
   std::uint16_t position_mm = 0xFFFF;
   std::uint16_t heading_10urad = 0xFFFF;

@@ -13,22 +13,24 @@ struct Motion {
   std::int32_t yaw_urad_per_s = 0;
 };
 
-// Returns the pose after the motion has continued for elapsed_us <= 10^6, along the chord of the
-// circle. The direction of the chord is the heading after half of this time. Requires |x|, |y| <=
-// 10^9 mm. The angle is accurate to 2^-32 turns plus one part in 10^9. The position is accurate to
-// half a millimetre. The length of the arc is used as the length of the chord. For example, at 0.5
-// rad/s and 100 ms, the chord is too long by one part in ten thousand.
+// Returns the pose after moving for elapsed_us. The circular arc is replaced by a chord, whose
+// direction is the heading after half of this time. Requires `elapsed_us <= 10^6`. The magnitudes
+// of x and y must be at most 10^9 mm. The change in heading is accurate to one part in 10^9, plus
+// 2^-32 turns. The position is accurate to half a millimetre. The chord is given the length of the
+// arc, so it is slightly too long. At 0.5 rad/s and 100 ms, for example, the error is one part in
+// ten thousand.
 [[nodiscard]] Pose moved(const Pose& pose, const Motion& motion, std::uint64_t elapsed_us);
 
 // Interpolates linearly between two poses that are span_us apart. Returns the pose at elapsed_us
 // after `from`. The heading turns through the smaller of the two possible angles. If both angles
-// are equal, the heading turns clockwise. Requires 0 <= elapsed_us <= span_us, 0 < span_us <= 10^6
-// and |x|, |y| <= 10^9 mm. Coordinates are rounded to the nearest integer, and ties are rounded up.
+// are equal, the heading turns clockwise. Requires `0 <= elapsed_us <= span_us` and
+// `0 < span_us <= 10^6`. The magnitudes of x and y must be at most 10^9 mm. Coordinates are rounded
+// to the nearest integer, and ties are rounded up.
 [[nodiscard]] Pose between(const Pose& from, const Pose& to, std::uint64_t elapsed_us,
                            std::uint64_t span_us);
 
-// The difference between two poses in x, y and heading. The difference of the headings is the
-// smaller of the two possible angles.
+// The difference between two poses in x, y and heading. The difference in heading is the smaller of
+// the two possible angles.
 struct Residual {
   std::int64_t x_mm = 0;
   std::int64_t y_mm = 0;
@@ -43,8 +45,8 @@ struct Residual {
 
 [[nodiscard]] Residual residual(const Pose& pose, const Pose& predicted);
 
-// Returns true if a sum of up to 2^20 residuals exceeds kMaxResidualMm, or the equivalent angle at
-// kReachMm.
+// Returns true if the distance in `sum` exceeds kMaxResidualMm, or if the heading in `sum` exceeds
+// kMaxResidualAngle. A sum may consist of up to 2^20 residuals.
 [[nodiscard]] bool is_jump(const Residual& sum);
 
 }  // namespace iog::pose

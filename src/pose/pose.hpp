@@ -1,5 +1,5 @@
-// The pose of the vehicle frame in the local frame. The local frame is a plane in which the poses
-// of the source do not jump.
+// The pose of the vehicle frame in the local frame. The local frame is planar, and the source's
+// poses do not jump in it.
 #pragma once
 
 #include <cstdint>

@@ -15,14 +15,15 @@ class RunMemory {
     return count_ > 0 && runs_[(next_ + kRuns - 1) % kRuns] == run;
   }
 
-  // Returns true if a run is one of the last fifteen earlier runs. Older runs are not remembered.
+  // Returns true if `run` is one of the last fifteen runs before the current one. Older runs are
+  // not remembered.
   [[nodiscard]] bool is_past(std::uint32_t run) const {
     const auto known = std::span(runs_).first(count_);
     return !is_present(run) && std::ranges::find(known, run) != known.end();
   }
 
-  // Makes `run` the current run. The new run must differ from the previous current run, but it may
-  // be an earlier run.
+  // Makes `run` the current run. Earlier runs are allowed, but `run` must not be the current run
+  // already.
   void begin(std::uint32_t run) {
     runs_[next_] = run;
     next_ = (next_ + 1) % kRuns;

@@ -20,9 +20,8 @@ class Slicing {
 
   [[nodiscard]] constexpr std::uint64_t slice_us() const { return std::uint64_t{1000} << log2_ms_; }
 
-  // Returns the slice that contains a time. The start of a slice belongs to this slice, and its end
-  // belongs to the next slice. If the middle or the end of a slice exceeds 2^64 us, it wraps
-  // around.
+  // Returns the slice that contains a time. A slice includes its start, but not its end. The middle
+  // and the end of a slice wrap around at 2^64 us.
   [[nodiscard]] constexpr Slice slice_of(std::uint64_t time_us) const {
     const std::uint64_t number = time_us / slice_us();
     const std::uint64_t first_us = number * slice_us();

@@ -20,7 +20,7 @@
 
 namespace iog::pose {
 
-// The number of slices without a pose and the number of breaks since start-up, for each cause.
+// For each cause, the number of slices without a pose, and how often the cause began.
 struct CauseCounts {
   std::array<std::uint32_t, kCauseCount> slices{};  // see Source::slices()
   std::array<Tally, kCauseCount> began{};           // see Source::tally()
@@ -61,20 +61,20 @@ class Source {
   // Returns the slice that contains a time on the source's clock.
   [[nodiscard]] Slice slice_of(std::uint64_t time_us) const { return slicing_.slice_of(time_us); }
 
-  // See History. This function does not count causes.
+  // See History. Unlike place(), this function does not change any counters.
   [[nodiscard]] Placed pose_at(std::uint64_t time_us) const { return history_.pose_at(time_us); }
 
-  // Returns the pose of a slice. If the slice has no pose, increments the counter for the reason
-  // and returns the reason. Call place() once per slice.
+  // Returns the pose of a slice, or the reason why there is none, and counts the result. Call
+  // place() once per slice.
   [[nodiscard]] Placed place(const Slice& slice);
 
   // Returns the number of datagrams with each outcome since start-up.
   [[nodiscard]] const std::array<std::uint32_t, kFateCount>& fates() const { return fates_; }
-  // For each reason, returns how many slices have had no pose since start-up. The entry kNone
-  // counts the slices with a pose.
+  // Returns how many slices have had no pose since start-up, for each reason. The entry kNone is
+  // the number of slices with a pose.
   [[nodiscard]] const std::array<std::uint32_t, kCauseCount>& slices() const { return slices_; }
-  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this time
-  // is the middle of the first slice in a series of slices without a pose. For the other causes,
+  // Returns how often each cause began, and when it last began. For kLate and kImprecise, this is
+  // the middle of the first of several consecutive slices with this cause. For the other causes,
   // see History.
   [[nodiscard]] Tally tally(Cause cause) const;
   [[nodiscard]] CauseCounts cause_counts() const;

@@ -1,4 +1,4 @@
-// Describes the pose source, as a part of a vehicle's description.
+// The part of a vehicle's description that defines the pose source.
 #pragma once
 
 #include <cstdint>

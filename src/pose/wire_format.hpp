@@ -1,5 +1,5 @@
-// Encodes poses and their standard deviations for all messages. The byte order is big endian, as
-// specified in docs/spec.md 5.1.
+// Encodes and decodes the poses and standard deviations in all messages. The byte order is big
+// endian, as specified in docs/spec.md 5.1.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Decides whether a message is accepted. The source of the message must be allow-listed, and the
-// headers of the message must be valid.
+// Decides whether a message is accepted. The sender must be allow-listed, and both headers must be
+// valid.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,8 @@ namespace iog::protection {
          (replayer_ipv4 != 0 && replayer_ipv4 == ipv4);
 }
 
-// Returns the outcome of checking both headers: `sound`, kNotOurs, kWrongVersion or kDamaged. The
-// outcome is returned as an enumerator of the caller's `Fate`. The order of messages is not
-// checked.
+// Returns the outcome of checking both headers as an enumerator of the caller's `Fate`: `sound`,
+// kNotOurs, kWrongVersion or kDamaged. The order of messages is not checked.
 template <typename Fate>
 [[nodiscard]] constexpr Fate fate_of(const Received& received, Fate sound) {
   switch (received.header) {

@@ -6,8 +6,8 @@
 //    4  u32 data id: unique in the vehicle, reveals misrouted messages
 //    8  u32 CRC-32/P4 over all data except these four bytes
 //
-// The counter starts at 0 because receivers expect 0 in the first message. If a receiver starts
-// after the sender, the receiver reports kWrongSequence once.
+// The counter starts at 0 because receivers expect 0 in the first message. A receiver that starts
+// after the sender reports kWrongSequence once.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,7 @@ class Profile4Protector {
   constexpr explicit Profile4Protector(const Profile4& profile) : profile_{profile} {}
 
   // Fills in the header. `data` includes the header at the profile's offset and is at most 0xFFFF
-  // bytes long. The tail must be located after the header.
+  // bytes long. The tail must begin after the header.
   void protect(std::span<std::byte> data, TailRemainder tail = {});
 
  private:
@@ -64,8 +64,8 @@ class Profile4Checker {
   constexpr explicit Profile4Checker(const Profile4& profile) : profile_{profile} {}
 
   // Checks a message, which may contain any bytes. As in the standard, every valid message updates
-  // the counter. After a wrong sequence, the next message is therefore accepted again. For this
-  // reason, the caller must also detect old messages by their content.
+  // the counter, so the next message after a wrong sequence is accepted again. The caller must
+  // therefore also detect old messages by their content.
   [[nodiscard]] CheckStatus check(std::span<const std::byte> data);
 
   // Returns the counter step between the last two valid messages. The number of lost messages is

@@ -4,13 +4,13 @@
 //   16  E2E Profile 4 header, 12 bytes (protection/profile4.hpp)
 //   28  content
 //
-// AUTOSAR combines the two headers in this way. In PRS_SOMEIPProtocol, the E2E header follows the
-// return code at an offset of 64 bits. PRS_E2EProtocol contains an example with this offset.
-// Protection starts after the length field of the SOME/IP header. The CRC covers bytes 8 to 23 and
-// the content from byte 28. Bytes 8 to 23 are the request ID, versions, message type, return code,
-// E2E length, counter and data ID. The CRC does not cover bytes 0 to 7, which are the message ID
-// and the SOME/IP length. The data ID and the E2E length protect these bytes indirectly, because
-// the SOME/IP length and the E2E length count the same bytes.
+// AUTOSAR combines the two headers in this way. According to PRS_SOMEIPProtocol, the E2E header has
+// an offset of 64 bits, directly after the return code. PRS_E2EProtocol contains an example with
+// this offset. Protection starts after the length field of the SOME/IP header. The CRC covers bytes
+// 8 to 23 and the content from byte 28. Bytes 8 to 23 are the request ID, versions, message type,
+// return code, E2E length, counter and data ID. The CRC does not cover bytes 0 to 7, which are the
+// message ID and the SOME/IP length. These bytes are protected indirectly: the message ID by the
+// data ID, and the SOME/IP length by the E2E length, which counts the same bytes.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +24,9 @@ namespace iog::protection {
 
 inline constexpr std::size_t kProtectionBytes = kSomeIpHeaderBytes + kProfile4HeaderBytes;
 
-// The maximum length of a complete message. Automotive tools count the E2E header as part of the
-// SOME/IP payload. This payload is less than 1392 bytes long, which is the maximum that SOME/IP
-// segmentation (TP) puts into one datagram.
+// The maximum length of a complete message. SOME/IP segmentation (TP) puts at most 1392 bytes of
+// payload into one datagram. Even if the E2E header is counted as payload, as automotive tools do,
+// our payload is shorter.
 inline constexpr std::size_t kMaxMessageBytes = 1392;
 inline constexpr std::size_t kMaxContentBytes = kMaxMessageBytes - kProtectionBytes;
 

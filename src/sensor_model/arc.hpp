@@ -1,9 +1,9 @@
-// The inverse sensor model across a wide beam, such as a radar beam. The model determines the
-// occupancy indexes that a detection assigns to the cells on both sides of it.
+// The inverse sensor model across a wide beam, such as a radar beam. The model determines which
+// occupancy indexes a detection assigns to the cells to its left and right.
 //
 // Along the beam, the model of single_target.hpp applies. If the target is in the direction of the
-// beam, its 1D cell k is occupied with probability P(o_k | z). The direction of the target has a
-// Gaussian distribution. Directions are divided into angular cells, just as the beam is divided
+// beam, cell k of the beam is occupied with probability P(o_k | z). The direction of the target has
+// a Gaussian distribution. Directions are divided into angular cells, just as the beam is divided
 // into 1D cells. The width of an angular cell equals the standard deviation of this distribution,
 // and the detection is at the centre of angular cell 0. The target is in angular cell a with weight
 //
@@ -13,8 +13,9 @@
 //
 //   P(o_a | z) = w_a * P(o_k | z) + (1 - w_a) / 2.
 //
-// Cells in front of and behind the target get no index. A radar detects objects behind other
-// objects and around corners, and it does not report every object (docs/model.md, section 10).
+// For a radar, the cells in front of the target and behind it get no index, because a radar detects
+// objects behind other objects and around corners, and it does not report every object
+// (docs/model.md, section 10).
 //
 // An ultrasonic sensor measures no direction, so the Gaussian represents its cone. The sensor
 // reports only the first echo, and it detects an object in its cone with probability h. A cell in
@@ -37,8 +38,8 @@
 
 namespace iog::sensor_model {
 
-// Even with the smallest epsilon of a car (0.01), cell 3 gets no index. The cell would need a
-// weight of 0.01, but its weight is only 0.004.
+// Angular cell 3 never gets an index: its weight is only 0.004, but even the smallest epsilon of
+// any car (0.01) requires a weight of 0.01.
 inline constexpr std::size_t kMaxArcCells = 3;
 
 // The detection probability h of an ultrasonic sensor. Such a sensor often misses cloth, foam, thin
@@ -57,8 +58,8 @@ struct Arc {
   // Returns true if the sensor is a radar or an ultrasonic sensor.
   [[nodiscard]] constexpr bool is_given() const { return count > 0; }
 
-  // A direction is in one of the angular cells if it is at most reach_ticks() ticks from the
-  // detection's azimuth.
+  // Returns the largest offset from the detection's azimuth that is still inside an angular cell,
+  // in ticks.
   [[nodiscard]] constexpr std::int32_t reach_ticks() const {
     return ((2 * std::int32_t{count} - 1) * cell_ticks - 1) / 2;
   }
@@ -81,7 +82,7 @@ struct Arc {
   friend constexpr bool operator==(const Arc&, const Arc&) = default;
 };
 
-// Computes an arc. If not even cell 0 can be given an index, the result's count is 0.
+// Computes an arc. If even cell 0 gets no index, `count` is 0 in the result.
 constexpr Arc arc_of(const ProfileConfig& config, std::uint16_t cell_ticks) {
   const double hit = SingleTarget{config.sigma_m, config.cell_length_m}.probability(0);
   const index::RecursiveSet set(config.epsilon);

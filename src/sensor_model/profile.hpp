@@ -1,9 +1,9 @@
-// The profile of a sensor. A profile is a small table of the occupancy indexes of the local 1D grid
-// around a scan point.
+// The profile of a sensor. A profile is a small table that contains the occupancy indexes of the
+// local 1D grid around a scan point.
 //
 // See docs/model.md section 4 and Table 4.3 of the thesis. A profile describes the entire local
-// grid of a beam. The profile contains the index of all cells well before the scan point, and the
-// indexes of the few cells around the scan point. All cells farther away have index 0.
+// grid of a beam. It contains one index for all cells well before the scan point, and separate
+// indexes for the few cells around it. All cells beyond these have index 0.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct BasicProfile {
     return distance < near_after_count ? near_after[distance] : Cell{0};
   }
 
-  // Returns true if a frame can be fused with this profile. A valid profile carves before the scan
+  // Returns true if this profile can be used for fusion. A valid profile carves before the scan
   // point, marks at the scan point, and clears nothing behind it. If a 1D cell is much shorter than
   // sigma, it cannot be marked (thesis section 4.2.1.2, figure 4.6d). In this case, the sensor
   // needs longer 1D cells.
@@ -100,8 +100,8 @@ constexpr std::optional<BasicProfile<Cell>> profile_of(const ProfileConfig& conf
   return fits ? std::optional(profile) : std::nullopt;
 }
 
-// The function is not constexpr and has no definition. If the function is called, the compilation
-// therefore stops with an error message that contains the function's name.
+// The function is not constexpr and has no definition. A call to it therefore stops the compilation
+// with an error message that contains its name.
 void the_profile_does_not_fit_its_table_or_its_cell_type();
 
 // Returns the same result as profile_of(), for a profile that is known to fit. If the profile does

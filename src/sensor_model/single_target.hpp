@@ -6,9 +6,9 @@
 //
 // p(z|d) is a Gaussian with standard deviation sigma around d, with the usual factor 1/2 in the
 // exponent. Equation 4.1 omits this factor, but Table 4.3 needs it (docs/model.md section 4).
-// Distances are measured to the centres of cells, and z is the centre of its own cell k. Only i - k
-// and the ratio of cell length to sigma therefore matter, unless k is within a few cells of an end
-// of the grid.
+// Distances are measured to the centres of cells, and z is assumed to be at the centre of cell k,
+// which contains it. The result therefore depends only on i - k and on the ratio of the cell length
+// to sigma, unless k is within a few cells of either end of the grid.
 #pragma once
 
 #include "numeric/elementary.hpp"
@@ -24,8 +24,8 @@ struct SingleTarget {
     double before = 0;
     double alpha = 0;
     for (int h = -reach(); h <= reach(); ++h) {
-      // Here, h is counted from cell k, so the factor 2^-(k-1) is omitted. This factor cancels in
-      // the quotient.
+      // Here, h is counted from cell k. This omits the factor 2^-(k-1), which cancels in the
+      // quotient.
       const double weighted = likelihood(h) * numeric::power_of_two(-h);
       alpha += weighted;
       if (h < offset) {
@@ -37,8 +37,8 @@ struct SingleTarget {
 
  private:
   // Returns the number of cells to sum on each side. The powers of two shift the maximum term by
-  // sigma^2 * ln(2) / cell^2 cells. At 12 sigma beyond the maximum, a term is below 1e-30 times the
-  // maximum.
+  // sigma^2 * ln(2) / cell^2 cells. A term that is 12 sigma away from the maximum term is less than
+  // 1e-30 times as large.
   [[nodiscard]] constexpr int reach() const {
     const double ratio = sigma_m / cell_length_m;
     return 40 + static_cast<int>(14 * ratio + ratio * ratio);

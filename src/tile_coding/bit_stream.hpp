@@ -73,7 +73,7 @@ class BitReader {
     return value;
   }
 
-  // Returns true if only the zero padding of the last byte remains.
+  // Returns true if nothing remains except the zero padding of the last byte.
   [[nodiscard]] constexpr bool ends_here() {
     const std::size_t padding = bytes_.size() * 8 - position_;
     return ok_ && padding < 8 && bits(static_cast<unsigned>(padding)) == 0;

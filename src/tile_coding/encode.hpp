@@ -1,7 +1,7 @@
 // Encodes the cells of a tile for sending.
 //
 // A payload is never longer than the 1024 bytes of the raw encoding. Encoding takes a few passes
-// over the cells and two passes over the runs, so its time is bounded for any content.
+// over the cells and two passes over the runs, so the encoding time is bounded for any content.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Encoding : std::uint8_t {
 };
 inline constexpr std::size_t kEncodingCount = 6;  // highest value plus one
 
-// A tile of an earlier frame that the receiver should already have.
+// A tile from an earlier frame. The receiver should already have this tile.
 struct Reference {
   TileCells cells;
   std::uint32_t frame_number;
@@ -35,8 +35,8 @@ struct EncodedTile {
   std::size_t bytes;
 };
 
-// Encodes tiles. The object holds the intermediate data of an encoding, which would take up too
-// much stack space.
+// Encodes tiles. Intermediate data is stored in the object because it would take up too much stack
+// space.
 class Encoder {
  public:
   // Encodes a tile. Writes kRunStartsSince if a reference is given, and kRunStarts otherwise. If

@@ -1,11 +1,11 @@
-// Packs symbols with n alternatives into large numbers.
+// Packs symbols into large numbers. Each symbol has n possible values (alternatives).
 //
 // A symbol contains log2(n) bits of information, which is rarely a whole number. Several symbols
 // are therefore combined as the digits of one number in base n, with the most significant digit
 // first. The number of combined symbols is the largest multiple of four that fits. Each number is
 // stored in as many bits as its largest possible value requires. The last number of a tile contains
-// the remaining symbols, padded with zeros to a multiple of four. The last number needs no more
-// bits than its groups of four symbols would need separately.
+// the remaining symbols, padded with zeros to a multiple of four. It takes no more bits than its
+// groups of four symbols would take separately.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ struct Packing {
   std::uint8_t bits = 0;   // bits of a number
   std::uint8_t bits_of_four = 0;
 
-  // Returns the number of bits of a tile's last number if this number contains `of_fours` groups of
-  // four.
+  // Returns how many bits the last number of a tile takes if it contains `of_fours` groups of four
+  // symbols.
   [[nodiscard]] constexpr std::uint32_t rest_bits(std::size_t of_fours) const {
     return std::min<std::uint32_t>(bits, static_cast<std::uint32_t>(of_fours) * bits_of_four);
   }

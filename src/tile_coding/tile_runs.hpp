@@ -30,11 +30,11 @@ class TileRuns {
   }
   [[nodiscard]] std::uint8_t as_reference() const { return as_reference_; }
 
-  // Writes the positions at which runs start. The positions are written in blocks that are four
-  // cells wide and two rows high. The output starts with one bit per block. The bit is set if a run
-  // starts in the block. These bits are followed by one byte for each block whose bit is set, with
-  // one bit per cell. Blocks and cells are in row-major order, starting at the lowest bit. Returns
-  // the number of bytes written.
+  // Writes the positions at which runs start. For this purpose, the tile is divided into blocks
+  // that are four cells wide and two rows high. The output starts with one bit per block. The bit
+  // is set if a run starts in the block. These bits are followed by one byte for each block whose
+  // bit is set. Each byte contains one bit per cell. Blocks and cells are in row-major order,
+  // starting at the lowest bit. Returns the number of bytes written.
   static constexpr std::size_t kBlocks = kTileBytes / 8;
   static constexpr std::size_t kBlocksPerRow = kTileSide / 4;
   static constexpr std::size_t kSets = kBlocks / 8;  // number of bytes with block bits
