@@ -1,6 +1,6 @@
-// Finds lines that pass through no corner between cells, except possibly at their start. Every step
-// of the walk along such a line crosses exactly one border, except the first step if the line
-// starts on a corner.
+// Finds lines that do not pass through any cell corner, except possibly at their start. Each step
+// of the walk along such a line crosses exactly one border. The only exception is the first step of
+// a line that starts on a corner, which may cross two.
 //
 // A line meets a corner exactly where the error term of its walk (traversal/walk.hpp) is 0. Let f
 // be the offset of S in its cell and d = gcd(w_x, w_y). The points of the line on the subcell grid
@@ -8,11 +8,11 @@
 // on both axes. A line that meets a corner therefore satisfies all of the following conditions:
 //   * Both w_x and w_y are above 0, because a line along an axis stays either inside a row or on
 //     the lower border of a row.
-//   * f_y * w_x = f_x * w_y (mod r). This condition follows from the condition for a corner by
+//   * f_y * w_x = f_x * w_y (mod r). This congruence follows from the corner condition by
 //     eliminating k.
-//   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the line starts on the corner, and its
-//     first step crosses the corner. If 1 <= k <= d, w_x / d and w_y / d have no common divisor, so
-//     gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
+//   * Either k = 0 and f = (r, r), or 1 <= k <= d. If k = 0, the line starts on the corner and
+//     crosses it with its first step. If 1 <= k <= d, w_x / d and w_y / d have no common divisor,
+//     so gcd(k, r) = gcd(f_x, f_y, r) = c. Hence c <= k and c <= d.
 #pragma once
 
 #include <cstdint>

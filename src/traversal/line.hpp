@@ -1,6 +1,5 @@
-// The line of a beam on the grid, computed using integer arithmetic. A Line computes the points at
-// which the line crosses cell borders, and the number of borders crossed up to any fraction of the
-// line's length.
+// The line of a beam on the grid, computed using integer arithmetic. A Line computes where the line
+// crosses cell borders and how many borders it crosses up to any fraction of its length.
 //
 // See docs/model.md section 5, and section 4.2.2 and appendix B.3 of the thesis. A cell is r
 // subcells wide, where r is the traversal resolution of the thesis. A line runs from its start S to
@@ -10,14 +9,14 @@
 // Position: A cell on a line is identified by how many column borders (x) and row borders (y) the
 // line crosses before it enters the cell. The sum of the two counts, `crossed`, increases along the
 // line. At a corner, a line crosses both borders at once and enters neither of the two adjacent
-// cells, so `crossed` increases by two. All positions returned by these functions are cells that
-// the line actually enters.
+// cells, so `crossed` increases by two. All positions returned by these functions identify cells
+// that the line actually enters.
 //
 // Ranges: let w = |E - S| for each axis, in subcells. If (w_x + w_y) * r < 2^31, the error term of
 // the walk stays within 32 bits. This condition is asserted for the longest beam of a car. S and E
 // are within +-2^29.
-//   * For through() and before(), the fraction of the line is num / den with 0 <= num, 0 < den
-//     and f * den + num * w < 2^63, where 0 <= f <= r is the offset of S in its cell.
+//   * through() and before() take a fraction num / den of the line, where num >= 0 and den > 0.
+//     They require f * den + num * w < 2^63, where f (0 ... r) is the offset of S in its cell.
 //   * All dividends are non-negative, and all results are rounded down.
 #pragma once
 
@@ -84,8 +83,8 @@ class Axis {
   constexpr Axis(std::int32_t start, std::int32_t end)
       : start_cell_(numeric::div_floor(start, kResolution)),
         step_(end < start ? -1 : 1),
-        // Folding mirrors the axis. If the start is on a border, mirroring moves it to the far end
-        // of its cell, so its offset is r and not 0.
+        // Folding mirrors the axis. If the start is on a border, mirroring moves the start to the
+        // far end of the cell, so the offset is r instead of 0.
         offset_(static_cast<std::uint16_t>(end < start ? (start_cell_ + 1) * kResolution - start
                                                        : start - start_cell_ * kResolution)),
         length_(static_cast<std::uint32_t>(end < start ? start - end : end - start)) {}
@@ -118,8 +117,8 @@ class Axis {
   }
 
   // Computes through() for the fraction distance / length without dividing by the length. Requires
-  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r. The
-  // quotient is below 2^31 for lines of up to 2,000 cells.
+  // distance < 2^20 mm. The quotient of the division by r is at most length + distance * w / r,
+  // which is below 2^31 for lines of up to 2,000 cells.
   [[nodiscard]] constexpr std::uint32_t through(std::uint32_t distance_mm,
                                                 const LineLength& length) const {
     const std::uint64_t reached =
@@ -127,8 +126,8 @@ class Axis {
     return length.reciprocal().divide(static_cast<std::uint32_t>(reached / kSide));
   }
 
-  // Returns the fraction of the line at which the line crosses border number n, for n = 1, 2, ...
-  // Requires length() > 0 and n * r >= offset().
+  // Returns the fraction of the line at which it crosses border n (n = 1, 2, ...). Requires
+  // length() > 0 and n * r >= offset().
   [[nodiscard]] constexpr Share crossing(std::uint32_t n) const {
     return {std::uint64_t{n} * kSide - offset_, length_};
   }
@@ -176,7 +175,8 @@ class Line {
     return {x_.through(distance_mm, length), y_.through(distance_mm, length)};
   }
 
-  // Returns the last cell whose interior the line has entered before this fraction of its length.
+  // Returns the last cell whose interior the line enters before reaching this fraction of its
+  // length.
   [[nodiscard]] constexpr Position before(Share share) const {
     return {x_.before(share), y_.before(share)};
   }
@@ -192,8 +192,8 @@ class Line {
                                      y_.to_border(at.y) * std::int64_t{x_.length()});
   }
 
-  // Returns the part of the line inside the area, as if the line were infinitely long. Returns
-  // nothing if the line never enters the area.
+  // Extends the line indefinitely beyond its end and returns the part inside the area. Returns
+  // nothing if the extended line never enters the area.
   [[nodiscard]] constexpr std::optional<Stretch> clip(CellArea area) const {
     Stretch stretch{{}, {kNoLimit, 0}};
     const bool hits = clip_axis(x_, y_, area.width, stretch, false) &&
@@ -203,8 +203,9 @@ class Line {
   }
 
  private:
-  // Clips `stretch` to the part in which `axis` is inside [0, cells). `other` is the other axis.
-  // `swapped` is true if `axis` is y. Returns false if `axis` is never inside [0, cells).
+  // Clips `stretch` to the part in which the line's coordinate along `axis` is in [0, cells).
+  // `other` is the other axis. `swapped` is true if `axis` is y. Returns false if this coordinate
+  // is never in [0, cells).
   static constexpr bool clip_axis(const Axis<kResolution>& axis, const Axis<kResolution>& other,
                                   std::int32_t cells, Stretch& stretch, bool swapped) {
     const std::int32_t to_low =
@@ -230,8 +231,7 @@ class Line {
     return true;
   }
 
-  // The limit is larger than the number of borders that any line crosses, but small enough that
-  // adding one to it does not overflow.
+  // No line crosses this many borders, and adding one to the limit does not overflow.
   static constexpr std::uint32_t kNoLimit = std::numeric_limits<std::uint32_t>::max() / 2;
 
   Axis<kResolution> x_;

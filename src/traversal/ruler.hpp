@@ -2,7 +2,7 @@
 // axis. These counts are needed for the scan point of a beam and for the start of each zone of its
 // profile.
 //
-// Exact result: At distance z, the line has crossed floor(T) borders of one axis, where
+// Exact result: At distance z, the line has crossed floor(T) borders on one axis, where
 //     T = (f * L + z * w) / (r * L),
 // f is the offset of the start in its cell, w is the length of the line on this axis in subcells,
 // and L is the total length of the line in millimetres. Line::through(z) computes this result.
@@ -13,27 +13,26 @@
 // Here, q and e are the inverse and the exponent of LineLength. All values are rounded down, so the
 // estimate is never too large.
 //
-// Error: base is too small by at most 1. The error of slope has two parts. The rounding of the
-// slope itself contributes less than 1, and the rounding of q contributes less than w / (r * 2^e).
-// A cell is wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In
-// total, the estimate is too small by at most 1 + 2 * z. For z < 2^18, the error of the estimate is
-// below kSlack = 2^20.
+// Error: `base` is too small by at most 1. The error of `slope` has two parts. Rounding `slope`
+// itself contributes less than 1, and rounding q contributes less than w / (r * 2^e). A cell is
+// wider than 2 mm, so w / r < L / 2 < 2^e, and the second part is below 1 as well. In total, the
+// estimate is too small by at most 1 + 2 * z. For z < 2^18, the error of the estimate is below
+// kSlack = 2^20.
 //
-// The integer part of the estimate is therefore exact if its fraction is at least kSlack below the
+// The integer part of the estimate is therefore exact if the estimate is at least kSlack below the
 // next integer. Otherwise, Line::through() computes the result. Line::through() is needed about
 // once per 2^12 distances, and whenever a distance ends on a border.
 //
-// For MeasuredShare, a fraction of the length is converted to a distance in units of 2^-14 mm,
-// rounded down. Only the upper word of the product of distance and slope is used, so the result for
-// each axis is a number of borders in units of 2^-14. The distance is too small by less than 2^-14
-// mm, which is less than 2^-14 borders. The values of base and of the product are each too small by
-// at most one unit. The value of slope is too small by less than 2 units of 2^-32 borders per
-// millimetre. Over the entire distance, the slope error accumulates to less than 2^19 units of
-// 2^-32 borders, that is, 2 units of 2^-14 borders. The sum of all errors is below kShareSlack = 5
-// units.
+// MeasuredShare converts a fraction of the length to a distance in units of 2^-14 mm, rounded down.
+// Only the upper word of the product of this distance and `slope` is used, so the result for each
+// axis is in units of 2^-14 borders. The distance is too small by less than 2^-14 mm, which is less
+// than 2^-14 borders. `base` and the product are each too small by at most one unit. `slope` is too
+// small by less than 2 units of 2^-32 borders per millimetre. Over the entire distance, this error
+// accumulates to less than 2^19 units of 2^-32 borders, or 2 units of 2^-14 borders. The sum of all
+// errors is below kShareSlack = 5 units.
 //
-// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line of L < 2^18 mm crosses fewer than 2^17
-// borders of an axis.
+// Ranges: q < 2^32, w < 2^31, f <= r, slope < 2^31. A line shorter than 2^18 mm crosses fewer than
+// 2^17 borders on each axis.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +44,8 @@
 
 namespace iog::traversal {
 
-// A fraction (at most 1) of a line's length, together with the corresponding distance on every line
-// of that length.
+// A fraction (at most 1) of a line's length, and the corresponding distance along a line of this
+// length.
 class MeasuredShare {
  public:
   static constexpr int kFractionBits = 14;
@@ -117,7 +116,7 @@ class Ruler {
   constexpr Ruler(const Line<kResolution>& line, const LineLength& length)
       : x_(line.x(), length), y_(line.y(), length) {}
 
-  // `line` and `length` must be the line and the length passed to the constructor.
+  // `line` and `length` must be those passed to the constructor.
   [[nodiscard]] constexpr Position through(std::uint32_t distance_mm, const Line<kResolution>& line,
                                            const LineLength& length) const {
     const std::uint64_t x = x_.estimate(distance_mm);

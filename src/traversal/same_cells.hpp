@@ -1,27 +1,27 @@
 // Decides whether two lines with the same start cross the same cells. Lines that cross the same
 // cells can be carved in one walk. At a given azimuth, the lines of a lidar's layers are nearly
-// identical. These lines differ only in length and in the rounding of their ends.
+// identical. These lines differ only in length and in how their ends are rounded.
 //
 // Where the lines diverge: Two lines A and B diverge at a corner that lies between them. At a
 // corner with the offset (X, Y) from S, the error terms of the lines (traversal/line.hpp) are e_A =
-// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. Let c = A_x * B_y - A_y * B_x, A = A_x + A_y and B
-// = B_x + B_y. The error terms then satisfy
-//     A * e_B = B * e_A + (X + Y) * c.
-// After n common borders, the next borders of the two lines can differ only if e_A and c have
-// opposite signs and B * |e_A| <= (X + Y) * |c|, where X + Y <= (n + 2) * r. The last condition
-// defines a narrow strip next to 0. As long as no error term of A lies in the strip, B crosses the
-// same borders as A.
+// X * A_y - Y * A_x and e_B = X * B_y - Y * B_x. Let c = A_x * B_y - A_y * B_x, s_A = A_x + A_y and
+// s_B = B_x + B_y. The error terms then satisfy
+//     s_A * e_B = s_B * e_A + (X + Y) * c.
+// After n common borders, the lines can cross different borders next only if both of the following
+// hold: e_A and c have opposite signs, and s_B * |e_A| <= (X + Y) * |c|, where X + Y <= (n + 2) *
+// r. The second condition restricts e_A to a narrow strip next to 0. As long as no error term of A
+// lies in the strip, B crosses the same borders as A.
 //
 // How the strip is searched: A column step adds r * A_y to the error term of A, and a row step
-// subtracts r * A_x. Modulo r * A, each term is therefore the previous term plus r * A_y. If the
-// terms are divided by r and rounded down, each step adds A_y modulo A, so the terms form a
-// rotation. Let t = floor((n + 2) * |c| / B) + 1. The strip is contained in [0, t] if c < 0 and in
-// [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
+// subtracts r * A_x. Modulo r * s_A, each term is therefore the previous term plus r * A_y. If the
+// terms are divided by r and rounded down, each step adds A_y modulo s_A, so the terms form a
+// rotation. Let t = floor((n + 2) * |c| / s_B) + 1. The strip is contained in [0, t] if c < 0 and
+// in [-1 - t, -1] if c > 0. Mirroring x to -1 - x reduces the second case to the first, with a
 // rotation by A_x. A variant of Euclid's algorithm finds, in about ten steps, the first term of a
 // rotation that lies in [0, t].
 //
-// Ranges: A and B < 2^31 / r (traversal/line.hpp). The result is false unless |c| < 2^20 and n + 2
-// < 2^12, because lines in different directions are not worth examining further.
+// Ranges: s_A and s_B are below 2^31 / r (traversal/line.hpp). The result is false unless |c| <
+// 2^20 and n + 2 < 2^12, because lines in different directions are not worth examining further.
 #pragma once
 
 #include <algorithm>
@@ -46,17 +46,18 @@ struct Turn {
   }
 };
 
-// Finds the first term of a rotation whose value is at most `threshold` and returns its number.
-// Returns `limit` if the first `limit` terms are all greater than `threshold`. The rotation starts
-// at x. Each step moves down by `down_angle`. Modulo down_angle + up_angle, such a step is the same
-// as moving up by `up_angle`. Requires x < down_angle + up_angle < 2^31 and limit < 2^12.
+// Finds the first term of a rotation that is at most `threshold`, and returns its number (0 for the
+// first term). Returns `limit` if the first `limit` terms are all greater than `threshold`. The
+// rotation starts at x. Each step moves down by `down_angle`, which is the same as moving up by
+// `up_angle` modulo down_angle + up_angle. Requires x < down_angle + up_angle < 2^31 and limit <
+// 2^12.
 //
 // The first term that is at most `threshold` is a new minimum: it is smaller than all terms before
-// it. The algorithm moves from each minimum x to the next by the downward Turn that has the fewest
-// steps and an angle of at most x. As in Euclid's algorithm, it finds downward Turns with smaller
-// and smaller angles. To find them, it alternately reduces the smallest downward angle and the
-// smallest upward angle found so far by multiples of each other. The two angles add up to at most
-// down_angle + up_angle, and so do the two step counts, so nothing overflows.
+// it. To move from each minimum x to the next, the algorithm uses the downward Turn with the fewest
+// steps among those with an angle of at most x. As in Euclid's algorithm, it finds downward Turns
+// with smaller and smaller angles. To find them, it alternately reduces the smallest downward angle
+// and the smallest upward angle found so far by multiples of each other. The two angles add up to
+// at most down_angle + up_angle, and so do the two step counts, so nothing overflows.
 [[nodiscard]] constexpr std::uint32_t first_not_above(std::uint32_t threshold, std::uint32_t x,
                                                       std::uint32_t down_angle,
                                                       std::uint32_t up_angle, std::uint32_t limit) {

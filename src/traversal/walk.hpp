@@ -3,9 +3,9 @@
 //
 // As in appendix B.3 of the thesis, a step crosses a column border (c_x), a row border (c_y), or
 // both at a corner (c_xy). The code differs from the algorithms in the thesis in two ways. First,
-// the code corrects the initial value of the error term in algorithm 4. Second, the walk ends after
-// a number of borders that is known before the first step. The walk in the thesis ends when it
-// reaches the end cell, but a line that ends on a corner never enters that cell.
+// the code corrects the initial value of the error term in algorithm 4. Second, the number of
+// borders after which the walk ends is known before the first step. The walk in the thesis ends
+// when it reaches the end cell, but a line that ends on a corner never enters that cell.
 //
 // Error term: e = (distance to the next column border) * w_y - (distance to the next row border) *
 // w_x. A column step adds r * w_y, and a row step subtracts r * w_x. The line passes through the
@@ -19,9 +19,10 @@
 
 namespace iog::traversal {
 
-// Walks along a line on a grid that is stored row by row. `stride` is the distance between two rows
-// in cells. A cell is identified by its offset from the first cell of the grid. If the caller stays
-// within Line::clip(), the visitor never receives an offset outside the grid.
+// Walks along a line on a grid that is stored row by row. `stride` is the distance in cells from
+// one row to the next. A cell is identified by its offset from the first cell of the grid. If the
+// caller stays within the part returned by Line::clip(), the visitor never receives an offset
+// outside the grid.
 class Walk {
  public:
   template <std::int32_t kResolution>
@@ -34,8 +35,8 @@ class Walk {
         row_step_(line.y().step() * stride),
         offset_(line.cell(from).y * stride + line.cell(from).x) {}
 
-  // Visits the current cell and the following cells while fewer than `end` borders are crossed. The
-  // next call continues at the cell after the last one that was visited. `visit` receives the
+  // Visits cells, starting with the current one, as long as fewer than `end` borders have been
+  // crossed. The next call continues with the cell after the last visited one. `visit` receives the
   // offset of each cell.
   template <typename Visit>
   void until(std::uint32_t end, Visit&& visit) {
@@ -45,7 +46,7 @@ class Walk {
     }
   }
 
-  // Advances as until() does, but without visiting cells.
+  // Advances like until(), but without visiting cells.
   void skip_until(std::uint32_t end) {
     while (crossed_ < end) {
       step();

@@ -4,10 +4,10 @@
 // Cell (i, j) of the local frame covers [i, i + 1) x [j, j + 1) in units of the cell size. Tile (a,
 // b) contains the cells with a = floor(i / 32) and b = floor(j / 32). The slot of tile (a, b) is
 // `32 * (b mod 32) + a mod 32`. The slot does not depend on the position of the window, so no data
-// is moved when the window moves. In messages, the tiles of a window of c by r tiles are numbered
-// `c * (b mod r) + a mod c`, which is the slot if c and r are 32. Coordinates of the local frame
-// are int32 values in millimetres, so for cells of 0.1 m, tile numbers are within +-671,089. For
-// cells of 0.2 m and 0.5 m, tile numbers are closer to 0.
+// is moved when the window moves. In messages, the tiles of a window with c columns and r rows are
+// numbered `c * (b mod r) + a mod c`. If c and r are 32, this number is the slot. Coordinates of
+// the local frame are int32 values in millimetres, so with cells of 0.1 m, tile numbers are within
+// +-671,089. With cells of 0.2 m and 0.5 m, the range is smaller.
 #pragma once
 
 #include <cstddef>
@@ -26,15 +26,15 @@ inline constexpr std::size_t kSlotCount = std::size_t{kTilesAcross} * kTilesAcro
 inline constexpr std::int32_t kCellsAcross = kTilesAcross * kTileSide;
 inline constexpr geometry::CellArea kWindowCells{kCellsAcross, kCellsAcross};
 
-// The number of a tile, counted from the origin of the local frame or from the window's lowest
-// corner.
+// The column (a) and row (b) of a tile, counted from the origin of the local frame or from the
+// corner of the window with the lowest coordinates.
 struct TileNumber {
   std::int32_t a = 0;
   std::int32_t b = 0;
   friend constexpr bool operator==(const TileNumber&, const TileNumber&) = default;
 };
 
-// The side lengths of a window along x and y of the local frame, in tiles.
+// The size of a window in tiles, along the x and y axes of the local frame.
 struct Extent {
   std::uint8_t columns = kTilesAcross;
   std::uint8_t rows = kTilesAcross;
@@ -77,9 +77,9 @@ class Area {
     return Area({first_around(cell.x, extent.columns), first_around(cell.y, extent.rows)}, extent);
   }
 
-  // Returns the area after it has been moved to follow a cell. On each axis, the area moves if the
-  // cell is more than one tile away from the middle. With 32 tiles and cells of 0.1 m, at least 48
-  // m therefore remain on each side, and noise at a tile border does not move the area.
+  // Returns the area, moved if necessary to follow a cell. On each axis, the area moves if the cell
+  // is more than one tile away from the middle. With 32 tiles and cells of 0.1 m, at least 48 m
+  // therefore remain on each side, and noise at a tile border does not move the area.
   [[nodiscard]] constexpr Area following(geometry::Cell cell) const {
     const TileNumber centred = around(cell, extent_).corner_;
     return Area({is_near_middle(corner_.a, cell.x, extent_.columns) ? corner_.a : centred.a,

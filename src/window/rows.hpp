@@ -1,10 +1,10 @@
-// Stores the rows of a tile and the adjacent cells of its eight neighbours as bits. Neighbourhood
+// Stores a tile and the adjacent cells of its eight neighbours as rows of bits. Neighbourhood
 // operations process 32 cells at once. Each word represents a row.
 //
-// Bit 16 represents cell 0 of the tile. On each side of the tile, a row contains 16 cells of the
-// neighbours. There are eight additional rows below the tile and eight above it. An operation on
-// squares of radius r invalidates r cells and r rows at the border. The tile's own bits are
-// therefore correct as long as the sum of the radii is at most 8.
+// Bit 16 represents cell 0 of the tile. Each row also contains 16 cells from the neighbour on
+// either side. There are eight additional rows below the tile and eight above it. An operation on
+// squares of radius r invalidates the outermost r cells of each row and the outermost r rows. The
+// tile's own bits are therefore correct as long as the sum of the radii is at most 8.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct alignas(16) Rows {
   std::array<std::uint64_t, kRowCount> words;  // written completely by each producer
 };
 
-// Returns the rows of a tile, and kMargin rows below and above it. Requires kMargin <= kRowMargin.
-// All other rows are zero.
+// Returns the rows of a tile and of kMargin rows below and above it. Requires kMargin <=
+// kRowMargin. All other rows are zero.
 template <std::size_t kMargin>
 inline Rows gather(const NinePlanes& nine) {
   constexpr std::size_t kSide = geometry::kTileSide;

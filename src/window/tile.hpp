@@ -1,8 +1,8 @@
-// One tile of the window in memory, with 32 by 32 cells aligned to the local frame.
+// The memory of one tile of the window: 32 by 32 cells, aligned with the local frame.
 //
-// An unknown tile contains only zeros, with two exceptions. First, the masses of groups that have
-// not been aged since the tile was cleared are undefined. A tile can therefore be cleared without
-// writing the masses. Second, the map content is kept.
+// A cleared tile contains only zeros, with two exceptions. First, clearing does not write the
+// masses, so the masses of a group are undefined until it is aged. Second, the classes ruled out by
+// the map are kept.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ struct Found {
   Plane taken{};   // occupied mass above one quarter
 };
 
-// The memory of the ground. This memory is independent of objects that are currently on the ground.
+// The memory of the ground. It is not affected by objects that are currently on the ground.
 struct Ground {
   Plane open{};       // the ground was free, with a margin
   Plane dense{};      // all surrounding cells were seen as free in one frame
@@ -59,7 +59,7 @@ struct Tile {
   // Sets all cells to unknown.
   void clear();
 
-  // Returns true if the group has been known since the tile was last cleared.
+  // Returns true if the group has become known since the tile was last cleared.
   [[nodiscard]] bool is_known(std::size_t group) const {
     return aged_at[group] != ageing::Clock::kNever;
   }
@@ -73,25 +73,25 @@ struct Tile {
     return ruled_out[group];
   }
 
-  // Masses are stored row by row from the lowest y, like all arrays that are indexed by group.
+  // Like all arrays indexed by group, the masses are stored row by row from the lowest y.
   alignas(32) std::array<evidence::Free, kGroupsPerTile> free{};
   std::array<evidence::Taken, kGroupsPerTile> taken{};
-  // The class bytes are stored separately from the masses because only the class bytes are read
-  // when classes are sent.
+  // The class bytes are stored separately from the masses, which are not needed when classes are
+  // sent.
   std::array<decision::Decided, kGroupsPerTile> decided{};
   // The classes that the map rules out, even for unknown cells. The value is 0 where the map has no
   // information.
   TileRuledOut ruled_out{};
-  // For each group, the clock slots of the frames in which it was last aged and last had evidence
-  // (ageing/clock.hpp). Both slots are kNever if the group is unknown. If the last evidence is too
-  // old, its slot is also kNever.
+  // For each group, the clock slots (ageing/clock.hpp) of the frames in which it was last aged and
+  // last received evidence. Both slots are kNever if the group is unknown. If the last evidence is
+  // too old, its slot is also kNever.
   std::array<std::uint8_t, kGroupsPerTile> aged_at{};
   std::array<std::uint8_t, kGroupsPerTile> evidence_at{};
   // True if the group is known and all of its `taken` values are 0.
   std::array<bool, kGroupsPerTile> is_free_alone{};
   Found found{};
   Ground ground{};
-  // True if `ruled_out` has any non-zero value.
+  // True if `ruled_out` contains a non-zero value.
   bool has_ruled_out = false;
   // A cell's bit is set if a low beam has freed the cell since the tile became known and no
   // stationary object has been in the cell since then.

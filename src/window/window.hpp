@@ -3,8 +3,8 @@
 // always allocated.
 //
 // When a tile enters the window, it is only marked as unknown. The memory of each tile, and of each
-// group in it, is cleared just before the first write to it. Moving the window therefore costs only
-// one flag per tile.
+// group in it, is cleared just before the first write to it. Moving the window therefore writes
+// only one flag per tile.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,15 @@ class Window {
  public:
   explicit Window(Extent extent = {}) : area_(TileNumber{}, extent) {}
 
-  // Moves the window if the vehicle is too far from the window's middle (Area::following). A window
-  // without content is centred on the vehicle.
+  // Moves the window if the vehicle is too far from the window's middle (Area::following). The
+  // first call, and the first call after forget(), centre the window on the vehicle.
   void follow(geometry::Cell vehicle);
 
   // Sets all tiles to unknown.
   void forget();
 
-  // Returns true if the window has followed the vehicle since it was last cleared.
+  // Returns true if follow() has been called since the window was created or last cleared by
+  // forget().
   [[nodiscard]] bool is_centred() const { return is_centred_; }
   [[nodiscard]] const Area& area() const { return area_; }
 
@@ -44,8 +45,8 @@ class Window {
   // Returns a mutable reference to the ground memory of the tile in a slot. The tile must be known.
   Ground& ground(std::size_t slot) { return tiles_[slot].ground; }
 
-  // Returns the version of the tile in a slot. The version is the number of changes to the tile,
-  // except changes to its ground, and is never reset. While the version stays the same, the classes
+  // Returns the version of the tile in a slot. The version counts all changes to the tile except
+  // those to its ground memory, and is never reset. While the version stays the same, the classes
   // of the tile's cells stay the same.
   [[nodiscard]] std::uint32_t version(std::size_t slot) const { return versions_[slot]; }
 
@@ -53,19 +54,18 @@ class Window {
   void close(std::size_t slot) { is_known_[slot] = false; }
 
   // Records which classes the map rules out in a tile. The record applies until the next call for
-  // the same slot. The tile may be unknown. The call reclassifies the tile's cells using the masses
-  // from their last classification. It changes nothing else.
+  // the same slot. The tile may be unknown. The call reclassifies the tile's cells based on the
+  // same masses as in their last classification. It changes nothing else.
   void rule_out(std::size_t slot, const TileRuledOut& ruled_out);
 
-  // Restores the classes that a group had after its last classification. The classes are computed
-  // from the group's masses.
+  // Restores the classes from a group's last classification by recomputing them from its masses.
   void name_anew(std::size_t slot, std::size_t group);
 
   // Records which planes of the tile's `found` member are empty. The record is valid until the tile
   // is opened again.
   void note_found(std::size_t slot);
 
-  // Returns false if the tile is unknown or if note_found() has recorded that its plane is empty.
+  // Returns false if the tile is unknown or if note_found() has recorded that the plane is empty.
   [[nodiscard]] bool may_have(std::size_t slot, Plane Found::*plane) const {
     return is_known_[slot] && (empty_planes_[slot] & bit_of(plane)) == 0;
   }
@@ -75,8 +75,8 @@ class Window {
     return std::ranges::all_of(nine, [](const Plane* plane) { return plane == &kNothing; });
   }
 
-  // Returns the results of `plane_of` for the tile in a slot and for its neighbours. For tiles
-  // outside the window, and for tiles for which is_there(slot) is false, no bits are set.
+  // Returns the planes that `plane_of` returns for the tile in a slot and for its neighbours. If a
+  // tile is outside the window or is_there(slot) is false, its plane is empty.
   template <typename IsThere, typename PlaneOf>
   [[nodiscard]] NinePlanes around(std::size_t slot, IsThere&& is_there, PlaneOf&& plane_of) const {
     const TileNumber middle = area_.tile_at(slot);
@@ -91,7 +91,7 @@ class Window {
     return nine;
   }
 
-  // Returns the same `found` plane of the tile in a slot and of its neighbours. Planes that are
+  // Returns one plane of `found` for the tile in a slot and for its neighbours. Planes that are
   // known to be empty are not read.
   [[nodiscard]] NinePlanes around(std::size_t slot, Plane Found::*plane) const {
     return around(
