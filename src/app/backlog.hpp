@@ -12,10 +12,9 @@ namespace iog::app {
 
 class Backlog {
  public:
-  // The maximum time for which the ring may stay non-empty. The receive ring can buffer 100 ms of
-  // the densest traffic for which it is designed, so the maximum must be shorter than that. The
-  // maximum equals two frame periods of a car with four LUX units, so a single late frame does not
-  // cause shedding.
+  // The maximum time for which the ring may stay non-empty. The receive ring is designed to buffer
+  // 100 ms of the densest traffic, so the maximum must be less than 100 ms. The maximum equals two
+  // frame periods of a car with four LUX units, so a single late frame does not cause shedding.
   static constexpr std::uint64_t kLongestUs = 80'000;
   // The grace period for a frame whose deadline passed before the loop woke up. Most datagrams of
   // such a frame may have arrived while the machine was not running. The loop processes these
@@ -44,7 +43,8 @@ class Backlog {
     return is_busy_ && now_us - since_us_ >= kLongestUs;
   }
 
-  // Returns true if fusing must stop so that a frame with packets can be closed at deadline_us.
+  // Returns true if fusing must stop because a frame with packets is due to close. `deadline_us` is
+  // the frame's deadline.
   [[nodiscard]] bool must_yield(std::uint64_t deadline_us, std::uint64_t now_us) const {
     const bool was_over = has_slept_ && deadline_us <= pass_us_;
     return now_us >= deadline_us && !(was_over && now_us - pass_us_ < kGraceUs);

@@ -22,8 +22,8 @@
 
 namespace iog::app {
 
-// A car that accepts only signed commands, and its key. The target also signs its stream with this
-// key. If the car file does not enable classes, the target accepts no commands.
+// A car that accepts only signed commands. The target also signs its stream with `key`. If the car
+// file does not enable classes, the target accepts no commands.
 struct SignedCommands {
   authentication::Key key{};
   const vehicle::Vehicle* vehicle = nullptr;

@@ -10,10 +10,10 @@ namespace iog::app {
 
 static_assert(net::FragmentSenders::kMostDatagrams >= 2 * vehicle::kMaxSensors + 2);
 
-// The replayer may send on behalf of any sensor. If a sensor has no configured address, the target
-// accepts fragments from any sender, because any sender may send the sensor's packets. If the
-// source of poses or maps has no configured address, the target accepts no fragments from it,
-// because poses and map chunks fit into a single Ethernet frame.
+// The replayer may send on behalf of any sensor. If a sensor has no configured address, its packets
+// may come from any address, so the target accepts fragments from every sender. Poses and map
+// chunks fit into a single Ethernet frame, so the target accepts their fragments only from
+// configured addresses.
 [[nodiscard]] inline net::FragmentSenders fragment_senders(const vehicle::Vehicle& car,
                                                            net::Ipv4Address replayer) {
   net::FragmentSenders senders;

@@ -5,15 +5,15 @@
 //
 // A frame starts with its first packet. The frame ends when the first of these events occurs: every
 // sensor has delivered its scan, a sensor's next scan begins, or the vehicle's frame period has
-// passed. If no packets arrive, an empty frame is closed every two periods so that the loss of data
-// is reported.
+// passed. If no packets arrive, an empty frame is closed every two periods so that missing data is
+// reported.
 //
-// If one core fuses the packets, it fuses each packet on arrival. If a dense lidar sends more
-// points than one core can process, several cores share the work. The lidar's packets are then
-// buffered until there are enough packets to give each core a part. The cores fuse the parts in a
-// round while the next packets arrive. The parts are merged when the frame ends
-// (fusion/shared_fusion.hpp). The grid does not depend on the number of cores. If the frame has
-// classes, all packets are buffered until the frame ends (app/perception_engine.hpp).
+// A single core fuses each packet on arrival. If a dense lidar sends more points than one core can
+// process, several cores share the work. The lidar's packets are then buffered until there are
+// enough to divide among the cores. The cores fuse the parts in a round while the next packets
+// arrive. The parts are merged when the frame ends (fusion/shared_fusion.hpp). The grid does not
+// depend on the number of cores. If the frame has classes, all packets are buffered until the frame
+// ends (app/perception_engine.hpp).
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,10 @@
 
 namespace iog::app {
 
-// Returns true if several cores fuse this car's packets on arrival. Shared fusion requires a dense
-// lidar and a fusion rule under which the parts of a frame can be merged. For four LUX units, one
-// core is enough, because fusing their frame takes less time than splitting it between two cores.
+// Returns true if several cores may fuse this car's packets on arrival. Shared fusion requires a
+// dense lidar and a fusion rule under which the parts of a frame can be merged. For four LUX units,
+// one core is enough, because fusing their frame takes less time than splitting it between two
+// cores.
 [[nodiscard]] bool is_fused_together(const vehicle::Vehicle& vehicle);
 
 // Specifies whether points are fused when their packet arrives or when the frame ends.
@@ -42,14 +43,13 @@ class Frame {
  public:
   using Outcome = intake::Intake::Outcome;
 
-  // `vehicle` and `space` must outlive this object. The scans of all sensors together may mark at
-  // most grid::kMaxMarks cells. The replayer at `replayer_ipv4` may send on behalf of any sensor.
-  // The address is 0 if there is no replayer.
+  // `vehicle` and `space` must outlive this object. Together, the scans of all sensors must not
+  // mark more than grid::kMaxMarks cells. The replayer at `replayer_ipv4` may send on behalf of any
+  // sensor. The address is 0 if there is no replayer.
   Frame(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4,
         fusion::HelpersSpace space = {}, Fusing fusing = Fusing::kAsTheyCome);
 
-  // Starts the timer for the interval without datagrams. Call this function before the first
-  // datagram.
+  // Starts the timer that closes an empty frame. Call this function before the first datagram.
   void start(std::uint64_t now_us) { opened_us_ = now_us; }
 
   // Decodes the datagram as a packet from a sensor. Returns nothing if the datagram was dropped.
@@ -58,8 +58,8 @@ class Frame {
     return intake_.receive(datagram);
   }
 
-  // Returns true if the datagram is addressed to a sensor's port and its sender may send on behalf
-  // of that sensor.
+  // Returns true if the datagram is addressed to a sensor's port and comes from a sender that may
+  // send on behalf of that sensor.
   [[nodiscard]] bool listens_to(const intake::Datagram& datagram) const {
     return intake_.listens_to(datagram);
   }
@@ -104,8 +104,8 @@ class Frame {
   // Returns the frame number, which starts at 0 and wraps around.
   [[nodiscard]] std::uint32_t number() const { return number_; }
 
-  // `finish()` completes the grid. After each stage, finish() passes the stage's member of
-  // stream::StageTicks to lap(). `end_fusion()` is the last step of finish(). Callers that fuse the
+  // `finish()` completes the grid. After each stage, it calls lap() with the corresponding member
+  // of stream::StageTicks. `end_fusion()` is the last step of finish(). Callers that fuse the
   // buffered packets themselves call only end_fusion().
   template <typename Lap>
   void finish(const work::Crew& crew, Lap&& lap) {

@@ -38,9 +38,9 @@ inline constexpr std::size_t kAliveCount = 10;
 
 class Life {
  public:
-  // The window is longer than the time that an emulated core may have to wait on a busy PC. The
-  // window is also longer than two periods of the slowest frames (2 s), after which missing data is
-  // reported.
+  // The window is longer than an emulated core may have to wait on a busy PC. It is also longer
+  // than two periods of the slowest frames (2 s), because missing data is reported only after two
+  // periods.
   static constexpr std::uint64_t kWindowUs = 5'000'000;
   // `docs/safety.md` states that a complete memory check takes at most kMemoryWindowUs.
   static constexpr std::uint64_t kMemoryWindowUs = 10'000'000;
@@ -106,8 +106,8 @@ class Life {
     }
   }
 
-  // Reports each core that has answered since the last call or is not expected to answer, and wakes
-  // all cores again.
+  // Reports each core as alive if it has answered since the last call or is not expected to answer.
+  // Then wakes the cores again.
   template <typename Team>
   void call(Team& team, std::uint64_t now_us) {
     for (std::size_t core = 1; core < hal::kMaxCores; ++core) {

@@ -13,8 +13,8 @@
 
 namespace iog::window {
 
-// For each tile, the slot in ageing::Clock of the last frame in which all groups of the tile were
-// classified.
+// For each tile, the clock slot of the last frame in which all of its groups were classified
+// (ageing/clock.hpp).
 using Refreshed = std::array<std::uint8_t, kSlotCount>;
 
 class WindowView {
@@ -26,7 +26,7 @@ class WindowView {
   // unknown.
   [[nodiscard]] bool is_centred() const { return window_->is_centred(); }
 
-  // Returns the tiles of the local frame that the window covers, and their slots.
+  // Returns the local-frame tiles covered by the window, and their slots.
   [[nodiscard]] const Area& area() const { return window_->area(); }
 
   // Returns true if the tile in a slot is known. Otherwise, all cells of the tile are unknown.
@@ -37,7 +37,7 @@ class WindowView {
 
   using ClassBytes = std::span<const std::byte, geometry::kTileCells>;
 
-  // Returns the class bytes of the tile in a slot, row by row from the tile's lowest y. Returns
+  // Returns the class bytes of the tile in a slot, row by row, starting with the lowest y. Returns
   // nothing if no cell has a class.
   [[nodiscard]] std::optional<ClassBytes> class_bytes(std::size_t slot) const;
   // Returns the class bytes of a tile even if no cell has a class. Returns nothing if the tile is

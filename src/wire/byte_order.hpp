@@ -1,10 +1,10 @@
 // Converts integers to and from wire bytes. Byte order is handled only in this file.
 //
-// The parameter of each function has exactly the size of the integer:
+// Each function takes a span that is exactly as long as the integer:
 //     load_be16(frame.subspan<12, 2>())
-// If a span of static extent is too short, the code does not compile. A caller that converts a
-// dynamic span to a fixed span must know that the bytes exist. ByteReader and ByteWriter check
-// this.
+// If `frame` has a static extent and is too short, the code does not compile. If the extent is
+// dynamic, the caller must ensure that `frame` is long enough. ByteReader and ByteWriter check the
+// length.
 //
 // ARMv7 supports unaligned access to normal memory, so GCC merges the bytewise expressions into one
 // ldr/str and one rev.

@@ -14,9 +14,8 @@
 namespace iog::wire {
 
 class ByteReader {
-  // The function is defined before its callers because clang 14 otherwise cannot evaluate them at
-  // compile time. Discarding the unread bytes makes the failure permanent without slowing down
-  // successful reads.
+  // Clang 14 can evaluate the callers at compile time only if this function is defined before them.
+  // Discarding the unread bytes makes the failure permanent without slowing down successful reads.
   constexpr void fail() {
     rest_ = {};
     ok_ = false;

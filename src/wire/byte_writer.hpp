@@ -1,8 +1,8 @@
 // Writes wire bytes sequentially and never past the end of the buffer.
 //
-// If a write does not fit, this write and all later writes have no effect, even if later writes are
-// shorter. From then on, ok() is false. An encoder can therefore write a complete message and then
-// check ok() once.
+// If a write does not fit, it has no effect, and neither do later writes, even shorter ones. From
+// then on, ok() is false. An encoder can therefore write a complete message and then check ok()
+// once.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 namespace iog::wire {
 
 class ByteWriter {
-  // The function is defined before its callers because clang 14 otherwise cannot evaluate them at
-  // compile time. Setting the end of the buffer here makes the failure permanent without slowing
-  // down successful writes.
+  // Clang 14 can evaluate the callers at compile time only if this function is defined before them.
+  // Setting the end of the buffer here makes the failure permanent without slowing down successful
+  // writes.
   constexpr void fail() {
     buffer_ = written();
     ok_ = false;

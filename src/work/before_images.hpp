@@ -1,14 +1,14 @@
 // The undo log for tasks that change data in place. A partially completed task can be undone and
 // repeated.
 //
-// Each helper has one image. Before an item changes data, the helper copies this data into the
-// image and then records the number of the item. Before core 0 repeats an item of a lost core, it
-// restores the image that belongs to the item. If the item has no image, the item has not changed
-// any data yet. Core 0 needs no image because its items are never repeated.
+// Each helper has one image. Before an item changes data, the helper copies the data into the image
+// and then records the item's number. Before core 0 repeats an item of a lost core, it restores the
+// data from the item's image. If the item has no image, it has not changed any data yet. Core 0
+// needs no image because its items are never repeated.
 //
 // Core 0 reads a helper's image only after the helper has stopped. If core 0 then sees one of the
-// helper's stores, core 0 also sees all earlier stores of this helper. A compiler barrier between
-// the stores is therefore enough.
+// helper's stores, it also sees all of the helper's earlier stores. A compiler barrier between the
+// stores is therefore enough.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@
 
 namespace iog::work {
 
-// A compiler barrier between two stores of the current core. After this core has stopped, core 0
-// sees all stores before the barrier if it sees any store after the barrier.
+// A compiler barrier between two stores of the calling core. Once this core has stopped, core 0
+// cannot see a store after the barrier without also seeing all stores before it.
 inline void keep_order() { std::atomic_signal_fence(std::memory_order_seq_cst); }
 
 // If the image is large, the object must be in static memory.
@@ -36,14 +36,13 @@ class BeforeImages {
     }
   }
 
-  // Returns the image that a core fills in after it has claimed an item. Returns null if the core
-  // needs no image.
+  // Returns the image in which a core saves an item's data, or null if the core needs no image.
   [[nodiscard]] Image* of(std::size_t core) {
     return core == 0 ? nullptr : &places_[core - 1].image;
   }
 
-  // Marks a helper's image as complete. A helper (not core 0) calls keep() for an item. After the
-  // call, the item may change data.
+  // Records that a helper's image of an item is complete. The item may change data only after this
+  // call. Core 0 must not call keep().
   void keep(std::size_t core, std::size_t item) {
     require(core > 0);
     keep_order();
@@ -51,8 +50,8 @@ class BeforeImages {
     keep_order();
   }
 
-  // If a core was lost while it ran this item, returns the image that this core saved. Returns null
-  // if the item did not change any data. Core 0 calls of_lost() before it repeats an item.
+  // Returns the image that a lost core saved for this item, or null if the item has not changed any
+  // data. Core 0 calls of_lost() before it repeats the item.
   [[nodiscard]] const Image* of_lost(std::size_t item) const {
     for (const Place& place : places_) {
       if (place.item.load(std::memory_order_relaxed) == item) {

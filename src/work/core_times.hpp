@@ -1,5 +1,5 @@
-// The working time of each core, in ticks modulo 2^32. Each core's time has its own cache line.
-// Only this core writes the time, but other cores may read it.
+// The working time of each core, in ticks modulo 2^32. Each core's time has its own cache line. A
+// core writes only its own time but may read the times of other cores.
 #pragma once
 
 #include <array>

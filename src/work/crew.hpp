@@ -1,7 +1,5 @@
-// The executor of a round's tasks. The executor is a work::Team, a platform that has a work::Team,
-// or core 0 alone.
-//
-// A crew is only a reference to an executor, so code that splits its work can run on any executor.
+// A crew is a reference to the executor of a round: a work::Team, a platform that has a work::Team,
+// or core 0 alone. Code that splits its work can therefore run on any executor.
 #pragma once
 
 #include <concepts>
@@ -62,8 +60,8 @@ class Crew {
   void (*share_)(void* sharer, std::size_t items, Work work, Beside beside) = nullptr;
 };
 
-// Returns how many items are needed for `things` elements if each item contains `in_each` elements.
-// The last item may contain fewer elements.
+// Returns how many items of `in_each` elements are needed for `things` elements. The last item may
+// contain fewer.
 [[nodiscard]] constexpr std::size_t items_of(std::size_t things, std::size_t in_each) {
   return (things + in_each - 1) / in_each;
 }

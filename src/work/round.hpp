@@ -3,9 +3,9 @@
 //
 // One word, the ticket, contains the round number and the count of remaining items. A core claims
 // an item by decrementing the ticket (LDREX and STREX on the Cortex-A9), runs the item and sets the
-// item's flag. Core 0 opens a round only after the flags of all items of the previous round have
-// been set. After an item has been claimed, the data of the round therefore does not change until
-// the item's flag is set. The memory order is described in docs/cores.md.
+// item's flag. Core 0 opens a round only after all flags of the previous round have been set. From
+// the time an item is claimed until its flag is set, the round's data therefore does not change.
+// The memory order is described in docs/cores.md.
 //
 // Items may run in any order and concurrently, so an item must not write data that another item
 // reads or writes. If a core is stopped while it runs an item, core 0 repeats the item from the
@@ -26,8 +26,9 @@ struct Work {
   void* context = nullptr;
 };
 
-// A task that core 0 runs once, before it claims items. The task must not write data that an item
-// reads or read data that an item writes. The task is never repeated because core 0 is never lost.
+// A task that core 0 runs once, before it claims items. The task must not access data that an item
+// writes, nor write data that an item reads. The task is never repeated because core 0 is never
+// lost.
 struct Beside {
   void (*run)(void* context) = nullptr;
   void* context = nullptr;
@@ -61,9 +62,9 @@ template <typename Callable>
   return {.run = [](void* context) { (*static_cast<Callable*>(context))(); }, .context = &callable};
 }
 
-// Adds to a counter that only one core writes. Other cores may read the counter. A load and a store
-// are enough because no other core writes to the counter. They also avoid an exclusive access,
-// which could deadlock after a store to a device (docs/errata.md, 782772).
+// Adds `more` to a counter that any core may read but only this core writes to. A load and a store
+// are therefore enough. They also avoid an exclusive access, which could deadlock after a store to
+// a device (docs/errata.md, 782772).
 inline void count_up(std::atomic<std::uint32_t>& counter, std::uint32_t more) {
   counter.store(counter.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
 }
@@ -93,20 +94,20 @@ class Round {
   void finish(std::size_t item) { is_done_[item].store(true, std::memory_order_release); }
 
   // Runs items on this core until none remain, and returns the last ticket. Adds the number of
-  // completed items to `done`, which only this core may write.
+  // completed items to `done`, which only this core may write to.
   Ticket help(std::size_t core, std::atomic<std::uint32_t>& done);
 
-  // Returns true if the flags of all items are set. In this case, all stores of the items are
-  // visible. Only core 0 may call is_done().
+  // Returns true if the flags of all items are set. All stores made by the items are then visible.
+  // Only core 0 may call is_done().
   [[nodiscard]] bool is_done();
 
-  // Runs the items whose flag is not set, and returns the number of these items. Core 0 calls
-  // redo() when no other core is running items.
+  // Runs the items whose flag is not set, and returns how many it ran. Core 0 calls redo() when no
+  // other core is running items.
   std::size_t redo();
 
  private:
   // The ticket and the work share a cache line because a core reads the work immediately after it
-  // has claimed an item. The members declared after `ticket_` are written only by core 0, and only
+  // has claimed an item. Only core 0 writes `items_`, `checked_` and `work_`, and it does so only
   // when no items remain.
   alignas(64) std::atomic<std::uint32_t> ticket_{0};
   std::size_t items_ = 0;

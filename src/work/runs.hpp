@@ -2,7 +2,7 @@
 // long, and later runs become shorter and shorter.
 //
 // Cores claim the runs in order. As a result, a sequence is split into few runs, and the last runs
-// are so short that no core waits long for another core. The algorithm is guided self-scheduling
+// are so short that no core waits long for another. The algorithm is guided self-scheduling
 // (Polychronopoulos and Kuck, IEEE Transactions on Computers C-36, 1987), except that the runs are
 // half as long.
 #pragma once

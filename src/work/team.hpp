@@ -2,8 +2,8 @@
 //
 // Core 0 claims items like any helper, so a round is completed even without helpers. If a helper
 // faults or hangs while it runs an item, it is stopped and never used again, and core 0 repeats the
-// item. If a helper does not answer a wake-up, it has not claimed an item, and it may answer later.
-// The loss of a core therefore only costs time. A wait exceeds `patience_us` only if an item takes
+// item. A helper that does not answer a wake-up has not claimed an item, and may answer later.
+// Losing a core therefore costs only time. A wait exceeds `patience_us` only if an item takes
 // longer.
 #pragma once
 
@@ -20,7 +20,7 @@
 
 namespace iog::work {
 
-// The reason why a core does not work.
+// Why a core is not working.
 enum class Loss : std::uint8_t {
   kNone,
   kNotAsked,  // the machine does not have this core, or fewer cores were requested
@@ -45,9 +45,9 @@ struct TeamCounts {
 template <hal::Cores C>
 class Team {
  public:
-  // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. When all
-  // other helpers have finished, a helper must also finish its item within `patience_us`. Every
-  // item must take less than `patience_us`.
+  // `cores` must outlive the team. A helper must answer a wake-up within `patience_us`. Once core 0
+  // finds no more items, every helper must finish its item within `patience_us`. Every item must
+  // take less than `patience_us`.
   Team(C& cores, std::uint32_t patience_us) : cores_(&cores), patience_us_(patience_us) {
     loss_.fill(Loss::kNotAsked);
     loss_[0] = Loss::kNone;
@@ -104,20 +104,19 @@ class Team {
     return cores_->last_word(core);
   }
 
-  // Returns true if a helper should answer a wake-up, that is, if it has started and is not known
-  // to be lost.
+  // Returns true if a helper is expected to answer a wake-up because it has started and is not
+  // known to be lost.
   [[nodiscard]] bool is_asked(std::size_t core) const {
     return loss_[core] == Loss::kNone || loss_[core] == Loss::kSilent;
   }
-  // Returns how often a helper has answered a wake-up and become idle again since start-up, modulo
-  // 2^32.
+  // Returns how many wake-ups a helper has answered since start-up, modulo 2^32. A wake-up is
+  // counted when the helper is idle again.
   [[nodiscard]] std::uint32_t comes(std::size_t core) const {
     return seats_[core].comes.load(std::memory_order_relaxed);
   }
 
   // `items()` returns the number of items that a core has completed. `redone()` returns the number
-  // of items that core 0 completed for lost cores. Both numbers are counted since start-up, modulo
-  // 2^32.
+  // of items that core 0 completed for lost cores. Both are counts since start-up, modulo 2^32.
   [[nodiscard]] std::uint32_t items(std::size_t core) const {
     return seats_[core].items.load(std::memory_order_relaxed);
   }
@@ -128,16 +127,16 @@ class Team {
             .items = {items(0), items(1), items(2), items(3)}};
   }
 
-  // Returns the number of cores that were lost plus the number of cores that have failed to answer
-  // at least one wake-up in time.
+  // Returns the number of lost cores plus the number of cores that have ever failed to answer a
+  // wake-up in time.
   [[nodiscard]] std::uint32_t troubles() const { return troubles_; }
 
  private:
-  // The value kInside, which differs from every round number, indicates that the helper is looking
-  // for items.
+  // While a helper is looking for items, its `place` is kInside, which differs from every round
+  // number.
   static constexpr std::uint32_t kInside = 1U << 16;
 
-  // Each seat has its own cache line. Only the core of a seat writes these members.
+  // Each seat has its own cache line. Once a core has started, only that core writes to its seat.
   struct alignas(64) Seat {
     std::atomic<std::uint32_t> place{0};  // kInside, or the round in which the core found no more
                                           // items
@@ -192,7 +191,7 @@ class Team {
   }
 
   // Waits until every item is done or no helper is running an item. All items have already been
-  // claimed. While a helper runs an item, the helper's `place` is kInside.
+  // claimed. While a helper runs an item, its `place` is kInside.
   void wait() {
     const std::uint64_t begin_us = cores_->now_us();
     bool is_anyone_inside = true;
@@ -211,8 +210,8 @@ class Team {
     }
   }
 
-  // Stops helpers that hang. A core that cannot be stopped could overwrite the output of the
-  // repeated item, so the run ends in this case.
+  // Stops helpers that hang. If a helper cannot be stopped, the run ends, because the helper could
+  // overwrite the output of the repeated item.
   void lose_stuck() {
     for_each_helper([this](std::size_t core) {
       if (place(core) == kInside) {
