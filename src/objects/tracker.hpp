@@ -8,8 +8,8 @@
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
 // Every step processes slots, hits (objects/frame_hits.hpp) and clusters in their order, so the
-// result does not depend on the order in which hits arrive. The Tracker object contains all of the
-// tracker's memory and takes up 2 MB.
+// result does not depend on the order in which hits arrive. A Tracker object takes up 2 MB and uses
+// no other memory.
 #pragma once
 
 #include <cstddef>
@@ -48,38 +48,38 @@ class Tracker {
 
   // Processes a frame. A frame with the same end time as the previous frame has no effect. If time
   // goes backwards or advances by more than kLongestStepMs, all tracks end first. The classes that
-  // `grid` returns must already include the frame.
+  // `grid` returns must already reflect this frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
   // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
   // classes. If begin() returns false, the frame has no effect, and the other steps must not be
   // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
-  // look_at_hits(), and the same hits may be looked up twice. `end()` performs the remaining work.
-  // While end() runs, other cores must not change classes, but may change all other data.
+  // look_at_hits(), even for hits that have already been looked up. `end()` performs the remaining
+  // work. While end() runs, other cores must not change classes, but may change all other data.
   bool begin(const Frame& frame);
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);
 
-  // Reports a frame without measurements that ends at `end_us`. If the time without measurements
-  // exceeds kLongestToldMs, no objects are published or labelled until the next frame with
-  // measurements. If the time without measurements exceeds kLongestStepMs, all tracks end. A
+  // Reports that a frame ended at `end_us` without any measurements. If the time without
+  // measurements exceeds kLongestToldMs, no objects are published or labelled until the next frame
+  // with measurements. If the time without measurements exceeds kLongestStepMs, all tracks end. A
   // shorter pause has no effect.
   void pass(std::uint64_t end_us);
 
-  // Ends all tracks and clears the recent hits, because the window has lost its position. Ids are
-  // not reused.
+  // Ends all tracks and clears the recent hits. Call forget() if the window has lost its position.
+  // Ids are not reused.
   void forget();
 
-  // Returns the end of the last processed frame. The value is 0 if no frame has been processed
-  // since start-up or since the last forget(), or if pass() has hidden the objects.
+  // Returns the end of the last processed frame. The result is 0 if no frame has been processed
+  // since start-up or the last forget(), or if pass() has hidden the objects.
   [[nodiscard]] std::uint64_t time_us() const { return is_told_ ? now_us_ : 0; }
   // Returns the tracks, indexed by slot. Some slots may be free.
   [[nodiscard]] const Tracks& tracks() const { return tracks_; }
-  // Returns the sorted hits of the last frame with their owners.
+  // Returns the hits of the last frame, sorted. The owner of a hit is the slot of its track.
   [[nodiscard]] std::span<const FrameHit> hits() const { return hits_.all(); }
 
-  // Returns true if a hit of the last frame belongs to a moving track. Returns false for standing
-  // hits of a mostly standing track.
+  // Returns true if a hit of the last frame belongs to a moving track, unless the hit is standing
+  // and the track is mostly standing (Track::is_mostly_standing()).
   [[nodiscard]] bool is_moving(const FrameHit& hit) const {
     if (hit.owner == kNobody || !is_told_) {
       return false;
@@ -87,9 +87,9 @@ class Tracker {
     const Track& track = tracks_[static_cast<std::size_t>(hit.owner)];
     return track.moves() && !(hit.stands && track.is_mostly_standing());
   }
-  // Returns those of the given cells that a moving object may cover, including cells without a hit.
-  // The given cells are in one row. All returned cells are at most kTailMm outside the object's
-  // box. See MovingBoxes::hold().
+  // Returns the cells in the set `asked` that a moving object may cover, including cells without a
+  // hit. All cells are in one row. The returned cells are at most kTailMm outside the box of a
+  // moving object. See MovingBoxes::hold().
   [[nodiscard]] std::uint32_t in_moving_boxes(geometry::Cell first, std::uint32_t asked) const {
     return moving_.hold(first, asked);
   }

@@ -4,16 +4,17 @@
 // The square sizes below apply to cells of 0.1 m. With larger cells, each square keeps its size in
 // metres (Rules::around), and the required number of new hits stays the same.
 //
-// If only low beams can open a cell (perception/opening.hpp), a hit is considered only if a low
-// beam has freed its cell and a tall return lies within Rules::tall_within cells of the hit. An
-// object is therefore never classified as moving if it is so low that beams pass over it.
+// If only low beams can open a cell (perception/opening.hpp), a hit is ignored unless a low beam
+// has freed its cell and a tall return is within Rules::tall_within cells of the hit. Objects so
+// low that beams pass over them are therefore never classified as moving.
 //
-// All conditions refer to the state before the frame. A hit is *beside* a standing object if one of
-// the 3 by 3 cells around the hit is standing. A hit is *new* if its cell was open and freed, and
-// if it is not beside a standing object. A hit beside a standing object does not count as moving.
-// Any other hit counts as moving in two cases: its cell was dense, or its cell was open and the 7
-// by 7 cells around the hit contain enough new hits. If the ground in the cell was found open three
-// times, two new hits are enough. Otherwise, seven new hits are needed.
+// All conditions refer to the state before the frame. A hit is *beside* a standing object if a cell
+// in the 3 by 3 square around the hit is standing. A hit is *new* if its cell was open and freed,
+// and if it is not beside a standing object. A hit beside a standing object does not count as
+// moving. Any other hit counts as moving if its cell was dense, or if its cell was open and the 7
+// by 7 square around the hit contains enough new hits. If the cell has been found open in at least
+// three periods (perception/ground.hpp), two new hits are enough. Otherwise, seven new hits are
+// needed.
 #pragma once
 
 #include <array>
@@ -33,11 +34,11 @@ class Arrivals {
         tall_within_(rules.tall_within),
         around_(rules.around) {}
 
-  // Examines all hits of a frame. Call find() before any tile changes.
+  // Examines all hits of a frame. Call find() before changing any tile.
   void find(const window::Window& window, const placing::FrameEvidence& evidence);
 
   // The steps of find(). Call begin() first. Then call find_new() or find_none() for every touched
-  // slot. Finally, call find_moved() for each slot before its tile changes. `hits` contains the
+  // slot. Finally, call find_moved() for each slot before changing its tile. `hits` contains the
   // hits in the tile's evidence. The steps for a slot may be repeated, and may run for several
   // slots concurrently.
   void begin() {
@@ -53,7 +54,7 @@ class Arrivals {
     }
   }
 
-  // Returns the hits classified as moved in the tile in this slot.
+  // Returns which hits in the slot's tile are classified as moved.
   [[nodiscard]] const window::Plane& moved(std::size_t slot) const { return moved_[slot]; }
 
  private:
@@ -62,8 +63,8 @@ class Arrivals {
   bool is_from_below_;
   int tall_within_;
   Around around_;
-  // A plane is valid only if has_new_ or has_open_ is set for its slot. The planes of other slots
-  // contain data from older frames.
+  // If neither has_new_ nor has_open_ is set for a slot, its planes in new_ and open_ may contain
+  // data from older frames.
   std::array<bool, window::kSlotCount> has_new_{};
   std::array<bool, window::kSlotCount> has_open_{};
   std::array<window::Plane, window::kSlotCount> new_{};

@@ -1,12 +1,13 @@
 // Updates the ground memory after a frame.
 //
-// The update clears the memory of the 3 by 3 cells around each standing cell. Any other cell
-// becomes dense if all cells in the 5 by 5 square around it have been seen, and open if all cells
-// in the 7 by 7 square around it are free space. The free space is computed from the freed cells in
+// The update clears the memory of all cells in the 3 by 3 square around each standing cell. Any
+// other cell becomes dense if all cells in the 5 by 5 square around it have been seen, and open if
+// all cells in the 7 by 7 square around it are free. Free space is computed from the freed cells in
 // two steps. First, a 5 by 5 dilation followed by a 5 by 5 erosion closes gaps of up to four cells
-// between beams. Then occupied cells are removed. If a cell is open again in a later period of 480
-// ms, its tick count increases by one, up to a maximum of 3. Cells outside the window never count
-// as free space, even though the dilation extends beyond the window.
+// between beams. Then occupied cells are removed. Each cell also has a counter from 0 to 3. The
+// first update in each new period of 480 ms increments the counters of all cells that are found
+// open. Cells outside the window never count as free space, even though the dilation extends beyond
+// the window.
 #pragma once
 
 #include <array>
@@ -28,8 +29,7 @@ namespace iog::perception {
 void remember(window::Window& window, std::size_t slot, bool is_new_period,
               const Around& around = {});
 
-// The length of a period. If a cell is found open again in a period, its tick count increases by
-// one for this period.
+// The length of a period. The counter of a cell is incremented at most once per period.
 inline constexpr std::uint64_t kPeriodUs = 480'000;
 
 // Updates half of the tiles at the end of a frame. A tile is updated if the sum of its slot and the
@@ -38,11 +38,11 @@ class GroundMemory {
  public:
   explicit GroundMemory(const Around& around) : around_(around) {}
 
-  // Resets the periods of the last updates.
+  // Clears the stored periods of the previous updates.
   void forget() { last_turns_ = {}; }
 
-  // Ends a frame that has a registered slice, and clears the evidence of the frame. `number` counts
-  // the frames with a registered slice so far, including this frame.
+  // Ends a frame with at least one registered slice, and clears the frame's evidence. `number` is
+  // the count of such frames so far, including this one.
   struct Frame {
     std::uint32_t number = 0;
     std::uint64_t time_us = 0;
@@ -51,7 +51,7 @@ class GroundMemory {
                  const work::Crew& crew, work::Beside beside);
 
  private:
-  // The minimum and maximum number of tiles that one core claims at a time if several cores share
+  // The minimum and maximum number of tiles that one core claims at a time when several cores share
   // the work.
   static constexpr work::Runs::Lengths kEnded{.shortest = 8, .longest = 32};
   using Before = std::array<window::Ground, kEnded.longest>;

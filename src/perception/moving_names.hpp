@@ -32,8 +32,8 @@ class MovingNames {
   // Several cores may call note_tile() for different tiles.
   void note_tile(std::size_t slot, const window::Tile& tile);
 
-  // Relabels moving cells that were not hit in this frame as unknown, unless a moving object may
-  // cover them. `held(first, asked)` returns the cells of the set `asked` that moving objects may
+  // Relabels a moving cell as unknown if it was not hit in this frame and no moving object can
+  // cover it. `held(first, asked)` returns the cells in the set `asked` that moving objects may
   // cover. All cells are in one group. Bit 0 is the cell `first`, and bit i is the i-th cell to the
   // right of `first`. Call note_tile() for all changed tiles first.
   template <typename Held>
@@ -65,8 +65,8 @@ class MovingNames {
     may_move_[slot] = true;
   }
 
-  // For each slot, moving_ contains the groups with cells that may be moving according to their
-  // masses, and changed_ contains the relabelled groups.
+  // For each slot, moving_ contains the groups in which the masses may classify a cell as moving,
+  // and changed_ contains the relabelled groups.
   std::array<Groups, window::kSlotCount> moving_{};
   std::array<Groups, window::kSlotCount> changed_{};
   std::array<bool, window::kSlotCount> is_changed_{};

@@ -1,16 +1,16 @@
 // Implements free-space gating. Only low beams make a cell eligible for motion detection.
 //
 // A beam frees every cell that it crosses within the height band. Some of these cells are above a
-// bonnet, a verge or a kerb. The beam reaches others through the windows of a parked car. If a
-// later beam hits such a cell, the hit is at a different height, and nothing has moved. The car
-// file therefore specifies two heights for each sensor: the maximum height of a beam that opens
-// cells (low_mm), and the minimum height of a return from a moving object (tall_mm). The following
-// rules apply:
+// bonnet, a verge or a kerb. Others are reached through the windows of a parked car. If a later
+// beam hits such a cell, the hit is at a different height, and nothing has moved. The car file
+// therefore specifies two heights for each sensor: the maximum height of a beam that opens cells
+// (low_mm), and the minimum height of a return from a moving object (tall_mm). The following rules
+// apply:
 //
 //   * A hit can indicate motion only on ground that a low beam has already freed, and only near a
 //     tall return (arrivals.hpp).
-//   * If sensors look over objects, only low beams can free occupied cells. Other beams have no
-//     effect on these cells.
+//   * If a sensor is high enough to see over objects, only low beams can free occupied cells. Other
+//     beams have no effect on these cells.
 //   * A cell becomes open ground or dense ground only if a low beam has freed it.
 //
 // Tile::from_below stores whether a low beam has freed a cell. The bit is set when a low beam frees
@@ -34,8 +34,8 @@ class Opening {
   explicit Opening(const Rules& rules = {}) : looks_over_things_(rules.looks_over_things) {}
 
   // The functions below are the steps for one slot. The steps may be repeated, and may run for
-  // several slots concurrently. For a slot with evidence, call find() before any tile changes.
-  // `bits` contains the bits of the slot's evidence.
+  // several slots concurrently. For a slot with evidence, call find() before changing any tile.
+  // `bits` contains the slot's evidence.
   void find(const window::Window& window, const placing::EvidenceBits& bits, std::size_t slot);
   // Call leave_out_high() before the evidence is fused into the tile.
   void leave_out_high(placing::FrameEvidence& evidence, std::size_t slot) const;

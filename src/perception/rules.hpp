@@ -23,7 +23,7 @@ enum class Moved : std::uint8_t {
 inline constexpr std::uint32_t kGroupCycles = 500;
 
 // The maximum number of groups that are fused in a frame. One core can fuse kGroupBudget groups in
-// a frame period of 40 ms. Groups with hits are fused first (perception/window_fusion.hpp).
+// a frame period of 40 ms. Groups with hits take precedence (perception/window_fusion.hpp).
 inline constexpr std::uint32_t kGroupBudget = 65'536;
 static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 
@@ -31,8 +31,8 @@ static_assert(kGroupBudget * kGroupCycles <= 40'000'000);
 [[nodiscard]] constexpr int cells_of(int mm, int cell_mm) { return (mm + cell_mm - 1) / cell_mm; }
 
 // A hit is classified as moved only if a tall return is within this distance of it along each axis.
-// Some sensors have fewer tall returns because theirs must also be well above the highest ground
-// nearby (ground/ground.hpp). The larger distance applies to these sensors.
+// The larger distance applies if a sensor's tall returns must also be well above the highest ground
+// nearby (ground/ground.hpp), because such a sensor has fewer tall returns.
 inline constexpr int kTallWithinMm = 300;
 inline constexpr int kTallOverGroundWithinMm = 800;
 inline constexpr int kTallWithin = cells_of(kTallWithinMm, geometry::kUsualCellMm);
@@ -62,19 +62,18 @@ static_assert(around_with(geometry::kUsualCellMm) == Around{});
 struct Rules {
   ageing::Discounting discounting = ageing::Discounting::kConservative;
   ageing::Weighing weighing = ageing::Weighing::kByTime;
-  // The tables of a car that defines its own evidential constants. The tables must be in static
-  // storage. If the pointer is null, the default constants are used.
+  // The tables of a car that defines its own constants, in static storage. If the pointer is null,
+  // the default constants are used.
   const ageing::Tables* tables = nullptr;
   // The masses for each index, in static storage. If the pointer is null, all hits have the same
   // mass.
   const evidence::Assignment* assignment = nullptr;
   Moved moved = Moved::kOpenGround;
   // True if only low beams open cells (perception/opening.hpp). The value is true if low_mm and
-  // tall_mm are specified for any sensor.
+  // tall_mm are specified for at least one sensor.
   bool is_opened_from_below = false;
   // True if only low beams free occupied cells. `looks_over_things` has an effect only if
-  // is_opened_from_below is true. The value is true if a sensor is high enough to look over
-  // objects.
+  // is_opened_from_below is true. The value is true if a sensor is high enough to see over objects.
   bool looks_over_things = true;
   // Either kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;

@@ -11,7 +11,7 @@
 
 namespace iog::perception {
 
-// The numbers of standing cells that this frame confirms and contradicts.
+// Counts the standing cells that a frame confirms and those that it contradicts.
 struct StandingCounts {
   std::uint32_t met = 0;      // confirmed: a hit within 0.2 m
   std::uint32_t crossed = 0;  // contradicted: a beam crossed it, and no hit is within 0.2 m
@@ -37,15 +37,15 @@ struct StandingCounts {
                                              const Around& around = {});
 
 // Detects wrong poses. If the poses are wrong, beams appear to pass through standing objects on all
-// sides. Counts are averaged over about eight frames. The weight of a frame is therefore halved
-// after five more frames. When a parked car drives off, beams also cross its cells, but walls,
-// poles and other cars are confirmed at the same time.
+// sides. Counts are averaged over about eight frames, so the weight of a frame halves about every
+// five frames. When a parked car drives off, beams also cross its cells, but walls, poles and other
+// cars are confirmed at the same time.
 //
 // If the poses are wrong from the start, few cells are classified as standing, and beams cross a
-// much larger fraction of them than with correct poses. The minimum number of cells is therefore
-// lower until the poses first show the car moving. Until then, the poses are also contradicted if
-// more than an eighth of these cells are crossed in many successive frames. The excess over an
-// eighth is accumulated, and decays over about a hundred frames.
+// much larger fraction of them than with correct poses. Until the position or heading first
+// changes, fewer cells are therefore enough: the poses are also contradicted if more than an eighth
+// of the cells are crossed in many successive frames. The excess over an eighth is accumulated, and
+// decays over about a hundred frames.
 class Contradiction {
  public:
   void add(const StandingCounts& frame) {
@@ -58,8 +58,8 @@ class Contradiction {
   void clear() { *this = {}; }
 
   // Returns true if the poses are contradicted. `has_moved` is true if the position or heading has
-  // changed since the first pose. The minimum numbers of cells depend on the cell size. Sensors see
-  // the edges of static objects, and each edge covers fewer cells if the cells are large.
+  // changed since the first pose. The required number of cells depends on the cell size, because
+  // sensors see the edges of static objects, and larger cells mean fewer cells per edge.
   [[nodiscard]] bool is_met(bool has_moved, std::uint32_t cell_mm = geometry::kCellMm) const {
     const std::uint32_t all = met_ + crossed_;
     const auto cells = [cell_mm](std::uint32_t usual) {

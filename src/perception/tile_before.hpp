@@ -1,6 +1,6 @@
-// The undo log of a tile. A core uses this log to repeat the work of another core. For each group,
-// the log stores the members on which the result depends. All other data written to a tile is
-// derived from these members.
+// The undo log of a tile. Before a core repeats the work of another core, it uses this log to
+// restore the tile. For each group, the log stores the members on which the result depends. All
+// other data written to a tile is derived from these members.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@
 
 namespace iog::perception {
 
-// The number of groups with a hit, and the number of groups with evidence but without a hit.
+// Numbers of groups of two kinds: those with hits, and those with evidence but no hits.
 struct GroupBudget {
   std::uint32_t with_hits = 0;
   std::uint32_t without_hits = 0;
@@ -98,7 +98,7 @@ class GroupList {
   std::array<std::uint8_t, window::kGroupsPerTile + kGroupsAhead> numbers_;
 };
 
-// Prefetches the cache lines of a group that will be needed soon.
+// Prefetches the masses of a group that will soon be updated.
 inline void prefetch(const window::Tile& tile, std::size_t group) {
   lanes::preload(&tile.free[group]);
   if (!tile.is_free_alone[group]) {
@@ -123,15 +123,16 @@ inline void bring_rows(const window::Tile& tile, std::size_t first, std::size_t 
   lanes::bring(std::as_bytes(std::span(&tile.found, 1)));
 }
 
-// Returns a reference because a copy would not yet be in the cache when it is read.
+// Returns a reference, because reading a new copy would miss the cache.
 inline const evidence::Indexes& indexes_of(const placing::FrameEvidence::TileIndexes& tile,
                                            std::size_t group) {
   return *reinterpret_cast<const evidence::Indexes*>(&tile[group * evidence::kGroupCells]);
 }
 
-// Fuses at least one group of a tile. `moved` contains the cells whose hits are classified as
-// moved. If `moved` is null, all hits are classified as moved. If a TileBefore is passed, a core
-// that repeats the work can use it to restore the tile.
+// Fuses the groups in the list, which must not be empty. `moved` contains the cells whose hits are
+// classified as moved. If `moved` is null, all hits are classified as moved. If a TileBefore is
+// passed, it stores the state of the tile before the update, so that another core can restore the
+// tile and repeat the work.
 template <typename... Before>
 void fuse_groups(const TileUpdate& update, window::Tile& tile,
                  const placing::FrameEvidence::TileIndexes& indexes, bool has_hit,

@@ -1,5 +1,5 @@
-// Updates a group of eight cells in a frame. The update ages the cells, fuses evidence into them
-// and classifies them.
+// Updates groups of eight cells. An update ages the cells of a group, fuses the frame's evidence
+// into them and classifies them.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ namespace iog::perception {
 
 // Evidence that is at least kLongAgoFrames frames old is recorded as too old (kNever). Frames are
 // at least 4 ms apart, so evidence of this age is more than 100 ms old. The exact age of such
-// evidence therefore has no effect. Groups are refreshed often enough that evidence is recorded as
-// too old before the clock reuses the slot of its frame.
+// evidence therefore has no effect. Refreshes are frequent enough to record kNever before the clock
+// reuses the frame's slot.
 inline constexpr unsigned kLongAgoFrames = 32;
 
 // Returns the bits of a plane that belong to a group's cells.
@@ -56,8 +56,8 @@ inline void set_joint(Bytes& bytes, std::size_t group, std::uint32_t value) {
 
 class TileUpdate {
  public:
-  // Updates tiles for the frame that `clock` has just ended. If `assignment` is null, all hits have
-  // the same mass. Both arguments must outlive this object.
+  // Updates tiles for the newest frame of `clock`. If `assignment` is null, all hits have the same
+  // mass. Both arguments must outlive this object.
   TileUpdate(const ageing::Clock& clock, const evidence::Assignment* assignment)
       : clock_(&clock), assignment_(assignment), now_(clock.now()) {
     for (std::size_t slot = 0; slot < gains_.size(); ++slot) {
@@ -97,8 +97,9 @@ class TileUpdate {
     decide_free(tile, group, indexes);
   }
 
-  // Returns true if needs_no_taken() is true for each of kGroups consecutive groups, and neither
-  // Tile::aged_at nor Tile::evidence_at differs between these groups.
+  // Returns true if kGroups consecutive groups can be processed at once. In this case,
+  // needs_no_taken() is true for all of them, and all have the same Tile::aged_at and
+  // Tile::evidence_at.
   template <std::size_t kGroups>
   [[nodiscard]] bool may_be_joint(const window::Tile& tile, std::size_t group) const {
     const auto are_equal = [](Joint<kGroups> bytes) { return std::rotr(bytes, 8) == bytes; };
@@ -108,7 +109,7 @@ class TileUpdate {
   }
 
   // Same as above, but processes kGroups consecutive groups at once. may_be_joint() must be true.
-  // `indexes` are the indexes of the first group.
+  // `indexes` refers to the indexes of the first group. Those of the other groups follow in memory.
   template <std::size_t kGroups>
   void cross(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) const {
     cross_joint<kGroups>(tile, group, indexes);
@@ -175,7 +176,7 @@ class TileUpdate {
     set_eight(tile.found.taken, group, bits.taken);
   }
 
-  // Classifies a group whose bits for standing and occupied are already 0.
+  // Classifies a group in which the `stands` and `taken` bits are already 0.
   static void decide_free(window::Tile& tile, std::size_t group, const evidence::Indexes& indexes) {
     const decision::FreeBits bits = decision::decide_free(
         tile.free[group], tile.ruled_out_in(group), indexes, tile.decided[group]);

@@ -10,10 +10,11 @@
 namespace iog::perception {
 
 // Returns the end of a frame on the clock of the poses, in us. The result is the end of the frame's
-// last slice. If none of the frame's packets has a time, the result is the time of the newest pose.
-// The window's time therefore stops while no sender transmits. A scanner's clock that runs fast or
-// slow can neither advance nor delay the window's time. `source_now_us` is the current time on the
-// clock of the poses (pose::Source::source_time()).
+// last slice, clamped to the range from kLostUs before the newest pose to kLateUs after
+// `source_now_us`. A scanner's clock that runs fast or slow therefore cannot shift the window's
+// time beyond this range. If none of the frame's packets has a timestamp, the result is the time of
+// the newest pose. The window's time therefore stops while no sender transmits. `source_now_us` is
+// the current time on the clock of the poses (pose::Source::source_time()).
 [[nodiscard]] std::uint64_t end_of_frame(std::optional<std::uint64_t> slices_end_us,
                                          std::uint64_t source_now_us, std::uint64_t newest_pose_us);
 

@@ -1,25 +1,25 @@
-// Fuses the slices of successive frames into masses and classes of the window.
+// Fuses the slices of successive frames into the masses and classes of the window.
 //
 // In each frame, the window first follows the vehicle, and then slices are added. Finally, the
 // frame is finished in five steps.
-//   Step 1: Neighbouring cells are looked up as they were before the frame. If only low beams open
-//     cells (perception/opening.hpp), evidence without effect is removed.
+//   Step 1: Hits are compared with the cells around them, as they were before the frame. If only
+//     low beams can free occupied cells (perception/opening.hpp), misses from other beams are
+//     removed from these cells.
 //   Step 2: Groups with evidence are aged, fused and classified.
-//   Step 3: A tile is refreshed if its slot number plus the frame number is a multiple of 8. The
-//     groups that were not fused are then aged and classified without evidence. Only frames in
-//     which the window has a position are counted.
+//   Step 3: A tile is refreshed if its slot number plus the frame number is a multiple of 8. A
+//     refresh ages and classifies the groups that were not fused. The frame number counts only
+//     frames in which the window has a position.
 //   Step 4: Tracking relabels moving cells (perception/moving_names.hpp).
 //   Step 5: If a slice was registered, the frame counts as fused. The ground of a tile is updated
 //     if the tile's slot number plus the number of fused frames, including this frame, is even.
 // The result does not depend on the order of slices or tiles.
 //
-// Each step is a parallel loop over runs of tiles. The ageing, fusion and refresh of a tile run in
-// the same loop. No item of a step writes data that another item of the step reads from a
-// neighbouring tile.
+// Each step is a parallel loop over runs of tiles. A tile is aged, fused and refreshed in the same
+// loop. Within a step, no item writes data that another item reads from a neighbouring tile.
 //
-// Each frame has a budget of groups. Groups with hits are fused first, followed by the other
-// groups. Within each of these two kinds, groups are ordered by slot and group number. Groups that
-// exceed the budget are aged but not otherwise updated.
+// Each frame has a budget of groups. Groups with hits take precedence over other groups. Within
+// each of these two kinds, groups are ordered by slot and group number. Groups that exceed the
+// budget are aged as usual, but their evidence is discarded.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@
 
 namespace iog::perception {
 
-// The number of frames in which every tile is refreshed once.
+// Each tile is refreshed once every kRefreshFrames frames.
 inline constexpr std::uint32_t kRefreshFrames = 8;
 
 struct FrameCounts {
@@ -84,8 +84,8 @@ class WindowFusion {
   // Adds at most FrameEvidence::kMostAtOnce slices.
   void add(std::span<const placing::PlacedCells> slices, const work::Crew& crew = work::Crew());
 
-  // Ends a frame, with or without registered slices. If the given timestamp is older than the
-  // newest timestamp so far, the newest one is used. The call has no effect if the frame has no
+  // Ends a frame, with or without registered slices. If `stamp_us` is older than the newest
+  // timestamp so far, that timestamp is used instead. The call has no effect if the frame has no
   // slices and no time has passed.
   FrameCounts finish(std::uint64_t stamp_us, const work::Crew& crew = work::Crew()) {
     decide(stamp_us, crew);
@@ -137,8 +137,8 @@ class WindowFusion {
     names_.withdraw(evidence_, window_, held);
   }
 
-  // Sets the classes that the map rules out in the tile in a slot (see Window). Only labels change,
-  // and they change immediately.
+  // Records which classes the map rules out in a tile (see Window). The call changes only labels,
+  // and takes effect immediately.
   void rule_out(std::size_t slot, const window::TileRuledOut& ruled_out) {
     window_.rule_out(slot, ruled_out);
     note_names(slot);
@@ -155,7 +155,7 @@ class WindowFusion {
 
   [[nodiscard]] std::int32_t cell_mm() const { return cell_mm_; }
 
-  // Returns a view of the window. The view is valid after finish(), until slices are added again.
+  // Returns a view of the window. After finish(), the view is valid until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
 
   template <typename Visit>
@@ -170,7 +170,7 @@ class WindowFusion {
   }
 
  private:
-  // The minimum and maximum number of tiles that one core claims at a time if several cores share
+  // The minimum and maximum number of tiles that one core claims at a time when several cores share
   // the work. The maximum also determines the size of the undo log.
   static constexpr work::Runs::Lengths kFound{.shortest = 8, .longest = 32};
   static constexpr work::Runs::Lengths kUpdated{.shortest = 2, .longest = 6};
@@ -180,7 +180,7 @@ class WindowFusion {
     std::size_t begun = 0;
     std::array<TileBefore, kUpdated.longest> tiles{};
 
-    // Call begin() before the next tile changes.
+    // Call begin() before changing the next tile.
     TileBefore& begin(bool is_known) {
       TileBefore& next = tiles[begun];
       next.begin(is_known);
@@ -191,7 +191,7 @@ class WindowFusion {
     }
   };
 
-  // The counts for the tile in a slot in the current frame.
+  // The counts of a slot in the current frame.
   struct SlotCounts {
     // Groups are counted only if the evidence might exceed the budget. The groups of slots without
     // hits are counted only if several cores share the work.
@@ -228,7 +228,8 @@ class WindowFusion {
   void deal_out(Budget budget);
   void put_back(work::Run run, const TilesBefore& before);
   void put_back(std::size_t slot, const TileBefore& before);
-  // If a TileBefore is passed, a core that repeats the work can use it to restore the tile.
+  // If a TileBefore is passed, it stores the state of the tile before the update, so that another
+  // core can restore the tile and repeat the work.
   template <typename... Before>
   void update_tile(const TileUpdate& update, std::size_t slot, Budget& budget, Before&... before);
   template <typename... Before>

@@ -28,7 +28,7 @@ enum class Fate : std::uint8_t {
 };
 inline constexpr std::size_t kFateCount = 16;
 
-// The reason why a slice has no pose, or why the position of all earlier data is no longer known.
+// The reason why a slice has no pose, or why the window was reset to unknown.
 enum class Cause : std::uint8_t {
   kNone,
   kLate,          // no message within kLateUs of the slice: the slice is not registered
