@@ -41,7 +41,7 @@ class ConstantMemory {
  private:
   void add_sealed(std::string_view name, const ImageSeal& seal);
 
-  std::array<health::Region, 96> regions_{};
+  std::array<health::Region, 160> regions_{};
   std::size_t count_ = 0;
 };
 

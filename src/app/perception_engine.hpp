@@ -138,6 +138,7 @@ class PerceptionEngine {
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
+    fused_.for_each_constant(visit);
     window_.for_each_constant(visit);
     maps_.for_each_constant(visit);
     poses_.for_each_constant(visit);

@@ -150,6 +150,8 @@ class FrameFusion {
   }
   template <typename Visit>
   void for_each_constant(Visit&& visit) const {
+    grids_.indexes.for_each_constant(visit);
+    grids_.heights.for_each_constant(visit);
     health::visit_constants(visit, first_sensor_, grounds_, rule_);
   }
 

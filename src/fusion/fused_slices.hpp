@@ -13,6 +13,7 @@
 
 #include "fusion/shared_fusion.hpp"
 #include "hal/cores.hpp"
+#include "health/constants.hpp"
 #include "placing/frame_evidence.hpp"
 #include "placing/slice_cells.hpp"
 #include "work/crew.hpp"
@@ -31,6 +32,13 @@ class FusedSlices {
   explicit FusedSlices(const geometry::Grid& grid) {
     for (placing::SliceCells& cells : cells_) {
       cells.take_shape(grid);
+    }
+  }
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    for (const placing::SliceCells& cells : cells_) {
+      health::visit_constants(visit, cells.shape(), cells.tile_rows());
     }
   }
 

@@ -16,6 +16,7 @@
 #include <span>
 
 #include "geometry/grid.hpp"
+#include "health/constants.hpp"
 #include "index/occupancy_index.hpp"
 #include "lanes/lanes.hpp"
 
@@ -97,6 +98,11 @@ class BlockGrid {
   // Copies the cells of the tile, row by row from the lowest y. Returns false if all cells of the
   // tile are unknown.
   bool copy_tile(std::size_t tile, std::span<OccupancyIndex, geometry::kTileCells> to) const;
+
+  template <typename Visit>
+  void for_each_constant(Visit&& visit) const {
+    health::visit_constants(visit, tiles_, stride_, area_, strides_);
+  }
 
   // Sets all cells of the tile to unknown and marks the tile as untouched.
   void clear_tile(std::size_t tile);
