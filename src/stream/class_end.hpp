@@ -1,6 +1,5 @@
 // The class end message of a frame (docs/spec.md 3.10). The message contains the CRC of the class
-// grid, the outcomes of the slices and pose messages, and the poses of the slices that were placed
-// in the window.
+// grid, the outcomes of slices and pose messages, and the pose of each slice placed in the window.
 #pragma once
 
 #include <array>
@@ -28,7 +27,7 @@ struct SliceRecord {
   friend constexpr bool operator==(const SliceRecord&, const SliceRecord&) = default;
 };
 
-// Counts the slices since start-up that could not be placed because of one particular cause.
+// Counts how many slices a cause has kept out of the window since start.
 struct CauseRecord {
   std::uint32_t slices = 0;  // for the cause kNone, the number of slices placed
   pose::Tally began{};       // how often the cause began, and the last time at which it began

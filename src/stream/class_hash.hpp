@@ -10,18 +10,18 @@
 
 namespace iog::stream {
 
-// A CRC-32 over the coordinates a and b of the window's corner (each as i32) and then over each
-// tile with a classified cell. The tiles are ordered by tile number. For each tile, the CRC covers
-// the tile number as u16 and then its 1024 cells. All integers are big endian. A grid without
-// classes has a CRC of 0.
+// A CRC-32 over the window's corner coordinates a and b (both i32), followed by each tile with a
+// classified cell. The tiles are ordered by tile number. For each tile, the CRC covers the tile
+// number as u16 and then its 1024 cells. All integers are big endian. A grid without classes has a
+// CRC of 0.
 class ClassHash {
  public:
   explicit ClassHash(window::TileNumber corner = {});
 
-  // Adds a tile with a classified cell. `number` is the tile's number in messages
-  // (window/area.hpp).
+  // Adds a tile that contains at least one classified cell. `number` is the tile's number in
+  // messages (window/area.hpp).
   void add(std::size_t number, tile_coding::TileCells cells);
-  // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
+  // Adds a tile, given the CRC remainder of its cells (GridCrc32::remainder_of()).
   void add_remainder(std::size_t number, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return is_empty_ ? 0 : crc_.value(); }

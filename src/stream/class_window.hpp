@@ -67,7 +67,7 @@ inline constexpr std::uint8_t kSurenessCount = 8;
   return static_cast<std::uint8_t>(std::to_integer<unsigned>(cell) % kSurenessCount);
 }
 
-// Returns true if every cell of a decoded tile is a valid class byte.
+// Returns true if every cell of a decoded tile contains a valid class byte.
 [[nodiscard]] bool are_class_bytes(tile_coding::TileCells cells);
 
 void write_class_window(const ClassWindow& window, std::span<std::byte, kClassWindowBytes> buffer);

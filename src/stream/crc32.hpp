@@ -1,4 +1,4 @@
-// Defines which CRC is used for which content of the stream.
+// Defines the CRCs used in the stream.
 #pragma once
 
 #include "checksum/crc32.hpp"

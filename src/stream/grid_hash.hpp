@@ -20,7 +20,7 @@ class GridHash {
 
   // `tile` is the tile's number in row-major order. Tiles must be added in ascending order.
   void add(std::size_t tile, tile_coding::TileCells cells);
-  // Adds a tile whose cells have the CRC remainder `remainder` (GridCrc32::remainder_of()).
+  // Adds a tile, given the CRC remainder of its cells (GridCrc32::remainder_of()).
   void add_remainder(std::size_t tile, std::uint32_t remainder);
 
   [[nodiscard]] std::uint32_t value() const { return crc_.value(); }

@@ -1,6 +1,5 @@
-// The map state that is sent at the end of a frame's classes (docs/spec.md 3.10). The map state
-// describes the block in use, the block's transform, the reasons why cells have no class from the
-// map, and the transfer of the next block.
+// The map state in the class end message (docs/spec.md 3.10). The map state describes the block in
+// use and its transform, the reasons why the map had no effect, and the transfer of the next block.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ namespace iog::stream {
 // boundary.
 inline constexpr std::size_t kMaxShownAttribution = 96;
 
-// Describes the block in use, except for the block's CRC.
+// Describes the block in use, but does not contain its CRC.
 struct MapInUse {
   std::uint8_t source = 0;  // map::Source
   std::uint8_t attribution_bytes = 0;

@@ -1,6 +1,6 @@
 // Defines the content of grid messages. The protection header is not part of this content
-// (stream/channel.hpp). All values are in big-endian order. The meaning of each byte is documented
-// in docs/spec.md.
+// (stream/channel.hpp). All values are big-endian. The meaning of each byte is documented in
+// docs/spec.md.
 //
 // Every message starts with the same header, which contains its own length and the message type. A
 // receiver skips unknown header bytes, and drops messages with unknown types, encodings or storage
@@ -62,7 +62,7 @@ struct Header {
   [[nodiscard]] constexpr bool has_evidence() const {
     return (complete_sensors | partial_sensors) != 0;
   }
-  // The following functions return true if the frame has the given grid.
+  // The following two functions return true if the frame contains the grid that they name.
   [[nodiscard]] constexpr bool has_classes() const { return (flags & kFlagClasses) != 0; }
   [[nodiscard]] constexpr bool has_indexes() const { return (flags & kFlagNoIndexes) == 0; }
   // Returns true if the frame has an object list, which may be empty.
@@ -133,7 +133,7 @@ void set_sequence(std::span<std::byte, kHeaderBytes> header, std::uint32_t seque
 [[nodiscard]] ReadStatus read_header(std::span<const std::byte> content, Header& header,
                                      std::span<const std::byte>& body);
 
-// Returns kOk or kTooShort, or returns kInconsistent if a count is invalid.
+// Returns kOk, kTooShort or kInconsistent. `kInconsistent` means that a count is invalid.
 [[nodiscard]] ReadStatus read_frame_end(std::span<const std::byte> body, std::uint8_t sensor_count,
                                         FrameEnd& end);
 

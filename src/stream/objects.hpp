@@ -28,7 +28,7 @@ inline constexpr std::uint16_t kNotBelieved = 65535;  // as a velocity's deviati
 inline constexpr std::uint16_t kAtLeast = 65535;      // in other unsigned fields: 65535 or more
 
 // An object's box on the ground, and its motion. Positions and velocities are in the local frame.
-// The heading defines the direction "along". The direction "across" is to the left of the heading.
+// "Along" is the direction of the heading, and "across" is the direction to its left.
 struct ObjectRecord {
   std::uint32_t id = 0;  // never 0 and never reused within a run
   ObjectState state = ObjectState::kYoung;
@@ -76,7 +76,7 @@ struct ObjectsHeader {
 
 // The objects of a frame, sorted by ascending ID.
 struct ObjectList {
-  // The time to which all positions refer, on the pose source's clock. If no slice was placed in
+  // The time at which the positions apply, by the pose source's clock. If no slice was placed in
   // this frame, the time comes from an earlier frame. If the value is 0, the time is unknown and
   // the list is empty.
   std::uint64_t time_us = 0;
@@ -91,7 +91,7 @@ struct ObjectList {
   }
 };
 
-// Returns the number of messages for the list. Even an empty list is sent as one message.
+// Returns the number of messages needed for the list. Even an empty list is sent as one message.
 [[nodiscard]] constexpr std::size_t parts_of(const ObjectList& list) {
   return list.count == 0 ? 1 : (list.count + kMaxObjectsOfAPart - 1) / kMaxObjectsOfAPart;
 }
@@ -113,7 +113,7 @@ struct ObjectPart {
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
 // kInconsistent. A part is inconsistent in any of these cases:
-//   * The part number is not below the number of parts, or the object count does not match the
+//   * The part number is not less than the number of parts, or the object count does not match the
 //     number of parts.
 //   * The part has objects but no time, or a record is truncated.
 //   * The IDs are not in ascending order.

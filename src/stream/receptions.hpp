@@ -1,7 +1,6 @@
-// The messages that list the datagrams that a target received in a frame, with their times
-// (docs/spec.md 3.13). If the sensors and the pose source have different clocks, a PC needs the
-// reception times to reproduce the classes. The list of a frame is sent in parts, with one message
-// per part.
+// The messages that list the datagrams received in a frame and when each one arrived (docs/spec.md
+// 3.13). If the sensors and the pose source have different clocks, a PC needs the reception times
+// to reproduce the classes. The list of a frame is sent in parts, with one message per part.
 #pragma once
 
 #include <array>
@@ -23,15 +22,14 @@ struct Reception {
 };
 
 // Returns the CRC-32 of the first and last 64 bytes of a payload. If the payload has at most 128
-// bytes, the CRC covers the entire payload. The first or last bytes differ between the datagrams of
-// a sensor, because these bytes contain a timestamp, a sequence number or measurements.
+// bytes, the CRC covers the entire payload. The first or last bytes differ from one datagram of a
+// sensor to the next because they contain a timestamp, a sequence number or measurements.
 [[nodiscard]] std::uint32_t key_of(std::span<const std::byte> payload);
 
 inline constexpr std::size_t kReceptionsHeaderBytes = 16;
 inline constexpr std::size_t kMaxReceptionsOfAPart = 100;
 inline constexpr std::size_t kMaxReceptionParts = 13;
-// The maximum number of receptions, which exceeds the number of packets and poses stored for a
-// frame.
+// The maximum number of receptions. A frame stores fewer packets and poses than this.
 inline constexpr std::size_t kMaxReceptions = kMaxReceptionsOfAPart * kMaxReceptionParts;
 
 // The fields that are the same in all parts of a list.
@@ -65,7 +63,7 @@ struct ReceptionPart {
 
 // Reads one part. Skips fields that a later version may append. Returns kOk, kTooShort or
 // kInconsistent. A part is inconsistent in any of these cases:
-//   * The part number is not below the number of parts.
+//   * The part number is not less than the number of parts.
 //   * The number of receptions is wrong for this part.
 //   * A record is truncated, or the times decrease.
 [[nodiscard]] ReadStatus read_receptions(std::span<const std::byte> body, ReceptionPart& part);

@@ -57,8 +57,8 @@ inline constexpr std::size_t kDurationWords = 13;
                                  : 1;
 }
 
-// The index of the first word of each counter among the link counters. The last entry is the total
-// number of words.
+// For each counter, the index of its first word in LinkCounters. The last entry is the total number
+// of words.
 inline constexpr auto kPlaces = [] {
   std::array<std::uint8_t, kCounterCount + 1> places{};
   for (std::size_t i = 0; i < kCounterCount; ++i) {
@@ -103,14 +103,14 @@ template <Group kGroup>
   return i;
 }
 
-// Returns the index of the first word of a link counter. The code does not compile if the name is
-// not in the table.
+// Returns the index of a link counter's first word in LinkCounters. The code does not compile if
+// the name is not in the table.
 [[nodiscard]] consteval std::size_t place_of(std::string_view name) {
   return kPlaces[number_of(name)];
 }
 
-// Returns the index that each word of `Counts` has among the link counters. `Counts` is a struct
-// that contains only 32-bit words, and `Counts::kNames` lists the names of its members in order.
+// Returns the index in LinkCounters of each word of `Counts`. `Counts` is a struct that contains
+// only 32-bit words, and `Counts::kNames` lists the names of its members in order.
 template <typename Counts>
 [[nodiscard]] consteval auto places_of() {
   std::array<std::uint8_t, sizeof(Counts) / sizeof(std::uint32_t)> places{};
@@ -125,8 +125,8 @@ template <typename Counts>
   return places;
 }
 
-// Returns true if every link counter belongs to exactly one of the structs `Counts`, and no spare
-// word belongs to any of these structs.
+// Returns true if every link counter except the spare words belongs to exactly one of the structs
+// `Counts`, and the spare words belong to none of them.
 template <typename... Counts>
 [[nodiscard]] consteval bool is_each_counted_once() {
   std::array<std::uint8_t, kMaxLinkCounters> times{};
@@ -148,8 +148,8 @@ void put(const Counts& counts, LinkCounters& counters) {
   }
 }
 
-// Reads the counters in `Counts`. These counters must all be among the first `sent` link counters.
-// Otherwise, the function returns std::nullopt.
+// Reads the counters in `Counts`. Returns std::nullopt if any of them is not among the first `sent`
+// words.
 template <typename Counts>
 [[nodiscard]] std::optional<Counts> get(const LinkCounters& counters, std::size_t sent) {
   static constexpr auto kTheirs = places_of<Counts>();

@@ -1,11 +1,11 @@
-// The table of the target's counters and states, with their names and their positions on the wire.
+// The names of the target's counters and states, and their positions on the wire.
 //
 // The frame end has one list for each of the first three groups, and one list of link counters for
-// the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The frame end also has the group
-// kSensorState. The remaining groups are in the last class message of the frame (docs/spec.md
+// the groups from kNet to kCommand (docs/spec.md 3.5 and 3.7). The frame end also contains the
+// group kSensorState. The remaining groups are in the last class message of the frame (docs/spec.md
 // 3.10). To add a counter, add its name here and to the struct that counts it. Insert a link
-// counter before the spare words and reduce the number of spare words. The loop finds the position
-// of a counter by name (stream/target_state.hpp). The script tests/lint/target_state generates the
+// counter before the spare words, and reduce the number of spare words accordingly. Positions are
+// looked up by name (stream/target_state.hpp). The script tests/lint/target_state generates the
 // table in docs/spec.md and the table of the Wireshark dissector.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace iog::stream {
 
-// The comment above a group is its description in docs/spec.md.
+// The comment above a group is used as its description in docs/spec.md.
 enum class Group : std::uint8_t {
   // Ticks of the stopwatch.
   kStage,
@@ -35,7 +35,8 @@ enum class Group : std::uint8_t {
   kFragment,
   // Shared work. Core 0 runs the items of lost cores ([cores.md](cores.md)).
   kCore,
-  // Frames dropped by a full port, port restarts ([drivers.md](drivers.md)), and resulting losses.
+  // Frames dropped because the port was full, port restarts ([drivers.md](drivers.md)), and frames
+  // lost in these restarts.
   kRestart,
   // Starts, including this one, and how the previous run ended (below).
   kRun,
@@ -47,14 +48,14 @@ enum class Group : std::uint8_t {
   // discovery datagrams, answers and subscriptions, and messages that were copied to the subscriber
   // or did not fit.
   kDiscovery,
-  // Only with signed commands (section 9): messages per verdict, last authentic counters, and a
-  // two-word MAC over these ten fields.
+  // Only with signed commands (section 9): messages per verdict, the counters of the last authentic
+  // messages, and a two-word MAC over these ten fields.
   kCommand,
   // Messages since start.
   kPoseFate,
   // Slices since start.
   kSliceCause,
-  // How often each cause began since start.
+  // How often each cause has begun since start.
   kMapCause,
   // Chunks of maps since start.
   kChunkFate,

@@ -35,8 +35,8 @@ struct Geometry {
   std::uint16_t width = 0;   // in cells; a multiple of the tile's side
   std::uint16_t height = 0;  // in cells; a multiple of the tile's side
   std::uint16_t cell_mm = 0;
-  // The corner of the grid with the lowest x and y in the vehicle frame. For class grids, both
-  // coordinates are 0 because the window header contains the position.
+  // The position of the grid's corner with the lowest x and y, in the vehicle frame. For class
+  // grids, both coordinates are 0 because the window header contains the position.
   std::int32_t origin_x_mm = 0;
   std::int32_t origin_y_mm = 0;
 
@@ -128,8 +128,8 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
 // each message.
 class TilesWriter {
  public:
-  // Starts a grid, and starts the grid's first message at tile 0. `header` is the header of the
-  // frame, whose type and sequence number are ignored.
+  // Starts a grid and begins its first message at tile 0. `header` is the frame's header. Its type
+  // and sequence number are ignored.
   void begin_grid(const Header& header, const Geometry& geometry);
   // Starts a class grid. Tiles are numbered as in window/area.hpp.
   void begin_classes(const Header& header, const ClassWindow& window,

@@ -1,17 +1,17 @@
 // Rounds the azimuths of a sensor to steps (docs/model.md section 5).
 //
-// Azimuth t is one of T ticks per turn. The azimuth is rounded to the nearest of N steps, and ties
-// are rounded up:
+// Azimuths are measured in ticks, and a turn has T ticks. An azimuth of t ticks is rounded to the
+// nearest of N steps, with ties rounded up:
 //     floor(t * N / T + 1 / 2).
 // If the result is a full turn, the step is 0. If N = T, the steps are the ticks.
 //
 // The code needs only one 32 x 32-bit multiplication. Let s be the largest number for which m =
 // ceil(2^(16 + s) * N / T) < 2^32. Then the value of
 //     floor((2^16 * t * m + 2^(31 + s)) / 2^(32 + s))
-// equals that step. Proof: m is too large by less than 1, so the quotient is too large by less than
-// t / 2^(16 + s). Let T' = T / gcd(T, N). Before rounding down, the exact value is a multiple of 1
-// / (2 * T'). The error therefore has no effect if (T - 1) * 2 * T' <= 2^(16 + s). The function
-// is_valid() checks this condition and checks that no word overflows.
+// equals the expression above. Proof: m is too large by less than 1, so the quotient is too large
+// by less than t / 2^(16 + s). Let T' = T / gcd(T, N). Before rounding down, the exact value is a
+// multiple of 1 / (2 * T'). The error therefore has no effect if (T - 1) * 2 * T' <= 2^(16 + s).
+// The function is_valid() checks that this condition is met and that no word overflows.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,8 @@ class AzimuthSteps {
   [[nodiscard]] constexpr std::uint32_t ticks_per_turn() const { return ticks_per_turn_; }
   [[nodiscard]] constexpr std::uint32_t steps_per_turn() const { return steps_per_turn_; }
 
-  // Returns the step of an azimuth, from 0 to steps_per_turn() - 1. `azimuth_ticks` must be less
-  // than one turn.
+  // Returns the nearest step, from 0 to steps_per_turn() - 1. `azimuth_ticks` must be less than one
+  // turn.
   [[nodiscard]] constexpr std::uint32_t nearest(std::uint32_t azimuth_ticks) const {
     const std::uint64_t sum =
         std::uint64_t{azimuth_ticks << 16} * factor_ + (std::uint64_t{half_} << 32);

@@ -26,8 +26,8 @@ enum class Fate : std::uint8_t {
   kMalformed,          // dropped because its packet is invalid or over budget
   kStale,              // dropped because its packet is a duplicate or late
   kNotTaken,           // dropped because its packet was shed by a target that is too slow
-  // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. For each
-  // of these outcomes, the beam carves where it is between the ground limits.
+  // The next three outcomes replace kOutsideHeightBand for sensors that follow the ground. In all
+  // three cases, the beam carves where it is between the ground limits.
   kGround,
   kOverhang,     // high enough above the ground to drive under it
   kUnderGround,  // a mirror image, a hole or a drop
@@ -73,8 +73,8 @@ struct BeamRanges {
   Ranges in_band;  // at most L
 };
 
-// The evidence of a scan point. The evidence consists of three bits of one word, which the compiler
-// keeps in a register.
+// The evidence of a scan point. The evidence is stored as three bits of one word, which the
+// compiler keeps in a register.
 class Evidence {
  public:
   static constexpr int kBits = 3;
@@ -130,20 +130,20 @@ struct Classification {
 [[nodiscard]] BeamLine line_of(const Sensor& sensor, const Layer& layer, Direction direction);
 [[nodiscard]] std::int32_t end_height_of(const Layer& layer, Direction direction);
 
-// Returns the beam at the step that is nearest to an azimuth. Requires layer < sensor.layer_count.
+// Returns the beam at the step nearest to an azimuth. Requires layer < sensor.layer_count.
 // `azimuth_ticks` must be less than one turn.
 [[nodiscard]] Beam aim(const Sensor& sensor, std::uint8_t layer, std::uint16_t azimuth_ticks);
 
-// Returns the ranges between from_mm and to_mm at which a point of the line is within the given
-// limits on one axis. `extent` is the extent of the line along the axis. The result is exact.
+// Returns the ranges between from_mm and to_mm at which points on the line are within `limits`
+// along one axis. `extent` is the line's extent along this axis. The result is exact.
 [[nodiscard]] Ranges ranges_between(const RangeProducts& limits, std::int32_t extent,
                                     std::uint32_t from_mm, std::uint32_t to_mm);
 
 // These functions compute the two members of BeamRanges.
 [[nodiscard]] Ranges ranges_on_car(const Sensor& sensor, const BeamLine& line);
 [[nodiscard]] Ranges ranges_in_band(const Sensor& sensor, std::int32_t end_z);
-// Returns the ranges at which a point is within the height band and tall. Sensor::moved specifies
-// which points are tall.
+// Returns the ranges at which a point is in the height band and counts as tall. Sensor::moved
+// specifies which points are tall.
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
@@ -156,10 +156,11 @@ struct Height {
 };
 
 // Classifies a point. `on_car` contains the ranges at which the point would be on the car.
-// `along_mm` is the point's horizontal range, Layer::along_line_mm(). `kNoReturn` and `kTooNear`
-// depend on the measured range. All other outcomes depend on along_mm. `height_at(reach_mm)`
-// returns the Height at along_mm. If the point lies beyond L, height_at() returns the Height at L.
-// The function is always inlined because it is called for every point.
+// `along_mm` is the point's horizontal range (see Layer::along_line_mm()). `kNoReturn` and
+// `kTooNear` are based on the measured range. All other range checks use along_mm.
+// `height_at(reach_mm)` returns the Height at the horizontal range reach_mm. If the point lies
+// beyond L, reach_mm is L, otherwise along_mm. The function is always inlined because it is called
+// for every point.
 template <typename HeightAt>
 [[nodiscard, gnu::always_inline]] constexpr Classification classify(const Sensor& sensor,
                                                                     const Ranges& on_car,
@@ -212,8 +213,9 @@ template <typename HeightAt>
   return classify(sensor, ranges_of(sensor, beam), point);
 }
 
-// Returns the part of a beam that is inside a height band, between the beam's origin and reach_mm
-// <= L. `end_z` is the height of the beam's end. The limits of the band are inclusive.
+// Returns the part of a beam that is inside a height band, from the beam's origin up to reach_mm.
+// Requires reach_mm <= L. `end_z` is the height of the beam's end. The limits of the band are
+// inclusive.
 [[nodiscard]] BandPart part_in_band(const HeightBand& band, const Sensor& sensor,
                                     std::int32_t end_z, std::uint32_t reach_mm);
 

@@ -1,4 +1,4 @@
-// Defines the type that is used for the line of a beam on the grid.
+// Defines the type of a beam's line on the grid.
 #pragma once
 
 #include "geometry/sizes.hpp"

@@ -1,7 +1,7 @@
-// Derives some members of a sensor from its other members. The loops use the derived members, which
-// are reciprocals, sines, and the extents of the car and the height band along the sensor's lines.
-// The code uses only integers, and runs on the PC for a car file and on the target for the car in
-// its image.
+// Derives some members of a sensor from its other members. The derived members, which are used in
+// loops, are reciprocals, sines, and the extents of the car and the height band along the sensor's
+// lines. The code uses only integers, and runs on the PC when a car file is read and on the target
+// when the car block is read.
 #pragma once
 
 #include <algorithm>

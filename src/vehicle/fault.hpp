@@ -33,7 +33,7 @@ class Tell {
   void (*call_)(void* listener, const Fault& fault);
 };
 
-// A value that is NaN is outside every interval.
+// NaN is outside every interval.
 template <typename Number>
 constexpr bool is_within(Number value, Number least, Number most) {
   return value >= least && value <= most;

@@ -33,14 +33,14 @@ inline constexpr std::size_t kMaxGroundSensors = 2;  // sensors that follow the 
 
 inline constexpr std::uint16_t kUsualEpsilonE5 = 5'000;  // unless the car file specifies a value
 
-// The maximum number of cached lines, summed over all level rotating sensors of a vehicle. Each
+// The maximum number of cached lines for all level rotating sensors of a vehicle together. Each
 // azimuth step has one line, which takes about 0.7 KB.
 inline constexpr std::size_t kMaxTurnLines = 8192;
 
-// The coefficients of a beam's end have this many fraction bits below one subcell. The maximum is
-// 10, because a line can be 2^20 subcells long, so a coefficient can reach 2^20 * 2^10 = 2^30. The
-// product of a coefficient and a sine is at most 2^60, so the sum of three such terms is below
-// 2^62. Before rounding, the end is within 0.002 subcells of the exact end.
+// The coefficients in EndCoordinate are in subcells, with this many fraction bits. The maximum is
+// 10: a line can be 2^20 subcells long, so a coefficient can reach 2^20 * 2^10 = 2^30. The product
+// of a coefficient and a sine is at most 2^60, so the sum of three such terms is below 2^62. Before
+// rounding, the computed end is within 0.002 subcells of the exact one.
 inline constexpr int kAxisFractionBits = 10;
 
 // Coefficients that are valid for all beams of a layer. For a beam with the azimuth `a`, they give
@@ -96,8 +96,8 @@ struct GroundLimits {
   [[nodiscard]] constexpr bool is_followed() const { return top_mm != 0; }
 };
 
-// The limits of free-space gating by low beams (perception/opening.hpp). A beam opens cells only at
-// heights of up to low_mm. Only a return at a height of at least tall_mm can come from a moving
+// The limits of free-space gating by low beams (perception/opening.hpp). A beam opens cells only up
+// to a height of low_mm. Only a return at a height of at least tall_mm can come from a moving
 // object. Heights are measured from the local ground if the sensor follows the ground, and from the
 // car's plane otherwise. By default, every beam is low and every return is tall.
 struct MovedLimits {
@@ -138,8 +138,8 @@ struct Sensor {
   std::uint32_t max_points_per_scan = 0;
   GroundLimits ground;
   MovedLimits moved;
-  // For beams that end on the ground: the fraction of the beam's length, in units of 2^-30, that is
-  // above the lower limit of the height band. Heights are measured from a straight line between the
+  // If a beam ends on the ground, this is the fraction of its length that is above the lower limit
+  // of the height band, in units of 2^-30. Heights are measured from a straight line between the
   // ground below the sensor and the end of the beam. The fraction is 1 if the sensor is below the
   // band's lower limit or looks over objects.
   std::uint32_t share_over_ground = std::uint32_t{1} << numeric::kSineFractionBits;
@@ -162,7 +162,7 @@ struct Sensor {
   std::array<lidar::LaserCorrection, kMaxLayers> laser_corrections{};
   std::array<std::int32_t, kMaxLayers> elevations{};  // only for a sensor that sends points
 
-  // Returns the unit's description, whose views refer to members of this sensor.
+  // Returns the unit's description, which contains views of members of this sensor.
   [[nodiscard]] constexpr lidar::Unit unit() const {
     return {.corrections = std::span(laser_corrections).first(is_calibrated ? layer_count : 0),
             .elevations = std::span(elevations).first(layer_count),
