@@ -1,9 +1,8 @@
-// The serialised car is the compiled car file in the form in which it is stored in an image
-// (docs/spec.md, section 8.4). If two cars differ in any property, they are serialised to different
-// bytes.
+// A serialised car is a compiled car file as it is stored in an image (docs/spec.md, section 8.4).
+// Cars that differ in any property are serialised to different bytes.
 //
-// The writer and the reader use the same list of members in the same order. The list omits unused
-// entries of fixed-size tables, and members that are derived from others (vehicle/derived.hpp).
+// The writer and the reader use the same list of members in the same order. The list omits derived
+// members (vehicle/derived.hpp) and unused entries of fixed-size tables.
 #pragma once
 
 #include <concepts>
@@ -104,7 +103,8 @@ void visit_tables(auto& content, auto& tables) {
   }
 }
 
-// The grid sizes come first because the tables are in units of the grid's subcells.
+// The grid's dimensions come first because the tables that follow use the grid's subcells as their
+// unit.
 void visit_car(auto& content, auto& car) {
   content.grid(car.grid);
   content.text(car.name);
@@ -127,9 +127,9 @@ void visit_assignment(auto& content, auto& assignment) {
   content.numbers(assignment.free_by_time);
 }
 
-// Serialises the members of a car. Integers are written in big-endian order with the size of their
-// type. A bool is written as one byte, a string as its characters followed by a 0, and a format as
-// its name. `put(std::uint8_t)` receives the bytes one by one.
+// Serialises the members of a car. Integers are written in big-endian byte order, at the full width
+// of their type. A bool is written as one byte, a string as its characters followed by a 0, and a
+// format as its name. `put(std::uint8_t)` receives the bytes one by one.
 template <typename Put>
 class Writer {
  public:
@@ -139,9 +139,9 @@ class Writer {
 
   void numbers(std::integral auto... values) { (number(values), ...); }
   void truth(bool value) { number(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  // Writes one byte with three flags, and then those limits that are set. The flags indicate
-  // whether the layers share lines, whether the sensor follows the ground, and whether the sensor
-  // has limits for low beams and tall returns.
+  // Writes a byte with three flags, followed by the limits that are set. The flags indicate whether
+  // the layers share lines, whether the sensor follows the ground, and whether the sensor has
+  // limits for low beams and tall returns.
   void shares_and_heights(bool layers_share_lines, const vehicle::GroundLimits& ground,
                           const vehicle::MovedLimits& moved) {
     const unsigned shares = layers_share_lines ? 1U : 0U;
@@ -155,7 +155,7 @@ class Writer {
       numbers(moved.low_mm, moved.tall_mm);
     }
   }
-  // An extra bit is set if the car has classes but no tracked objects.
+  // An extra bit is set if the grids have classes but objects are not tracked.
   void grids_and_objects(vehicle::Grids grids, bool has_objects) {
     const bool is_off = vehicle::have_classes(grids) && !has_objects;
     number(static_cast<std::uint8_t>(static_cast<unsigned>(grids) | (is_off ? 4U : 0U)));
@@ -168,8 +168,8 @@ class Writer {
       number(epsilon_e5);
     }
   }
-  // An extra bit is set if evidential constants follow. A second extra bit is set if the window has
-  // fewer tiles than the memory.
+  // An extra bit is set if evidential constants follow. A second extra bit is set if the window is
+  // smaller than its maximum size.
   void moved_tables_and_extent(perception::Moved moved, const ageing::Tables* tables,
                                window::Extent extent) {
     const unsigned has_tables = tables == nullptr ? 0U : 2U;
@@ -202,8 +202,8 @@ class Writer {
   void azimuths(const vehicle::Sensor& sensor) {
     numbers(sensor.azimuths.ticks_per_turn(), sensor.azimuths.steps_per_turn());
   }
-  // If the car's grid is not the default grid, the number of cells per side is written as 0, and
-  // the rectangle follows.
+  // If the grid differs from the default grid in more than its cell size, the number of cells per
+  // side is written as 0, and the rectangle is appended.
   void grid(const geometry::Grid& grid) {
     const std::uint16_t side = grid.is_whole() ? geometry::kCellsPerSide : 0;
     numbers(grid.cell_mm, side, std::uint16_t{geometry::kResolution});

@@ -15,8 +15,8 @@ inline constexpr std::size_t kBlockBytes = 65'536;
 using Block = std::span<const std::byte, kBlockBytes>;
 using WritableBlock = std::span<std::byte, kBlockBytes>;
 
-// A record consists of a header and its content. The header consists of a magic number, a version,
-// two reserved zero bytes, and the length and the CRC-32 of the content.
+// A record consists of a header and content. The header consists of a magic number, a version, two
+// reserved zero bytes, and the length and the CRC-32 of the content.
 inline constexpr std::size_t kRecordHeaderBytes = 16;
 inline constexpr std::uint16_t kVersion = 1;
 

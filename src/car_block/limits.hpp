@@ -1,6 +1,6 @@
-// Limits on the values of a car. The loops of the target rely on these limits. The limits are
-// checked on the integers that are compiled from the car file. The target checks the car block in
-// its image, and the PC checks a car file.
+// Limits on the values of a car. The loops in the target's code rely on these limits. The limits
+// apply to the integers that a car file is compiled into. The target checks the car block in its
+// image, and the PC checks car files.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ inline constexpr std::string_view kMassWords = "0.05 ... 0.99";
 inline constexpr std::string_view kAccumulationWords =
     "with slowest_m_s an object that passes in 0.1 ... 60 s";
 
-// The maximum distance of a sensor from the footprint of its car, which allows for bumpers and roof
-// racks.
+// The maximum distance of a sensor from the car's footprint. The distance allows for bumpers and
+// roof racks.
 inline constexpr std::int32_t kOffCarMm = 150;
 
 // Converts a length to subcells, rounded up. Requires length_mm <= kLongestRangeMm.
@@ -55,16 +55,16 @@ constexpr std::uint32_t longest_line_mm(lidar::Format format, std::uint32_t rang
   return lidar::facts_of(format).has_beam_tilt ? range_mm + range_mm / 64 + 1 : range_mm;
 }
 
-// Checks names, numbers, addresses and ports. Both check functions report faults with the name of
-// the field in the car file. Call check_numbers() first because it needs no tables. Each sensor's
-// range must be above 0.
+// Checks names, numbers, addresses and ports. Both check functions identify a faulty field by its
+// name in the car file. check_numbers() does not need the tables. Call it before check_tables().
+// Each sensor's range must be above 0.
 void check_numbers(const vehicle::Vehicle& car, const net::Config& network,
                    const vehicle::Tell& tell);
 
 // Checks the tables of a car that has passed check_numbers().
 void check_tables(const vehicle::Vehicle& car, const vehicle::Tell& tell);
 
-// Returns the first fault. If the car is valid, `field` in the result is empty. `network` is the
+// Returns the first fault. The result's `field` is empty if the car is valid. `network` is the
 // network configuration in the same block.
 [[nodiscard]] vehicle::Fault fault_of(const vehicle::Vehicle& car, const net::Config& network);
 

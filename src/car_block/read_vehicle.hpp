@@ -1,4 +1,4 @@
-// Reads a vehicle from the bytes that car_block/content.hpp writes.
+// Reads a vehicle from its serialised form (car_block/content.hpp).
 #pragma once
 
 #include <array>
@@ -20,8 +20,9 @@ struct SensorMemory {
 };
 
 // Reads a vehicle and returns kNone, kOtherGrid or kNotACar. `vehicle` points into `content` and
-// `memory`, so both must outlive `vehicle`. Do not use `vehicle` before its limits are checked
-// (car_block/limits.hpp). Of the derived members, the function sets only the azimuths.
+// `memory`, so both must outlive `vehicle`. Check `vehicle` against the limits
+// (car_block/limits.hpp) before using it. The only derived members that this function sets are the
+// azimuths.
 [[nodiscard]] Refusal read_vehicle(std::span<const std::byte> content, SensorMemory& memory,
                                    vehicle::Vehicle& vehicle);
 

@@ -1,5 +1,5 @@
-// A record of the car block. A record consists of a header with magic, length and CRC, followed by
-// the content (docs/spec.md, section 8.1).
+// Reads and writes the records of the car block. A record consists of a header (magic number,
+// version, length and CRC) and the content (docs/spec.md, section 8.1).
 #pragma once
 
 #include <cstddef>

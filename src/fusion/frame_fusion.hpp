@@ -1,8 +1,8 @@
 // Fuses the beams of one frame into a grid of occupancy indexes (docs/model.md section 3).
 //
 // The frame starts from a grid of zeros. All beams are carved before any mark is applied. Beams can
-// be carved in any order, and marks can be applied in any order. The grid is therefore
-// byte-for-byte identical for any order of a frame's packets.
+// be carved in any order, and marks can be applied in any order. Therefore, the order of a frame's
+// packets does not change a single byte of the grid.
 #pragma once
 
 #include <array>
@@ -43,15 +43,15 @@ class FrameFusion {
   // The lowest returns of these sensors are also collected. The models must belong to the vehicle
   // and outlive this object. The models may change only while no beams are pending.
   void follow(const ground::Grounds& grounds) { grounds_ = &grounds; }
-  // Returns the collection of a sensor's lowest returns. `place` is the sensor's index among the
+  // Returns the lowest returns collected from a sensor. `place` is the sensor's index among the
   // sensors with a ground estimate.
   [[nodiscard]] ground::Lows& lows(std::size_t place) { return lows_[place]; }
 
-  // Stores the mark for this point or, if `sensor.arc` is given, the marks for the point's arc.
-  // Carves the point's beam, either immediately or when a later call carves all pending beams. The
-  // sensor must belong to the vehicle, and the point's layer and azimuth must be valid in the
-  // sensor's format. Returns within the vehicle's height band are obstacles. In total, the points
-  // of a frame may mark at most kMaxMarks cells.
+  // Stores the mark for this point. If `sensor.arc` is given, stores the marks for the point's arc
+  // instead. Carves the point's beam, either immediately or when a later call carves all pending
+  // beams. The sensor must belong to the vehicle, and the point's layer and azimuth must be valid
+  // in the sensor's format. Returns within the vehicle's height band are obstacles. In total, the
+  // points of a frame may mark at most kMaxMarks cells.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point) {
     if (sensor.arc.is_given()) {
       return arcs_.add(sensor, point);
@@ -60,9 +60,9 @@ class FrameFusion {
                                      : azimuths_.add(sensor, point);
   }
 
-  // Adds all points of a packet. If the sensor has an estimated ground, the height limits are
-  // relative to this ground. Packet::for_each_point(visit) must call visit(point) for each point.
-  // Calls count(fate) for each point. The function is inline so that points are decoded in
+  // Adds all points of a packet. If the sensor has a ground estimate, the height limits are
+  // relative to the estimated ground. Packet::for_each_point(visit) must call visit(point) for each
+  // point. Calls count(fate) for each point. The function is inline so that points are decoded in
   // registers.
   template <typename Packet, typename Count>
   void add_all(const vehicle::Sensor& sensor, const Packet& packet, Count&& count) {
@@ -126,7 +126,7 @@ class FrameFusion {
     release_with_heights([&](std::size_t tile, auto indexes,
                              const grid::TileBits& /*low_and_tall*/) { visit(tile, indexes); });
   }
-  // Does the same as release(), but calls visit(number, indexes, low_and_tall).
+  // Same as release(), but calls visit(number, indexes, low_and_tall).
   template <typename Visit>
   void release_with_heights(Visit&& visit) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {

@@ -1,6 +1,6 @@
 // A buffer for the packets of a frame. Packets are buffered so that several cores can fuse them in
-// parallel. If the frame has classes, packets are buffered until the frame ends, because the slices
-// are not known before then.
+// parallel. If cells are classified, packets are buffered until the frame ends, because the slices
+// are not known until then.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ inline constexpr std::size_t kMaxFrameBytes = 1'572'864;
 inline constexpr std::size_t kMaxFramePackets = 1'024;
 
 struct KeptPacket {
-  // The measurement time, on the pose source's clock if the sensor is synchronised, and otherwise
-  // on the target's clock.
+  // The measurement time. If the sensor is synchronised, the time is on the pose source's clock.
+  // Otherwise, it is on the target's clock.
   std::uint64_t time_us = 0;
   std::uint16_t bytes = 0;
   std::uint8_t sensor = 0;
-  // FrameSlices sets the following members. `has_time` is true if the measurement time is known on
-  // the pose source's clock. `slice` is the slice that contains this time. Packets of the same
-  // group are fused together.
+  // FrameSlices sets the following members. `has_time` is true if `time_us` is on the pose source's
+  // clock. `slice` is the slice that contains this time. Packets of the same group are fused
+  // together.
   bool has_time = false;
   std::uint64_t slice = 0;
   std::uint8_t group = 0;
@@ -38,8 +38,8 @@ class FramePackets {
   // Returns true if the buffer has room for the packet. An empty buffer has room for any packet.
   [[nodiscard]] bool fits(const intake::SensorPacket& packet) const;
 
-  // Copies the packet's bytes, and makes its points refer to the copy. Call this function only if
-  // fits() returns true.
+  // Copies the packet and its bytes. The copy's points refer to the copied bytes. Call this
+  // function only if fits() returns true.
   void keep(const intake::SensorPacket& packet, std::uint64_t time_us);
 
   void clear();
@@ -53,7 +53,7 @@ class FramePackets {
     return std::span(packets_).first(count_);
   }
 
-  // Returns the packet with this number, as it was decoded on arrival.
+  // Returns the packet with this number as decoded on arrival.
   [[nodiscard]] const intake::Packet& decoded(std::size_t number) const { return decoded_[number]; }
 
  private:

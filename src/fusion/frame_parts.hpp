@@ -1,5 +1,5 @@
-// Splits the packets of a frame into parts. Each part can be fused by any core. A part contains
-// packets of one slice, in order of arrival. Parts are sorted by slice.
+// Splits the packets of a frame into parts. Any core can fuse any part. A part contains packets of
+// one slice, in order of arrival. Parts are sorted by slice.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ struct FramePart {
 class FrameParts {
  public:
   // The maximum number of parts fused in one round. The maximum is close to the number of packets
-  // that four LUX units send per frame. Parts are therefore so small that no core waits long for
-  // the last part.
+  // that four LUX units send per frame. Parts are therefore small enough that no core has to wait
+  // long for the last one.
   static constexpr std::size_t kMostOfARound = 24;
 
   // Splits the packets into parts. Each packet's group must be kNowhere or in the range 0 to
@@ -32,17 +32,17 @@ class FrameParts {
   // last part of a slice may be smaller. `parts` must be at most kMostOfARound.
   void deal(std::span<const KeptPacket> packets, std::size_t groups, std::size_t parts);
 
-  // Returns the parts of the next round. A round contains the parts of as many complete slices as
-  // fit. If no parts are left, the result is empty.
+  // Returns the parts of the next round. A round contains as many slices as fit, each with all its
+  // parts. If no parts are left, the result is empty.
   [[nodiscard]] std::span<const FramePart> next_round();
 
-  // For each packet of a part, returns the packet's number in the frame.
+  // Returns the numbers of a part's packets within the frame.
   [[nodiscard]] std::span<const std::uint16_t> packets_of(const FramePart& part) const {
     return std::span(order_).subspan(part.first, std::size_t{part.end} - part.first);
   }
 
  private:
-  // All parts of a group are full-sized, except for the last one.
+  // All parts of a group except the last are full-sized.
   static constexpr std::size_t kMaxGroups = kMaxSlices + 1;
   static constexpr std::size_t kMaxParts = kMostOfARound + kMaxGroups;
 

@@ -3,7 +3,7 @@
 //
 // The slice of a packet depends only on the packet's measurement time, and each slice has one pose.
 // The order and grouping of packets therefore do not affect the result. Poses are looked up at the
-// end of the frame because most slices then lie between two poses.
+// end of the frame because most slices lie between two poses by then.
 #pragma once
 
 #include <array>

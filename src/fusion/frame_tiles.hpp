@@ -1,5 +1,5 @@
 // Stores the tiles that result from fusing one part of a frame. The cells of each tile are stored
-// row by row, separately from the grid in which they were fused. Through these tiles, a core passes
+// row by row, separately from the grid in which they were fused. A core uses these tiles to pass
 // its results to the other cores.
 #pragma once
 
@@ -17,8 +17,8 @@ class FrameTiles {
  public:
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
-  // Moves the grid out of a finished FrameFusion, and leaves the FrameFusion empty. The grid
-  // overwrites all previous content.
+  // Moves the grid out of a finished FrameFusion, and leaves the FrameFusion empty. Overwrites all
+  // previous content of this object.
   void move_from(FrameFusion& fusion) {
     for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
       if (fusion.keeps_heights()) {
@@ -28,8 +28,8 @@ class FrameTiles {
     }
   }
 
-  // `is_known()` returns true if the tile has a known cell. `tile()` returns the indexes of a known
-  // tile.
+  // `is_known()` returns true if the tile has at least one known cell. `tile()` returns the indexes
+  // of a known tile.
   [[nodiscard]] bool is_known(std::size_t tile) const { return is_known_[tile]; }
   [[nodiscard]] TileIndexes tile(std::size_t tile) const { return tiles_[tile]; }
   // Returns the cells that were freed by a low beam or hit by a tall return (grid/frame_grids.hpp).

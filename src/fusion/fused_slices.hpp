@@ -1,6 +1,5 @@
-// Prepares the slices that a round has fused (fusion/shared_fusion.hpp), so that they can be
-// registered in the window. This class joins the tiles of each slice's parts, for up to six slices
-// at a time.
+// Prepares the slices fused in a round (fusion/shared_fusion.hpp) for registration in the window.
+// This class joins the tiles of each slice's parts, for up to six slices at a time.
 //
 // A task that copies tiles never reads its own output. If a core is lost, its task can therefore be
 // repeated from the start.
@@ -42,7 +41,7 @@ class FusedSlices {
     }
   }
 
-  // Returns memory for one slice. Only a single core may use this memory. The initial content is
+  // Returns memory for one slice. Only one core may use this memory. The initial content is
   // arbitrary.
   [[nodiscard]] placing::SliceCells& one() { return cells_[0]; }
 
@@ -63,7 +62,7 @@ class FusedSlices {
     grid::TileBits low_and_tall{};
   };
 
-  // The range of the slice's parts in the round.
+  // The slice's parts, as a range within the round.
   struct Parts {
     std::size_t first = 0;
     std::size_t end = 0;

@@ -1,12 +1,11 @@
-// A grid that is assembled from several index grids. The joined grid equals the grid that would
-// result if `hits_win` fused all evidence of these index grids at once.
+// A grid that is assembled from several index grids. The joined grid is the same as if all evidence
+// in these grids had been fused at once with `hits_win`.
 //
 // The index of a cell is the saturating sum of the cell's positive indexes in all grids. If no
 // index is positive, the index of the cell is the saturating sum of the negative indexes
-// (docs/model.md section 3). A saturating sum of numbers with the same sign does not depend on
-// their order. A frame can therefore be split in any way. If each part is fused from zero with
-// hits_win and the parts are joined, the result is the same as if the entire frame were fused at
-// once.
+// (docs/model.md section 3). The saturating sum of numbers with the same sign does not depend on
+// the order of summation. A frame can therefore be split in any way. Fusing each part from zero
+// with `hits_win` and joining the parts gives the same result as fusing the entire frame at once.
 #pragma once
 
 #include <array>
@@ -23,8 +22,9 @@ namespace iog::fusion {
 void join(std::span<index::OccupancyIndex, geometry::kTileCells> to,
           std::span<const index::OccupancyIndex, geometry::kTileCells> more);
 
-// Joins the bits (grid/frame_grids.hpp) of the same tile in two grids. If a cell is hit in only one
-// of the grids, the result takes the cell's bit from that grid.
+// Joins the bits (grid/frame_grids.hpp) that two grids store for the same tile. If a cell is hit in
+// only one of the grids, the cell's bit is taken from that grid. Otherwise, the cell's two bits are
+// combined with OR.
 [[nodiscard]] grid::TileBits join(
     std::span<const index::OccupancyIndex, geometry::kTileCells> one,
     const grid::TileBits& bits_of_one,
@@ -36,7 +36,7 @@ class JoinedGrid {
   using TileIndexes = std::span<const index::OccupancyIndex, geometry::kTileCells>;
 
   // Adds a tile of a grid. The indexes are stored row by row from the lowest y. The tile must have
-  // a known cell.
+  // at least one known cell.
   void add(std::size_t tile, TileIndexes indexes);
 
   // Sets the tile to unknown.

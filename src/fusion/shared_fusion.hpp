@@ -52,8 +52,8 @@ struct HelpersSpace {
   std::span<FusedPart> parts;
 };
 
-// The additional memory for kCores cores. This memory is 74 MB for four cores, and empty for one
-// core. A HelpersMemory must be in static memory.
+// The additional memory for fusion on kCores cores. This memory takes up 74 MB for four cores and
+// is empty for one core. A HelpersMemory must be in static memory.
 template <std::size_t kCores>
 class HelpersMemory {
  public:
@@ -92,8 +92,8 @@ class HelpersMemory {
 // A SharedFusion uses 19 MB, so it must be in static memory.
 class SharedFusion {
  public:
-  // All arguments must outlive this object. `space` may be empty if core 0 works alone. The packets
-  // of the current frame must have been added to `watched`.
+  // All arguments must outlive this object. `space` may be empty if core 0 works alone. Before a
+  // frame's packets are fused, they must be added to `watched`.
   SharedFusion(const vehicle::Vehicle& vehicle, const intake::WatchedSectors& watched,
                HelpersSpace space);
   SharedFusion(const SharedFusion&) = delete;
@@ -137,12 +137,12 @@ class SharedFusion {
   void deal(std::size_t groups, std::size_t parts) {
     parts_.deal(packets_.packets(), groups, parts);
   }
-  // Fuses the parts of the next round. Returns false if no parts are left. If too few slots are
-  // free, first joins the parts of earlier rounds.
+  // Fuses the parts of the next round. Returns false if no parts are left. If there are not enough
+  // free slots, joins the parts of earlier rounds first.
   [[nodiscard]] bool fuse_next(const work::Crew& crew);
 
   // `round()` returns the parts of the last fused round, and tiles() returns their results. Both
-  // results are valid until the next round.
+  // are valid until the next round.
   [[nodiscard]] std::span<const FramePart> round() const { return round_; }
   [[nodiscard]] const FrameTiles& tiles(std::size_t part) const {
     return space_.parts[first_ + part].tiles;
@@ -156,7 +156,7 @@ class SharedFusion {
   void end_frame(const intake::Intake& intake);
 
   // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined
-  // grid or, if no parts were joined, core 0's own grid, which must be finished. Calls
+  // grid. If no parts were joined, it is core 0's own grid, which must be finished. Calls
   // visit(number, cells) for each tile with a known cell, in ascending order.
   template <typename Visit>
   void release(Visit&& visit) {

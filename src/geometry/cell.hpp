@@ -1,4 +1,4 @@
-// Cells of the plane, and points in units of subcells.
+// Grid cells, and points in units of subcells.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Cell {
   friend constexpr bool operator==(const Cell&, const Cell&) = default;
 };
 
-// Contains the cells [0, width) x [0, height).
+// Contains the cells with `0 <= x < width` and `0 <= y < height`.
 struct CellArea {
   std::int32_t width = 0;
   std::int32_t height = 0;

@@ -1,4 +1,4 @@
-// Tiles are the squares of cells in which a grid is stored, encoded and sent.
+// Tiles are squares of cells. Grids are stored, encoded and sent tile by tile.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Marks the detections of radars and ultrasonic units. The direction of a radar detection is known
-// to about half a degree. A radar detection therefore marks the cells of an arc
+// Marks the cells in which radars and ultrasonic units detect obstacles. The direction of a radar
+// detection is known to about half a degree. A radar detection therefore marks the cells of an arc
 // (sensor_model/arc.hpp) and carves no cells. The arc of an ultrasonic unit is as wide as its cone,
 // and an echo carves the cone (grid/cone.hpp).
 //
@@ -10,8 +10,8 @@
 // single cell with the index of the arc's middle. Far from the sensor, a detection marks every cell
 // in which the reflector may be.
 //
-// Marks commute, so the result does not depend on the order of the detections. One detection marks
-// at most max_marks_per_point() cells.
+// Marks can be applied in any order, so the result does not depend on the order of the detections.
+// One detection marks at most max_marks_per_point() cells.
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ class ArcMarker {
   // Both arguments must outlive the marker.
   ArcMarker(FrameGrids& grids, PendingMarks& marks) : grids_(&grids), marks_(&marks) {}
 
-  // Stores the marks of this detection. If the sensor has a cone, also carves the cone. The sensor
-  // must have an arc. The point's layer and azimuth must be valid in the sensor's format. The
-  // detection is an obstacle if it lies within the vehicle's height band.
+  // Stores the marks of this detection. Also carves the cone if the sensor has one. The sensor must
+  // have an arc. The point's layer and azimuth must be valid in the sensor's format. The detection
+  // is an obstacle if it lies within the vehicle's height band.
   vehicle::Fate add(const vehicle::Sensor& sensor, const lidar::ScanPoint& point);
 
  private:

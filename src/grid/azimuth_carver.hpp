@@ -33,8 +33,9 @@ class AzimuthCarver {
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // Same as above, for a rotating sensor with a ground estimate (docs/ground.md). Carving uses the
-  // height band here too, but the height above the estimated ground determines where a beam is low.
+  // Same as above, for a rotating sensor with a ground estimate (docs/ground.md). Beams are still
+  // carved within the height band, but which part of a beam is low depends on its height above the
+  // estimated ground.
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
@@ -61,7 +62,7 @@ class AzimuthCarver {
   void drop_waiting();
 
  private:
-  // The maximum number of pending lines of one azimuth. Consecutive line numbers map to different
+  // The maximum number of pending lines per azimuth. Consecutive line numbers map to different
   // slots, and so do most line numbers that differ by a power of two.
   static constexpr std::uint32_t kOpenLines = 32;
   static constexpr std::uint32_t place_of(std::uint32_t number) {
@@ -75,14 +76,13 @@ class AzimuthCarver {
     LineSteps steps;
   };
 
-  // A line for which KeptAzimuth has no slot. The slot is computed from Layer::line.
+  // A line that has no slot in KeptAzimuth. The slot is computed from Layer::line.
   struct FurtherLine {
     KeptLine line;
     std::uint32_t number = 0;
   };
 
-  // Returns the beam of a point. The sensor and azimuth of the point become the current sensor and
-  // azimuth.
+  // Returns the beam of a point. Makes the point's sensor and azimuth the current ones.
   [[gnu::always_inline]] KeptBeam& beam_of(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point) {
     if (sensor_ != &sensor || azimuth_ticks_ != point.azimuth_ticks) {
@@ -115,8 +115,8 @@ class AzimuthCarver {
   const vehicle::Vehicle* vehicle_;
 
   // The current sensor and azimuth, and two bit sets with one bit per slot. `further_found_`
-  // contains the slots whose further line has been found. `lines_in_use_` contains the slots whose
-  // line has pending beams.
+  // contains the slots whose line in `further_lines_` has been found. `lines_in_use_` contains the
+  // slots whose line has pending beams.
   const vehicle::Sensor* sensor_ = nullptr;
   KeptAzimuth* kept_ = nullptr;
   std::uint32_t further_found_ = 0;
