@@ -39,8 +39,8 @@ class TurnCarver {
           azimuths_(sensor.azimuths),
           judge_(judge) {}
 
-    // Stores the mark for this point. Carves the point's beam, either immediately or when its line
-    // is carved. The point's layer and azimuth must be valid in the sensor's format.
+    // Adds this point and returns its outcome. The point's beam is carved together with the other
+    // beams of its line. The point's layer and azimuth must be valid in the sensor's format.
     [[gnu::always_inline]] vehicle::Fate add(const lidar::ScanPoint& point) const;
 
    private:
@@ -89,9 +89,9 @@ class TurnCarver {
   [[gnu::noinline]] void mark_at_start(std::uint32_t azimuth_step, bool is_tall);
   void carve_line(std::uint32_t azimuth_step, std::span<const WaitingPoint> points,
                   const RankSet& behind);
-  // Gate is either BandGate or GroundGate, depending on the line. Functions that take steps as a
-  // parameter are not inlined, so that the address of the steps stays in a register instead of
-  // being recomputed for each change.
+  // Gate is either BandGate or GroundGate, depending on the line. Functions with a `steps`
+  // parameter are not inlined, so that the address of `steps` stays in a register instead of being
+  // recomputed for each change.
   template <typename Gate>
   void add_beams(const Gate& gate, const KeptLine& line, std::span<const WaitingPoint> points,
                  const RankSet& behind);
@@ -121,7 +121,7 @@ class TurnCarver {
   LineSteps steps_;                         // of the line being carved
 };
 
-// All layers share the line of the azimuth, but each layer has its own height.
+// All layers at an azimuth share one line, but each layer has its own height.
 template <typename Judge>
 inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point) const {
   if (point.range_mm == 0 && sensor_->no_return_clears_mm == 0) {

@@ -14,39 +14,39 @@
 namespace iog::grid {
 
 // The properties of a layer that do not depend on the azimuth. `range_share` is the ratio of
-// horizontal range to range. `in_band` contains the horizontal ranges within the height band.
-// `clears_mm` is the horizontal range up to which the layer carves if there is no echo. `band` is
-// the part of the line within the height band.
+// horizontal range to range. `in_band` contains the horizontal ranges at which the layer is within
+// the height band. `clears_mm` is the horizontal range up to which the layer carves if there is no
+// echo. `band` is the part of the line within the height band.
 struct alignas(64) TurnLayer {
   std::uint32_t range_share = 0;  // as in vehicle::Layer
   vehicle::Ranges in_band;
   std::uint32_t clears_mm = 0;
-  // The position of this layer in the order in which the sensor's layers leave the band. The layer
-  // that stays within the band up to the greatest distance has rank 0.
+  // The layers are ranked by the distance at which they leave the band. The layer that leaves the
+  // band farthest from the sensor has rank 0.
   std::uint32_t rank = 0;
-  // A point at or beyond this range frees the line from the sensor up to the distance at which the
-  // layer leaves the band. If the sensor is outside the band, behind_mm has the maximum value.
+  // A point at this range or beyond frees the line from the sensor to where the layer leaves the
+  // band. If the sensor is outside the band, behind_mm has the maximum value of its type.
   std::uint32_t behind_mm = std::numeric_limits<std::uint32_t>::max();
   BandLimits band;
 };
 
 // All layers of a sensor.
 struct TurnLayers {
-  // True if the sensor is within the height band. In this case, a beam that ends within the band is
-  // within the band over its whole length. Each layer's part within the band is then contained in
-  // the parts of all layers with lower ranks.
+  // True if the sensor is within the height band. In this case, a beam that ends within the band
+  // never leaves it, and each layer's part within the band contains the parts of all layers with
+  // higher ranks.
   bool start_in_band = false;
   // The number of beams needed to saturate a cell.
   std::uint32_t enough_beams = 0;
-  // A hit at this distance or beyond frees every cell in the band that can be freed by layers of
-  // rank near_rank or higher.
+  // A hit at this distance or beyond frees all cells in the band that layers with rank near_rank or
+  // higher can free.
   std::uint32_t far_mm = 0;
   std::uint32_t near_rank = 0;
   std::uint32_t zones_mm = 0;  // BandLimits::behind_mm()
   std::array<std::uint8_t, vehicle::kMaxLayers> by_rank{};
   std::array<TurnLayer, vehicle::kMaxLayers> layers{};
-  // For each layer, `tall` contains the horizontal ranges of tall returns, and `low` defines the
-  // part of the line in which the layer's beams are low beams. Both are computed from
+  // `tall` contains the horizontal ranges at which each layer's returns are tall returns. `low` is
+  // the part of the line in which each layer's beams are low beams. Both are computed from
   // vehicle::Sensor::moved.
   std::array<vehicle::Ranges, vehicle::kMaxLayers> tall{};
   std::array<BandLimits, vehicle::kMaxLayers> low{};

@@ -83,12 +83,12 @@ class RankSet {
 };
 
 // The pending lines of a rotating lidar. The azimuth step of a line determines its slot. There are
-// enough slots for the largest angle between lasers. The lasers of an HDL-64E are up to 17 degrees
-// apart, which is 390 of 8,192 steps.
+// enough slots even for lasers that are far apart in azimuth. For example, the lasers of an HDL-64E
+// are up to 17 degrees apart, which is 390 of 8,192 steps.
 class WaitingLines {
  public:
-  // The part of a pending line that is accessed for each point. The part fits into one cache line.
-  // The points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
+  // The data of a pending line that every point needs. This data fits into one cache line. The
+  // points are stored separately. For points beyond the band (TurnLayer::behind_mm), only the
   // layers are recorded.
   struct alignas(32) Line {
     std::uint32_t azimuth_step = kNone;
@@ -145,9 +145,9 @@ class WaitingLines {
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   static constexpr std::uint32_t kPlaces = 512;
   // The points of a slot fill an odd number of cache lines, so that slots do not compete for the
-  // same cache sets. The 2 in the condition below accounts for the beams beyond the band, of which
-  // at most `enough_beams` are carved. The combined effect of these beams on a line is less than
-  // the greatest effect of two beams.
+  // same cache sets. The 2 in the condition below accounts for the beams beyond the band. At most
+  // `enough_beams` of these beams are carved, and together they lower an index by less than two
+  // beams of the strongest possible profile.
   static constexpr std::size_t kMostPoints = 136;
   static_assert(kMostPoints * sizeof(WaitingPoint) % 64 == 32 &&
                 kMostPoints + 2 <= FreeSteps::kMaxBeams);

@@ -1,10 +1,10 @@
-// The evidence of a frame. All slices of the frame are joined in the cells of the window.
+// The evidence of a frame. The slices of the frame are merged into the cells of the window.
 //
 // Free space is gathered: the negative index of a slice cell is added to each window cell whose
 // centre lies in the slice cell. Hits are scattered: the positive index of a slice cell is added to
-// the window cell that contains the centre of the slice cell. If hits were gathered, thin objects
-// such as poles could be lost, because some slice cells (17 % at 45 degrees) do not contain the
-// centre of any window cell. Hits outside the window are dropped.
+// the window cell that contains the centre of the slice cell. If hits were also gathered, thin
+// objects such as poles could be lost, because some slice cells (17 % at 45 degrees) do not contain
+// the centre of any window cell. Hits outside the window are dropped.
 //
 // The evidence of a cell is the saturating sum of its positive indexes. If the cell has no positive
 // index, the evidence is the saturating sum of its negative indexes. One byte per cell is enough
@@ -34,7 +34,7 @@
 
 namespace iog::placing {
 
-// A slice with the vehicle's pose at the time of the slice.
+// A slice, and the pose of the vehicle when the slice was measured.
 struct PlacedCells {
   const SliceCells* cells = nullptr;
   Placement at{};
@@ -58,7 +58,7 @@ class FrameEvidence {
     add(std::span(&only, 1), area);
   }
 
-  // Clears either all evidence or the evidence of the tile in a slot.
+  // Clear all evidence, or only the evidence of the tile in a slot.
   void clear();
   void clear(std::size_t slot);
 
@@ -68,12 +68,12 @@ class FrameEvidence {
   // Returns true if any cell of the tile in this slot was hit.
   [[nodiscard]] bool has_hit(std::size_t slot) const { return has_hit_[slot]; }
 
-  // Returns the joined bytes of the tile in a slot, row by row from the lowest y. The result is
+  // Returns the merged bytes of the tile in a slot, row by row from the lowest y. The result is
   // valid only if the tile has been touched.
   [[nodiscard]] const TileIndexes& tile(std::size_t slot) const { return cells_[slot]; }
 
-  // Returns the tile's cells with a tall return. The result is valid only if the tile has been
-  // touched.
+  // Returns the tile's cells that contain a tall return. The result is valid only if the tile has
+  // been touched.
   [[nodiscard]] const window::Plane& tall(std::size_t slot) const { return tall_[slot]; }
 
   // Removes the evidence from the given cells of the tile in a slot.
@@ -93,7 +93,7 @@ class FrameEvidence {
       const auto number = static_cast<std::int32_t>(i);
       return {low.a + number % extent.columns, low.b + number / extent.columns};
     }
-    // Returns true if any cell of the rectangle from low_cell to high_cell may lie in the region.
+    // Returns true if the rectangle from low_cell to high_cell overlaps the region.
     [[nodiscard]] bool meets(geometry::Cell low_cell, geometry::Cell high_cell) const {
       return (high_cell.x >> geometry::kTileSideLog2) >= low.a &&
              (low_cell.x >> geometry::kTileSideLog2) < low.a + extent.columns &&

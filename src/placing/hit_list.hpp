@@ -1,8 +1,8 @@
 // Lists the hits of a frame's slices for tracking.
 //
 // The hits are ordered by slice, and then by tile, row and column of the slice grid, so their order
-// does not depend on the number of cores. If a window cell is hit in several slices, or by several
-// cells of one slice, the list contains this cell several times. Hits beyond the capacity are
+// does not depend on the number of cores. A window cell that is hit in several slices, or by
+// several cells of one slice, is listed once for each of these hits. Hits beyond the capacity are
 // dropped and counted.
 #pragma once
 
@@ -26,8 +26,8 @@ struct Hit {
 
 class HitList {
  public:
-  // The capacity of the list. The capacity exceeds the number of cells hit in one turn of a sensor
-  // with 128 layers (docs/objects.md).
+  // The capacity of the list. A sensor with 128 layers hits fewer cells in one turn
+  // (docs/objects.md).
   static constexpr std::size_t kMost = 32'768;
 
   // The vehicle must be inside the area, and the area must not change within a frame.

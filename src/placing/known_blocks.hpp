@@ -16,15 +16,15 @@ namespace iog::placing {
 inline constexpr std::size_t kBandRows = SliceCells::kBlockSide;
 inline constexpr std::size_t kBandCells = kBandRows * geometry::kTileSide;
 
-// The cell centres of a block of 8 by 8 cells extend over at most 7 * sqrt(2) cells along each axis
-// of the grid. The block's image therefore fits into a square of 11 by 11 cells.
+// The cell centres of an 8 by 8 block span at most 7 * sqrt(2) cells along each axis of the grid.
+// The block's image therefore fits into a square of 11 by 11 cells.
 inline constexpr std::int32_t kBlockReach = 11;
 static_assert(kBlockReach <= SliceCells::kMostNear);
 
 // Calls visit(first, low, high, evidence) for each block that may be near known cells. `shape` is
-// that of the slice. `first` is the point in the grid to which the centre of the block's first cell
-// maps. `low` and `high` bound the images of all cells in the block. `evidence` points to the
-// evidence of the first cell. Returns false if no block was visited.
+// that of the slice. `first` is the image of the block's first cell. `low` and `high` bound the
+// images of all cells in the block. `evidence` points to the evidence of the first cell. Returns
+// false if no block was visited.
 //
 // The evidence of a band is prefetched first. Otherwise, its cache lines would be loaded one by one
 // between the lookups.

@@ -13,19 +13,20 @@
 
 namespace iog::placing {
 
-// The images, in the slice grid, of a run of eight window cells. The images are computed once for
-// all runs of a slice.
+// Maps a run of eight window cells to the slice grid. The steps between the cells of a run are the
+// same for all runs of a slice, so they are computed only once.
 //
 // A run follows the window axis that is closer to the grid's x axis. Coordinates are in units of
-// 2^-16 cells. Along the run, a step is at most 2^16 of these units, or one cell. Seven steps plus
-// a fraction of a cell span less than eight cells, so a run covers at most eight columns of the
-// grid. Perpendicular to the run, a step is at most 2^16 / sqrt(2) + 1/2 units. Seven such steps
-// span less than five cells, so a run covers at most six rows.
+// 2^-16 cells. The step from one cell of a run to the next is at most 2^16 units (one cell) along
+// the grid's x axis. Seven such steps plus a fraction of a cell span less than eight cells, so a
+// run covers at most eight columns of the grid. Along the grid's y axis, the step is at most 2^16 /
+// sqrt(2) + 1/2 units. Seven such steps span less than five cells, so a run covers at most six
+// rows.
 //
-// A cell's step values are its distances, in x and y, from the minimum x and y of its run. A cell's
-// offset from the lowest column (or row) of its run is the integer part of its step value. The
-// offset is larger by one if the fraction of the step value and the fraction of the minimum x (or
-// y) add up to 1 or more. The result is exact.
+// The step values of a cell are its distances from the minimum x and y of its run. The column
+// offset of a cell is counted from the lowest column of the run. This offset is the integer part of
+// the x step value, plus 1 if the fractional parts of the step value and the minimum x add up to at
+// least 1. Row offsets are computed in the same way from y. The result is exact.
 struct EightSteps {
   static constexpr std::int32_t kCount = 8;
   static constexpr std::int32_t kColumns = 8;
@@ -40,11 +41,11 @@ struct EightSteps {
   FinePoint to_next;  // from one run to the next
   FinePoint to_low;   // from the first cell of a run to its lowest column and row
   std::int32_t rows;  // maximum number of grid rows that a run covers
-  // For each cell, kColumns times its row offset plus its column offset. The offsets are the
-  // integer parts of the cell's step values.
+  // The value for each cell is `kColumns * row + column`, where `row` and `column` are the integer
+  // parts of the cell's step values.
   alignas(16) Eight wholes;
-  // For each cell, the largest fraction of the minimum x (or y) that, added to the fraction of the
-  // cell's step value, gives less than 1.
+  // If the fractional part of the minimum x (or y) exceeds a cell's value here, 1 is added to the
+  // cell's offset.
   alignas(16) Eight most_x;
   alignas(16) Eight most_y;
 };
@@ -70,8 +71,8 @@ inline EightSteps::EightSteps(FinePoint along_window_x)
 }
 
 // Merges the free space of the slice grid into the evidence of a tile (placing/slice_byte.hpp).
-// `first` is the point in the grid to which the centre of the tile's first cell maps. The images of
-// the other cells are computed from `steps`. Returns false if all cells near the tile are unknown.
+// `first` is the image of the tile's first cell. The images of the other cells are computed from
+// `steps`. Returns false if all cells near the tile are unknown.
 bool pull_tile(const SliceCells& slice, FinePoint first, const EightSteps& steps,
                std::span<std::int8_t, geometry::kTileCells> evidence);
 

@@ -2,9 +2,9 @@
 //
 // The image of the first cell of a tile is computed exactly and rounded down. The images of the
 // other cells of the tile are computed by adding steps that are rounded to the nearest 2^-16 cells.
-// Compared with the exact image, the image of a cell is therefore less than 32 * 2^-16 cells lower
-// and at most 31 * 2^-16 cells higher. For cells of 0.1 m, 32 * 2^-16 cells correspond to 0.05 mm.
-// The window and the slice grid have cells of the same size.
+// The computed x and y are therefore too low by less than 32 * 2^-16 cells, or too high by at most
+// 31 * 2^-16 cells. If a cell is 0.1 m wide, 32 * 2^-16 cells are 0.05 mm. The window and the slice
+// grid have cells of the same size.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace iog::placing {
 
-// The transform of a slice. The transform consists of the pose of the vehicle when the slice was
-// measured, and the position of the vehicle in the grid.
+// The transform of a slice. It is given by the vehicle's pose when the slice was measured, and by
+// the vehicle's position in the grid.
 struct Placement {
   pose::Pose pose{};
   numeric::Rotation rotation{};  // from the heading of the pose
@@ -106,8 +106,8 @@ class CellMap {
   return {point.x - step.y, point.y + step.x};
 }
 
-// The bounds of the images of a rectangle of cells, relative to the image of its first cell. Both
-// bounds are inclusive.
+// The bounding box of the image of a rectangle of cells, relative to the image of the first cell.
+// Both bounds are inclusive.
 struct Reach {
   FinePoint to_low;
   FinePoint to_high;

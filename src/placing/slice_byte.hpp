@@ -5,7 +5,7 @@
 //     `n`          The cell is hit, with an index n from 1 to 31.
 //     `n + 32`     The same as n, and the return is at least as high as the sensor's tall_mm.
 //     `-n`         The cell is free, with index -n.
-//     `-(n + 32)`  The same as -n, and a beam that freed the cell was at most as high as the
+//     `-(n + 32)`  The same as -n, and the cell was freed by a beam that was at most as high as the
 //                  sensor's low_mm.
 //
 // Indexes above 31 are clamped to 31 because masses do not increase beyond this index
@@ -37,9 +37,9 @@ static_assert(kMostIndex == kBeside - 1);
   return static_cast<std::int8_t>(index < 0 ? most - beside : most + beside);
 }
 
-// Adds the free index of another slice to a cell's evidence. The indexes are added, and an extra
-// bit that is set stays set. Positive evidence comes from hits and does not change. Hits in `found`
-// are ignored.
+// Adds the free index of another slice to a cell's evidence. The indexes are added, and the extra
+// bit is set if it is set in either byte. Positive evidence comes from hits and does not change.
+// Hits in `found` are ignored.
 [[nodiscard]] constexpr std::int8_t joined_free(std::int8_t evidence, std::int8_t found) {
   if (evidence > 0 || found >= 0) {
     return evidence;

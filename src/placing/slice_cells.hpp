@@ -26,8 +26,8 @@ class SliceCells {
   static constexpr std::int32_t kBlockSide = 8;
   static constexpr std::int32_t kSquaresBeside = 3;
 
-  // The shape of the grid: its columns and rows, in cells and in tiles, and the bytes of a row of
-  // squares_, which has one extra byte before the grid's bytes and two after them.
+  // The shape of the grid in cells and in tiles, and the length of a row of squares_ in bytes. Each
+  // row has one extra byte before the grid's bytes and two after them.
   class Shape {
    public:
     explicit Shape(const geometry::Grid& grid = {}) : cells_(grid.area()) {}
@@ -64,8 +64,8 @@ class SliceCells {
   }
 
   // Sets a tile of the grid. The indexes are stored row by row from the lowest y. Before the call,
-  // the tile's cells must be unknown. `low_and_tall` contains the free cells that a low beam freed,
-  // and the hit cells with a tall return.
+  // the tile's cells must be unknown. `low_and_tall` contains the free cells that a low beam has
+  // freed, and the hit cells that contain a tall return.
   void set(std::size_t tile, TileIndexes indexes, const window::Plane& low_and_tall = {}) {
     places_[tile] = used_++;
     copy(tile, indexes, low_and_tall);
@@ -118,8 +118,8 @@ class SliceCells {
   }
 
   // Returns the cells of the tile in a column and row of the grid, row by row from the lowest y.
-  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read an
-  // equal number of bytes after these cells, but the values of these bytes are meaningless.
+  // All cells are unknown if the tile is unknown or outside the grid. Callers may also read up to
+  // kTileCells bytes after these cells, but those bytes are meaningless.
   template <typename ItsShape>
   [[nodiscard]] TileBytes cells(geometry::Cell tile, const ItsShape& shape) const {
     const std::size_t number = number_of(tile, shape);
@@ -137,12 +137,12 @@ class SliceCells {
   }
 
  private:
-  // The second element allows callers of cells() to read beyond the end of the first element.
+  // There is a second element because callers of cells() may read beyond the end of the first.
   using Bytes = std::array<std::int8_t, geometry::kTileCells>;
   alignas(32) static constexpr std::array<Bytes, 2> kUnknown{};
 
-  // The width of the margin of unknown cells around the grid. A rectangle that is passed to
-  // is_known_near() and overlaps the grid extends at most this far beyond the grid.
+  // The width of the margin of unknown cells around the grid. If a rectangle passed to
+  // is_known_near() overlaps the grid, it does not extend beyond this margin.
   static constexpr std::int32_t kAround = 16;
   static constexpr std::size_t kRowsAround = kAround / kSquareSide;
   // An upper bound for all grids.
@@ -173,8 +173,8 @@ class SliceCells {
   std::array<std::uint8_t, kMostSquareBytes> squares_{};
 };
 
-// Reads at most four rows of squares, and four squares in each row. The squares at the corners may
-// lie up to kAround cells outside the grid, where squares_ has a margin.
+// Reads at most four rows of squares, and four squares in each row. Some of these squares may lie
+// outside the grid, in the margin of squares_.
 template <typename ItsShape>
 inline bool SliceCells::is_known_near(geometry::Cell low, geometry::Cell high,
                                       const ItsShape& shape) const {

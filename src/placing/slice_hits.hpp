@@ -1,6 +1,6 @@
 // Visits the hits of a slice. For each hit cell of the slice grid, visits the window cell that
-// contains the centre of the hit cell. Tiles, bands of eight rows, and groups of eight cells
-// without hits are skipped.
+// contains its centre. Tiles, bands of eight rows, and groups of eight cells without hits are
+// skipped.
 #pragma once
 
 #include <bit>
@@ -37,8 +37,8 @@ inline void for_each_hit_of_band(const std::int8_t* band, FinePoint first, FineP
 }
 
 // Calls visit(cell, byte) for each hit. Cells are counted from the window's lowest cell, and may
-// lie outside the window. A tile or band is skipped if meets(low, high) returns false for the
-// bounds of its cells.
+// lie outside the window. Calls meets(low, high) with the bounds of a tile or band, and skips the
+// tile or band if the result is false.
 template <typename Meets, typename Visit>
 inline void for_each_hit(const SliceCells& slice, const CellMap& to_window, Meets&& meets,
                          Visit&& visit) {

@@ -2,9 +2,8 @@
 // cells and a *rough* grid of 32 x 32 cells. If a grid has 1024 x 1024 cells of 0.1 m, the coarse
 // grids are levels 3 and 5 of its quadtree, with cells of 0.8 m and 3.2 m.
 //
-// The index of a coarse cell is the highest index of all the cells in it. A coarse cell is
-// therefore occupied if any cell in it is occupied, free if all cells in it are free, and unknown
-// otherwise.
+// The index of a coarse cell is the highest index of the cells in it. A coarse cell is therefore
+// occupied if any cell in it is occupied, free if all cells in it are free, and unknown otherwise.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ class DetailWindow {
   // bytes.
   static constexpr std::size_t kTiles = 32;
 
-  // Empties the window. From then on, tiles below `first_tile` are ignored.
+  // Empties the window. Until the next call, tiles below `first_tile` are ignored.
   void begin(std::size_t first_tile) {
     first_ = first_tile;
     end_ = geometry::kTileCount;
@@ -41,8 +41,8 @@ class DetailWindow {
     ++count_;
   }
 
-  // Returns one past the number of the last tile that the window covers. If find() does not find a
-  // tile that the window covers, the tile is unknown.
+  // Returns the (exclusive) end of the range of tiles that the window covers. If find() does not
+  // find a tile in this range, the tile is unknown.
   [[nodiscard]] std::size_t end() const { return end_; }
 
   // Returns the position of the first known tile whose number is at least `tile`. If there is none,

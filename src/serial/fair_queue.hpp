@@ -21,9 +21,10 @@ class FairQueue {
   constexpr explicit FairQueue(const std::array<std::uint32_t, kFlows>& weights)
       : weights_{weights} {}
 
-  // Selects one of the waiting flows. If several waiting flows have received the same service, the
-  // queue selects the first one. The service of each idle flow is raised to that of the selected
-  // flow, so that an idle flow cannot accumulate credit.
+  // Selects one of the waiting flows. If several waiting flows have received equally little
+  // service, the queue selects the first one. If an idle flow has received less service than the
+  // selected flow, its service is raised to the same value, so that idle flows cannot accumulate
+  // credit.
   [[nodiscard]] std::optional<std::size_t> next(const std::array<bool, kFlows>& is_waiting) {
     std::optional<std::size_t> chosen;
     for (std::size_t flow = 0; flow < kFlows; ++flow) {

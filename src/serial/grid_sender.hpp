@@ -1,5 +1,5 @@
 // Sends the grid over a serial link that is far too slow for the full grid (docs/spec.md 3.8).
-// Every transmitted tile comes from the newest frame.
+// Tiles are always encoded from the newest frame.
 //
 //     frame -> coarse levels, some tiles of cells -> message -> protection -> COBS -> port
 //
@@ -7,8 +7,8 @@
 // 0.8 m cells), and the full-resolution cells. Each flow sends the tiles of its grid in rounds,
 // with at most one round per frame. If a round is not complete when the frame ends, the flow
 // resumes it in the next frame. Each message covers a range of tiles and contains the cells of
-// every known tile in this range. All other tiles in the range are unknown. The tiles of a receiver
-// are therefore at most one round old. If no sensor contributed to a frame, the frame has no known
+// every known tile in this range. All other tiles in the range are unknown. A receiver's tiles are
+// therefore at most one round old. If no sensor contributed to a frame, the frame has no known
 // cells. In this case, the sender transmits only an empty message of the coarsest grid as a
 // heartbeat.
 #pragma once
@@ -51,10 +51,9 @@ class GridSender {
     fits_ = grid.columns <= geometry::kCellsPerSide && grid.rows <= geometry::kCellsPerSide;
   }
 
-  // For each complete frame, call the following functions: first the one for its header, then the
-  // one for its known tiles in ascending order, and then the one for its end. The functions read
-  // each cell once and copy at most DetailWindow::kTiles tiles. Do not call pump() between these
-  // calls.
+  // For each complete frame, call begin_frame(), then take_tile() for each known tile in ascending
+  // order, and then end_frame(). Together, these calls read each cell once and copy at most
+  // DetailWindow::kTiles tiles. Do not call pump() between these calls.
   void begin_frame(const stream::Header& header);
   void take_tile(std::size_t tile, tile_coding::TileCells cells);
   void end_frame();
@@ -83,14 +82,14 @@ class GridSender {
   // which always need more than the link can transmit.
   static constexpr std::array<std::uint32_t, kFlows> kWeights{1, 3, 8};
 
-  // The tiles that a flow may still send from this frame.
+  // The tiles of this frame that a flow may still send.
   struct Round {
     std::size_t next = 0;  // number of the next tile
     std::size_t left = 0;  // number of remaining tiles from `next` on, modulo the grid
   };
 
-  // Continues to compose a message while the link sends the previous one, which takes about 40 ms.
-  // Returns true if the message is complete and stored in frame_left_.
+  // Continues composing a message. Meanwhile, the link sends the previous message, which takes
+  // about 40 ms. Returns true if the message is complete and stored in frame_left_.
   [[nodiscard]] bool compose();
   [[nodiscard]] bool begin_message();
   // Returns false if the message is complete.
@@ -118,7 +117,7 @@ class GridSender {
   std::array<Round, kFlows> rounds_{};
   FairQueue<kFlows> queue_{kWeights};
 
-  // The flow, the next tile and the end of the message that is being composed.
+  // The message being composed: its flow, its next tile and its end.
   bool is_composing_ = false;
   std::size_t flow_ = kRough;
   std::size_t tile_ = 0;

@@ -33,8 +33,7 @@ class TokenBucket {
     level_ += std::min(elapsed_us * bytes_per_second, most - level_);
   }
 
-  // Returns the number of tokens in the bucket, which is the number of bytes that may be passed to
-  // the port now.
+  // Returns the number of tokens, which is how many bytes may be passed to the port now.
   [[nodiscard]] std::size_t tokens() const { return level_ / kToken; }
 
   // Requires tokens <= this->tokens().
