@@ -1,6 +1,6 @@
 // Applies beams to their lines. A beam lowers the indexes of the cells before its end and marks the
-// cell of its hit. Beams that share a line are accumulated in the line's steps and then carved
-// together.
+// cell of its hit. Beams that share a line are first accumulated as steps (free_steps.hpp) and then
+// carved together.
 //
 // AzimuthCarver collects the beams of tilted rotating sensors and of sensors that measure in the
 // same directions in every scan. TurnCarver collects the beams of level rotating lidars. Saturating
@@ -22,7 +22,7 @@
 
 namespace iog::grid {
 
-// A beam, defined by the range of its point along the line and by the point's effect on the grid.
+// A beam, given by the range of its point along the line and by how the point changes the grid.
 struct WaitingBeam {
   std::uint32_t range_mm = 0;
   vehicle::Evidence evidence;
@@ -30,8 +30,8 @@ struct WaitingBeam {
   bool ends_on_ground = false;
 };
 
-// A beam's line, the part of the line that the beam can free, and the range up to which a beam
-// without an echo carves. `limits` is null if the beam can free the whole line within the grid.
+// A beam's line, together with the part that the beam can free and the range up to which the beam
+// carves if it has no echo. `limits` is null if the beam can free the whole line within the grid.
 struct BeamOnLine {
   const KeptLine& line;
   const FreePart* limits;
@@ -47,8 +47,8 @@ class BeamCarver {
   // Returns true if low beams and tall returns are recorded.
   [[nodiscard]] bool keeps_heights() const { return keeps_heights_; }
 
-  // Carves and marks according to the beam's evidence. `steps_of(end)` returns the steps of the
-  // line for a beam that ends at `end`. The steps must have room for one more beam. `low_of()`
+  // Carves and marks cells according to the beam's evidence. `steps_of(end)` returns the steps of
+  // the line for a beam that ends at `end`. The steps must have room for one more beam. `low_of()`
   // returns the part of the line in which the beam is low.
   template <typename StepsOf, typename LowOf>
   [[gnu::always_inline]] void add(const vehicle::Sensor& sensor, const BeamOnLine& beam,
@@ -83,20 +83,20 @@ class BeamCarver {
   bool keeps_heights_;
 };
 
-// The line leaves each grid cell before the point (marked * below) in some 1D cell. The grid cell
-// gets the index of this 1D cell, or the index of 1D cell k-1 if 1D cell k-1 is nearer to the
-// sensor. The example shows a beam of a LUX:
+// For each grid cell before the point (marked * below), the code determines the 1D cell in which
+// the line leaves the grid cell. The grid cell gets the index of this 1D cell or of 1D cell k - 1,
+// whichever is nearer to the sensor. The example shows a beam of a LUX:
 //
 //    1D cells      k - 3   |   k - 2   |   k - 1   |     k     |
 //    the line  S ----------+-----------+-----------+-------*---+-------> E
 //    its cells     a   |   b    |  c  |    d    |   e   |    f     |
-//    freer by      14      7       7       0        0     marked, not carved
+//    lowered by    14      7       7       0        0     marked, not carved
 //    steps     +14       -7 at b         -7 at d
 //
 // The line leaves a cell in 1D cell j or earlier if and only if it crosses the cell's far border at
 // distance (j + 1) * Delta or less. `through` is the number of borders that the line crosses within
-// a given distance. The zone of 1D cell (k - 2) therefore begins in the grid cell that the line
-// crosses at distance (k - 2) * Delta, which is grid cell b in this example.
+// a given distance. In the example, the zone of 1D cell k - 2 therefore begins in grid cell b,
+// which the line crosses at distance (k - 2) * Delta.
 //
 // This function is inline because a function call would cost as much as adding a zone.
 [[gnu::always_inline]] inline Between BeamCarver::add_zones(const vehicle::Sensor& sensor,
@@ -111,7 +111,7 @@ class BeamCarver {
   const std::uint32_t zones = range_mm > 0 ? profile.near_before_count : 0;
   std::uint32_t begin_mm = (k - zones) * delta_mm;
   for (std::uint32_t back = zones; back > 0; --back, begin_mm += delta_mm) {
-    // The zone begins at the start of 1D cell k - back, at distance (k - back) * Delta.
+    // The zone begins where 1D cell k - back begins, at distance (k - back) * Delta.
     const Between zone = k < back ? part.first : Between::before(line.through(sensor, begin_mm));
     const std::int32_t in_zone = -profile.near_before[back - 1];
     last = std::clamp(zone, part.first, part.end);
@@ -127,8 +127,9 @@ class BeamCarver {
 
 // Shortens the low part of a beam that ends on the ground. On a rising road, a beam can be within
 // the height band above the car's plane but below the band above the road. Such a beam may pass
-// under a car. The beam is therefore treated as low only where it is high enough above a straight
-// line from the ground below the sensor to the point where the beam meets the ground.
+// under a car. The beam is therefore compared with a straight line from the ground below the sensor
+// to the point where the beam meets the ground. It is treated as low only where it is high enough
+// above this line.
 inline LinePart BeamCarver::less_over_ground(LinePart low, const vehicle::Sensor& sensor,
                                              const KeptLine& line, const WaitingBeam& its) {
   if (its.ends_on_ground) {

@@ -23,23 +23,23 @@
 
 namespace iog::grid {
 
-// The cache line size of the level 1 and level 2 caches. In these caches, the cached beam lines
-// compete with the grid.
+// The line size of the L1 and L2 caches, in which the cached beam lines and the grid compete for
+// space.
 inline constexpr std::size_t kCacheLineBytes = 32;
 
-// The part of a line on which beams with the same end height are within a height band. The limits
-// of the part are fractions of the line's length.
+// The part of a line where a beam with a given end height is within a height band. The limits of
+// this part are stored as fractions of the line's length.
 class BandLimits {
  public:
-  // If a point is at least this far beyond the part, its beam frees the whole part, because the
-  // uncertain zone in front of the point is also beyond the part.
+  // A beam frees the whole part if its point is at least this far beyond the part, because the
+  // uncertain zone in front of the point is then also beyond the part.
   [[nodiscard]] static std::uint32_t behind_mm(const vehicle::Sensor& sensor);
 
   BandLimits() = default;
   // `end_z` is the height of the line's end, in subcells.
   BandLimits(const vehicle::HeightBand& band, const vehicle::Sensor& sensor, std::int32_t end_z);
 
-  // Returns the intersection of these limits with a part of the line.
+  // Returns the section of `part` that is within these limits.
   [[nodiscard]] LinePart within(const LinePart& part, const vehicle::BeamLine& line,
                                 const traversal::Ruler<geometry::kResolution>& ruler) const {
     if (is_empty_) {
@@ -49,17 +49,17 @@ class BandLimits {
                            : std::max(part.first, Between::before(ruler.through(from_, line))),
             end_within(part, line, ruler)};
   }
-  // Returns the end of the intersection if the intersection is not empty.
+  // Returns the end of within(). Use the result only if within() is not empty.
   [[nodiscard]] Between end_within(const LinePart& part, const vehicle::BeamLine& line,
                                    const traversal::Ruler<geometry::kResolution>& ruler) const {
     return std::max(part.first, std::min(part.end, Between::after(ruler.before(to_, line))));
   }
 
-  // A point at or beyond this distance frees the whole part, because the uncertain zone in front of
-  // the point is also beyond the part.
+  // A beam frees the whole part if its point is at or beyond this distance, because the uncertain
+  // zone in front of the point is then also beyond the part.
   [[nodiscard]] std::uint32_t is_free_before_mm() const { return is_free_before_mm_; }
 
-  // Returns true if this part ends farther along a line than the part of another layer.
+  // Returns true if this layer's part of a line ends beyond the other layer's part.
   [[nodiscard]] bool ends_behind(const BandLimits& other) const {
     const traversal::Share& end = to_.share();
     const traversal::Share& other_end = other.to_.share();
@@ -74,8 +74,8 @@ class BandLimits {
   traversal::MeasuredShare from_;
 };
 
-// The part of a line that a beam can free. A point at free_from_mm or beyond frees the whole part,
-// because the uncertain zone in front of the point is also beyond the part.
+// The part of a line that a beam can free. A beam frees the whole part if its point is at or beyond
+// `free_from_mm`, because the uncertain zone in front of the point is then also beyond the part.
 struct FreePart {
   LinePart part;
   std::uint32_t free_from_mm = 0;  // > 0
@@ -104,18 +104,19 @@ class alignas(kCacheLineBytes) KeptLine {
   [[nodiscard]] LinePart in_band(const BandLimits& limits) const {
     return limits.within(in_grid_, line_, ruler_);
   }
-  // Returns the end of the part within the height band, if the part is not empty.
+  // Returns the end of in_band(). Use the result only if in_band() is not empty.
   [[nodiscard]] Between end_in_band(const BandLimits& limits) const {
     return limits.end_within(in_grid_, line_, ruler_);
   }
 
-  // Returns the part of in_grid() in which a beam that ends at height end_z is within the band.
+  // Returns the part of in_grid() in which a beam that ends at height `end_z` is within the band.
   [[nodiscard, gnu::noinline]] FreePart part_in(const vehicle::HeightBand& band,
                                                 const vehicle::Sensor& sensor,
                                                 std::int32_t end_z) const;
 
-  // `end_at()` returns the end of the cell that contains the point at to_mm. `part_between()`
-  // returns the part from the cell at from_mm to the end of the cell at to_mm.
+  // `end_at()` returns the boundary after the cell at distance `to_mm`. `part_between()` returns
+  // the part from the cell at distance `from_mm` to the cell at distance `to_mm`, including both
+  // cells.
   [[nodiscard]] Between end_at(const vehicle::Sensor& sensor, std::uint32_t to_mm) const {
     const Between first = in_grid_.first;
     return to_mm == 0 ? first
@@ -248,7 +249,7 @@ class KeptAzimuth {
   }
 
   // Returns true if the two lines are known to share their first `cells` cells. `cells` must not be
-  // 0. The second line must have been found. If the result is true, the first line was also found
+  // 0. The second line must already be cached. If the result is true, the first line is also cached
   // and has a block path. The result may be false even if the lines share these cells.
   [[nodiscard]] bool is_common(std::uint32_t cells) {
     return cells <= common_ || (cells < different_ && find_common(cells));
@@ -270,16 +271,17 @@ class KeptAzimuth {
   alignas(kCacheLineBytes) std::array<KeptBeam, kMaxLayers> beams_;
   std::array<KeptLine, kMaxLines> lines_;
   std::array<KeptHeight, kMaxLayers> heights_;
-  // This padding makes an azimuth 49 cache lines long on the target. Without this padding, about 45
-  // azimuths of 45 cache lines each would fill the 2,048 sets of the level 2 cache, and further
-  // azimuths would compete for the same sets.
+  // On the target, this padding increases the size of an azimuth from 45 to 49 cache lines. Without
+  // the padding, about 45 azimuths would fill the 2,048 sets of the L2 cache, and further azimuths
+  // would compete for the same sets.
   [[maybe_unused]] std::array<std::byte, 4 * kCacheLineBytes> apart_{};
 };
 
-// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. If a LUX
-// measures in steps of a quarter of a degree and there are at most six sensors, its azimuths map to
-// distinct slots. With the finest steps of a LUX (an eighth of a degree), its azimuths map to
-// distinct slots if there are at most three sensors. With four sensors, nearly all of them do.
+// A cache with a fixed number of azimuths per sensor. Each azimuth maps to one slot. The azimuths
+// of a LUX that measures in steps of a quarter of a degree map to distinct slots if there are at
+// most six sensors. At the LUX's finest resolution (an eighth of a degree), its azimuths map to
+// distinct slots if there are at most three sensors. With four sensors, nearly all azimuths still
+// map to distinct slots.
 class BeamLines {
  public:
   explicit BeamLines(std::span<const vehicle::Sensor> sensors);

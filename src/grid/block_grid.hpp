@@ -1,4 +1,4 @@
-// The grid of a frame, stored in blocks of 4 by 4 cells. Each block takes up sixteen bytes.
+// The grid of a frame, stored in blocks of 4 by 4 cells. Each block occupies sixteen bytes.
 //
 // On average, a line crosses four cells of a block, and a single saturating subtraction carves all
 // of them (lanes/lanes.hpp). A cache line covers 8 by 4 cells. In a grid stored row by row, a cache
@@ -89,7 +89,7 @@ class BlockGrid {
     return index::raised(blocks_[offset / kLaneCount].bytes[offset % kLaneCount]);
   }
 
-  // Records that a cell of this tile may have changed since the tile was last cleared.
+  // Marks this tile as touched: its cells may have changed since the tile was last cleared.
   void touch(std::size_t tile) { touched_[tile] = 1; }
   [[nodiscard]] bool is_touched(std::size_t tile) const { return touched_[tile] != 0; }
 

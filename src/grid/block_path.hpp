@@ -19,8 +19,8 @@
 namespace iog::grid {
 
 // A cursor on a block path. The cursor consists of the current block, the block's code, and the
-// codes of the following blocks. The code selects the stride to the next block, in stored blocks.
-// The entry masks[code / 2] selects the cells of the block that the line crosses.
+// codes of the following blocks. The code determines which of the two strides leads to the next
+// block. The mask `masks[code / 2]` selects the cells that the line crosses in the block.
 struct Way {
   const LaneBytes* masks;
   Strides strides;
@@ -29,8 +29,8 @@ struct Way {
   const BlockCode* next_codes;
 
   [[nodiscard]] const LaneBytes& cells() const { return masks[code / 2U]; }
-  // Returns the next block. Both candidates are computed first, so that only the selection depends
-  // on `code`.
+  // Returns the next block. Both candidates are computed in advance, so only the choice between
+  // them depends on `code`.
   [[nodiscard]] LaneBytes* next() const {
     LaneBytes* const by_u = block + strides.u;
     LaneBytes* const by_v = block + strides.v;
@@ -41,7 +41,7 @@ struct Way {
     code = *next_codes;
     ++next_codes;
   }
-  // Advances by `steps` blocks. The caller has already located the new block, `to`.
+  // Advances by `steps` blocks. `to` is the new block, which the caller has already located.
   void step_to(LaneBytes* to, std::uint32_t steps) {
     block = to;
     next_codes += steps;
@@ -55,7 +55,8 @@ class BlockPath {
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line, const BlockGrid& grid);
 
-  // Returns the position relative to the corner of the first block, in the line's own direction.
+  // Returns the position relative to the first block's corner. Both axes point in the direction in
+  // which the line runs.
   [[nodiscard]] traversal::Position from_corner(traversal::Position at) const {
     return {at.x + x_in_tile_ % kBlockSide, at.y + y_in_tile_ % kBlockSide};
   }
@@ -86,7 +87,7 @@ class BlockPath {
 
   [[nodiscard]] const BlockMasks& masks() const { return kBlockMasks[orientation_.number()]; }
 
-  // Returns a mask of the cells of the first block, excluding the cells before the line's start.
+  // Returns a mask that selects the cells of the first block, except those before the line's start.
   [[nodiscard]] Lanes start_mask() const { return Lanes::load_bytes(start_mask_.data()); }
 
   // Returns a cursor at the first block. `start` is the block at start_offset(). `strides` are
@@ -95,10 +96,10 @@ class BlockPath {
     return {masks().of_shape.data(), strides, start, codes_[0], &codes_[1]};
   }
 
-  // Calls visit(tile) once or more for each tile that the line enters up to this position.
-  // `strides` are those of the grid's tiles. The line's heights at the tile borders determine where
-  // the line enters another row of tiles. The line enters another row at most once per column of
-  // tiles, because the slope is at most 1.
+  // Calls visit(tile) at least once for each tile that the line enters up to this position.
+  // `strides` are those of the grid's tiles. The height of the line at each border between two
+  // columns of tiles shows whether the line has entered another row of tiles. This happens at most
+  // once per column, because the slope is at most 1.
   template <typename Visit>
   void for_each_tile(traversal::Position last, const Strides& strides, Visit&& visit) const {
     const std::uint32_t columns_x = (last.x + x_in_tile_) / geometry::kTileSide;
@@ -129,23 +130,23 @@ class BlockPath {
 
  private:
   // A line is monotone on each axis. The number of blocks that a line enters is therefore less than
-  // the number of block columns plus the number of block rows. In a grid with a longer side, the
-  // longest line enters no more (car_block/limits.cpp). The search always stores two codes per
+  // the number of block columns plus the number of block rows. In grids with a longer side, no line
+  // enters more blocks than that (car_block/limits.cpp). The search always stores two codes per
   // column of blocks, even if only one of them is valid.
   static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
 
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 
-  // Because the paths of many lines are cached, the members are declared in the order in which they
-  // are accessed, without padding.
+  // The members are declared in the order in which they are accessed and without padding, because
+  // the paths of many lines are cached.
   std::array<std::int8_t, kLaneCount> start_mask_{};
   std::uint32_t start_offset_ = 0;
   // The height at which the line leaves the first column of tiles, in units of 2^-32 of a tile.
   // `leaves_first_above_` is true if this height is above the first tile.
   std::uint32_t tile_height_ = 0;
   // The state from which the search resumes: the phase at the next column of blocks
-  // (traversal::Dda), the phase's increment, and v within the block.
+  // (traversal::Dda), its increment, and the row `v` within the block.
   std::uint32_t phase_ = 0;
   std::uint32_t step_ = 0;
   std::uint16_t start_tile_ = 0;

@@ -1,4 +1,4 @@
-// Defines a one-byte code for the cells of a 4 by 4 block that a line crosses.
+// Defines a one-byte code that describes which cells of a 4 by 4 block a line crosses.
 //
 // A line that does not pass through a corner is mirrored and transposed, so that it runs in the
 // positive direction of both axes and rises by at most one cell per column. `u` is the column
@@ -16,8 +16,7 @@
 //
 // In each column, the line crosses at most one row border. Seven bits, called the block's *shape*,
 // are therefore enough to determine the cells that the line crosses and the border through which it
-// leaves the block. Three bits contain the entry, and each of the other four bits represents one
-// column.
+// leaves the block. Three bits encode the entry, and the other four bits represent one column each.
 #pragma once
 
 #include <array>
@@ -43,8 +42,8 @@ inline constexpr std::uint32_t kShapeCount = 128;
 }
 
 // The code of a block on a line is twice the block's shape, plus 1 if the line leaves the block
-// through a row border. The bits of columns that the line does not enter in this block are 0. Two
-// lines therefore have the same code if and only if they cross the same cells of the block and
+// through a row border. If the line does not enter a column in this block, the column's bit is 0.
+// Two lines therefore have the same code if and only if they cross the same cells of the block and
 // leave the block through the same border.
 using BlockCode = std::uint8_t;
 
@@ -76,8 +75,8 @@ struct Orientation {
     const std::ptrdiff_t along_y = y_is_negative ? -row : row;
     return is_steep ? Strides{along_y, along_x} : Strides{along_x, along_y};
   }
-  // Returns the position of a cell in its block, which is `4 * y + x`. The arguments are the cell's
-  // coordinates on each axis, counted in the direction in which the line runs.
+  // Returns the position of a cell in its block (`4 * y + x`). The arguments are the cell's
+  // coordinates in the block, counted along each axis in the direction in which the line runs.
   [[nodiscard]] constexpr std::uint32_t inner_of(std::uint32_t along_x,
                                                  std::uint32_t along_y) const {
     const std::uint32_t mirrored = (x_is_negative ? 3U : 0U) | (y_is_negative ? 12U : 0U);
@@ -93,8 +92,8 @@ struct Orientation {
 struct BlockMasks {
   // The cells that a line crosses, indexed by shape.
   std::array<LaneBytes, kShapeCount> of_shape{};
-  // For each position in a block, the cells that a line can cross after it has reached the cell at
-  // this position. `from` includes this cell, and `after` excludes it.
+  // For each position in a block, the cells that a line can still cross once it has reached the
+  // cell at this position. `from` includes this cell, and `after` excludes it.
   std::array<LaneBytes, kLaneCount> from{};
   std::array<LaneBytes, kLaneCount> after{};
 };

@@ -9,15 +9,15 @@
 
 namespace iog::grid {
 
-// Carves block by block along the path. If the steps extend beyond the known path, extends the
-// path. All steps must lie in the grid. Marks the tiles of the path as touched, and clears the
-// steps.
+// Carves block by block along the path, marks the tiles of the path as touched, and clears the
+// steps. If the steps extend beyond the known path, the function also extends the path. All steps
+// must lie in the grid.
 void carve_blocks(BlockGrid& grid, BlockPath& path, FreeSteps& steps);
-// Same as above, for steps with gaps. Blocks within a gap are skipped.
+// Does the same for steps with gaps, and skips the blocks within a gap.
 void carve_blocks(BlockGrid& grid, BlockPath& path, LowSteps& steps);
 
 // Carves cell by cell, along any line. This function is the reference for carve_blocks(). `first`
-// is the line's first position in the grid.
+// is the position where the line enters the grid.
 void carve_cells(BlockGrid& grid, const vehicle::BeamLine& line, traversal::Position first,
                  FreeSteps& steps);
 

@@ -1,10 +1,10 @@
 // Carves the cone of an ultrasonic unit up to its echo. All cells of the cone get the same negative
 // index (sensor_model/arc.hpp).
 //
-// Sound fills the cone, so each echo adds the index to each cell only once. Beams, in contrast,
-// would cross the cells near the unit several times. A cell is carved if the whole cell lies
-// between the outermost directions of the unit's arc and nearer to the unit than the 1D cells
-// around the echo. Cells that the cone's border crosses do not change. Negative indexes can be
+// Because sound fills the cone, an echo adds the index to each cell of the cone exactly once. If
+// the cone were filled with beams, several of them would cross the same cells near the unit. A cell
+// is carved if the whole cell lies within the unit's arc and is nearer to the unit than the 1D
+// cells around the echo. Cells on the border of the cone do not change. Negative indexes can be
 // added in any order (docs/model.md, section 3), so each cone is carved as soon as its echo
 // arrives.
 //

@@ -26,8 +26,8 @@ struct FrameGrids {
   explicit FrameGrids(bool keep, const geometry::Grid& grid = {})
       : indexes(grid), heights(grid), keep_heights(keep) {}
 
-  // Returns two sets of cells of a tile: the free cells that a low beam freed, and the occupied
-  // cells that a tall return hit.
+  // Returns the tile's free cells that a low beam freed, together with its occupied cells that a
+  // tall return hit.
   [[nodiscard]] TileBits low_and_tall(std::size_t tile) const;
 
   // Sets all cells of the tile to unknown and marks the tile as untouched.

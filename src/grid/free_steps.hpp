@@ -8,7 +8,7 @@
 // beams of a LUX. The nearer beam ends at `a`, and the farther beam ends at `b`. Each number is the
 // amount by which the indexes of the cells are lowered:
 //
-//     freer by  28 ----------+
+//    lowered by 28 ----------+
 //                            +- 21 -+
 //                                   +- 14 ---------------+
 //                                                        +- 7 -+
@@ -48,8 +48,8 @@ class FreeSteps {
   [[nodiscard]] bool has_room() const { return beam_count_ < kMaxBeams; }
 
   // To add a beam, call begin_beam() with the first amount, then add() for each later change, and
-  // then end_beam(). Add a beam only if has_room() returns true. From the point where the line
-  // enters the grid to any change, the line must cross fewer than 2 * kCellsPerSide cell borders.
+  // then end_beam(). Add a beam only if has_room() returns true. Between its entry into the
+  // grid and each change, the line must cross fewer than 2 * kCellsPerSide cell borders.
   void begin_beam(Between from, std::int32_t freer) {
     ++beam_count_;
     add(from, freer);
@@ -110,8 +110,8 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // A line crosses at most kSlots - 2 cell borders. There can be one more border after the last
-  // cell.
+  // A line crosses at most `kSlots - 2` cell borders. The border after its last cell can add one
+  // more.
   static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
   Between first_;
@@ -128,10 +128,10 @@ class LowSteps : public FreeSteps {};
 
 // The pending beams of a line. `free` contains the amount by which the beams lower the line's
 // cells. If heights are kept (grid/frame_grids.hpp), `low` contains the parts in which at least one
-// beam is low. A beam adds at most one entry to each of these members.
+// beam is low. Each beam adds at most one entry to `free` and one to `low`.
 struct LineSteps {
-  // The amount by which a low beam lowers cells in `low`. Cell values saturate, so several
-  // overlapping low beams have the same effect as one low beam.
+  // The amount by which a low beam lowers each cell in its low part. Cell values saturate, so
+  // several overlapping low beams have the same effect as one.
   static constexpr std::int32_t kLow = index::kIndexMax<index::OccupancyIndex>;
 
   void begin_at(Between first) {

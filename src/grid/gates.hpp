@@ -21,8 +21,8 @@ namespace iog::grid {
 struct BandJudge {
   const TurnLayers* layers;
 
-  // Returns the height of a return at this range along the line of an azimuth step, and sets
-  // is_tall. `reach_mm` has the same meaning as in vehicle::classify().
+  // Checks the height of a return at this distance along the line of an azimuth step against the
+  // limits, and sets `is_tall`. `reach_mm` has the same meaning as in vehicle::classify().
   [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
                                        std::uint32_t along_mm, std::uint32_t reach_mm,
                                        bool& is_tall) const {
@@ -73,14 +73,14 @@ class BandGate {
   // Both arguments must outlive the gate.
   BandGate(const KeptLine& line, const TurnLayers& layers) : line_(&line), layers_(&layers) {}
 
-  // Returns the layer with the given rank. The layer with rank 0 stays within the limits up to the
-  // greatest distance.
+  // Returns the layer with the given rank. The layer with rank 0 is the one that stays within the
+  // limits for the longest distance.
   [[nodiscard]] std::size_t layer_of(std::uint32_t rank) const { return layers_->by_rank[rank]; }
-  // A hit at a distance of at least far_mm() frees every cell in the band that layers with a rank
-  // of at least TurnLayers::near_rank can free.
+  // A beam whose hit is at or beyond far_mm() frees every cell that any layer of rank
+  // TurnLayers::near_rank or higher can free.
   [[nodiscard]] std::uint32_t far_mm() const { return layers_->far_mm; }
   // `part()` returns the part of the line that the layer can free. `end()` returns the end of this
-  // part if the part is not empty.
+  // part. Use it only if the part is not empty.
   [[nodiscard]] FreePart part(std::size_t layer) const {
     const BandLimits& band = layers_->layers[layer].band;
     return {line_->in_band(band), band.is_free_before_mm()};
@@ -88,8 +88,8 @@ class BandGate {
   [[nodiscard]] Between end(std::size_t layer) const {
     return line_->end_in_band(layers_->layers[layer].band);
   }
-  // `low_part()` returns the part of the line in which the layer is low. `may_be_low()` returns
-  // true if this part could begin before a hit at the given range.
+  // `low_part()` returns the part of the line in which the layer's beam is low. `may_be_low()`
+  // returns false if this part cannot begin before a hit at the given range.
   [[nodiscard]] LinePart low_part(std::size_t layer) const {
     return line_->in_band(layers_->low[layer]);
   }

@@ -10,10 +10,10 @@ namespace iog::grid {
 
 // A boundary between two consecutive cells of a line. A boundary has one of two forms: `before`
 // refers to the next cell, and `after` refers to the previous cell. A boundary is stored as one
-// number that increases along the line. This number consists of the number of borders crossed to
-// reach the next cell (16 bits), a bit for the form `before`, and the x coordinate of the position
-// (15 bits). The form `after` sorts before the form `before` of the same boundary. In the form
-// `after`, the next cell can lie outside the grid.
+// number that increases along the line. The upper 16 bits count the borders crossed to reach the
+// next cell. The next bit is set in the form `before`, and the lowest 15 bits contain the x
+// coordinate of the position. The form `after` sorts before the form `before` of the same boundary.
+// In the form `after`, the next cell can lie outside the grid.
 class Between {
  public:
   constexpr Between() = default;  // before the first cell
@@ -23,13 +23,14 @@ class Between {
   static constexpr Between after(traversal::Position at) {
     return Between((at.crossed() + 1) << 16 | at.x);
   }
-  // Creates the boundary with the given value of crossed() and the given lower half of bits().
+  // Creates a boundary from the value of crossed() and the lower half of bits().
   static constexpr Between of(std::uint32_t crossed, std::uint32_t lower_half) {
     return Between(crossed << 16 | lower_half);
   }
 
   // Returns how many cell borders the line crosses from its start up to and including this
-  // boundary. A cell lies before the boundary if the line reaches the cell after fewer crossings.
+  // boundary. A cell lies before the boundary if the line crosses fewer borders than this to reach
+  // the cell.
   [[nodiscard]] constexpr std::uint32_t crossed() const { return bits_ >> 16; }
   [[nodiscard]] constexpr bool is_after() const { return (bits_ & kIsBefore) == 0; }
   [[nodiscard]] constexpr traversal::Position at() const {

@@ -32,9 +32,9 @@ static_assert(geometry::kLongestSide <= 1 << 12 && sizeof(Mark) == 4);
 // each, or a Pandar64 with two returns (230,400 points).
 inline constexpr std::size_t kMaxMarks = 262'144;
 
-// Returns the step along an arc, in ticks. The result is the largest step that is at most one cell
-// long at this range. If even one tick is longer than a cell, the result is one tick. The constant
-// for 2 * pi is rounded up, so the step is never too long.
+// Returns the step along an arc, in ticks. This is the largest number of ticks whose arc at this
+// range is at most one cell long. If even one tick is longer than a cell, the step is one tick. The
+// constant for 2 * pi is rounded up, so the step is never too long.
 [[nodiscard]] constexpr std::int32_t arc_step_ticks(const vehicle::Sensor& sensor,
                                                     std::uint32_t range_mm) {
   constexpr std::uint64_t kTwoPi = 6'283'186;
@@ -47,8 +47,8 @@ inline constexpr std::size_t kMaxMarks = 262'144;
 
 // Returns the maximum number of cells that one point of this sensor can mark. If the sensor has an
 // arc, the maximum is the number of steps of the longest arc. Otherwise, a point can mark its own
-// cell and the cells within near_after_count 1D cells behind it, as given by the sensor's profile.
-// A line of length d enters at most sqrt(2) * d / cell + 2 further cells.
+// cell and the cells within `near_after_count` 1D cells behind it (see the sensor's profile). A
+// line of length `d` enters at most `sqrt(2) * d / cell + 2` further cells.
 [[nodiscard]] constexpr std::uint32_t max_marks_per_point(const vehicle::Sensor& sensor) {
   if (sensor.arc.is_given()) {
     const std::int32_t step = arc_step_ticks(sensor, sensor.range.mm());
