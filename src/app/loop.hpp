@@ -1,4 +1,4 @@
-// The main loop, which does everything that the firmware does after start-up.
+// The main loop, which handles everything after start-up.
 //
 //     wire bytes -> datagram -> scan points -> beams -> cells -> indexes -> tiles -> wire bytes
 //                          '-> poses -> slices -> masses of the window -> classes -^
@@ -63,13 +63,13 @@ concept Machine = requires(T& machine) {
   { machine.idle() } -> std::same_as<void>;
 };
 
-// The maximum number of datagrams that the loop processes in one pass. Because of this limit, the
+// The maximum number of datagrams that the loop processes in one pass. This limit ensures that the
 // loop runs its tick and services the watchdog even during a flood of datagrams. A frame from four
-// LUX units has 24 datagrams, and a full receive ring contains 256 datagrams.
+// LUX units consists of 24 datagrams, and the receive ring holds 256 datagrams.
 inline constexpr int kMaxDatagramsPerPass = 64;
 
-// The maximum number of datagrams that a slow loop sheds at once. This limit is twice the capacity
-// of the receive ring, because the ring may fill up again in the meantime.
+// The maximum number of datagrams that the loop sheds at once if it is too slow. This limit is
+// twice the capacity of the receive ring, because the ring may fill up again during shedding.
 inline constexpr int kMaxDatagramsLeft = 512;
 
 // Adapts the machine to Platform, the interface that the pipeline requires.
@@ -153,8 +153,8 @@ class MachinePlatform {
   std::uint32_t ticks_hz() { return machine_.stopwatch().ticks_hz(); }
   std::uint32_t run_number() { return machine_.run_number(); }
 
-  // The counters for commands and for service discovery are included only if the respective feature
-  // is enabled.
+  // The counters for signed commands are included only if signed commands are enabled. The counters
+  // for service discovery are included if service discovery or signed commands are enabled.
   [[nodiscard]] const Vitals& vitals(const FrameTimes& times) {
     ++frames_;
     offering_.begin_frame();
@@ -205,9 +205,8 @@ class MachinePlatform {
   Vitals vitals_;
 };
 
-// The target's pipeline. The pipeline sends every frame to the network, including the classes if
-// the vehicle has them. The serial link transmits as much of the frame's grid as its bandwidth
-// allows.
+// The target's pipeline. The pipeline sends every frame, including any classes, to the network. The
+// serial link carries as much of the frame's grid as the link's bandwidth allows.
 template <Machine M, vehicle::Grids kGrids>
 using MachinePipeline =
     std::conditional_t<vehicle::have_classes(kGrids),
@@ -265,7 +264,7 @@ void leave_datagrams(M& machine, MachinePlatform<M>& platform, Backlog& backlog,
   backlog.begin(now_us);
 }
 
-// Runs a step of the memory check if a step is due. Ends the run if a memory region has changed.
+// Runs the next step of the memory check if it is due. Ends the run if a memory region has changed.
 template <Machine M>
 void check_memory(M& machine, health::MemoryCheck& check) {
   if (const auto changed = check.step(machine.clock().now_us())) {

@@ -1,7 +1,7 @@
 // Collects time statistics of the loop since start-up. The statistics cover the duration of each
-// stage of a frame, the delay between a frame's deadline and its closing, and the working time of
-// each core per frame. Frames without packets are ignored. Each new maximum is written to the
-// console, for example as "worst publish 12345 us".
+// stage of a frame, how long after its deadline each frame is closed, and how long each core works
+// per frame. For frames without packets, only the working times of the cores are counted. Each new
+// maximum is written to the console, for example as "worst publish 12345 us".
 #pragma once
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class LoopTimes {
 
   struct Counts {
     std::array<health::Durations, kRows> rows{};
-    // The names of the rows in the stream (stream/target_table.hpp).
+    // The names that the stream uses for the rows (stream/target_table.hpp).
     static constexpr auto kNames =
         std::to_array<std::string_view>({"fuse", "mark", "publish", "perceive", "frame", "late",
                                          "core 0", "core 1", "core 2", "core 3"});

@@ -23,9 +23,9 @@ class MessageSender {
   // Returns the sequence number of the next message.
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
 
-  // Sends a complete message that has room for its protection fields. Returns false if the network
-  // did not accept the message. Lost messages also use up sequence numbers so that the receiver can
-  // detect the loss.
+  // Sends a complete message, which must begin with kProtectionBytes bytes for the protection
+  // fields. Returns false if the network did not accept the message. Each lost message also uses up
+  // a sequence number, so that the receiver can detect the loss.
   [[nodiscard]] bool send(std::span<std::byte> message, protection::TailRemainder tail = {}) {
     sender_.protect(message, tail);
     ++sequence_;

@@ -42,7 +42,7 @@ class NetworkSink {
   }
 
  protected:
-  // Encodes the waiting tiles, as in TileSender::encode().
+  // Encodes all waiting tiles (see TileSender::encode()).
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     tiles_.encode(do_beside);

@@ -16,23 +16,23 @@ namespace iog::app {
 // An ObjectFollower uses 2 MB, so it must be in static memory.
 class ObjectFollower {
  public:
-  // Begins a frame whose slices have been added to the window. `end_us` is the middle of the
-  // frame's last slice, on the clock of the poses. `slices` contains at least one registered slice.
-  // `car` is the vehicle's pose at end_us.
+  // Begins a frame whose slices have been added to the window. `end_us` is a time on the clock of
+  // the poses, in the middle of the frame's last slice. `slices` contains at least one registered
+  // slice. `car` is the vehicle's pose at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Reads the labels of the frame's hits. The cores of the crew share this work. The classes must
-  // have been computed.
+  // Reads the labels of the frame's hits. The cores of the crew share this work. Call this function
+  // after the classes have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks and labels the cells of moving objects. Call this function before the end of
   // the frame. The function uses only the window's labels, and reads all labels before changing any
   // of them.
   objects::FrameCounts follow(perception::WindowFusion& window);
 
-  // Handles a frame without slices. `end_us` is the end of the frame.
+  // Handles a frame without slices. `end_us` is half a slice before the end of the frame.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);
 
-  // Call this function when the window has lost its position.
+  // Call this function when the window has been reset to unknown.
   void forget() {
     tracker_.forget();
     is_begun_ = false;

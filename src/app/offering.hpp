@@ -2,9 +2,9 @@
 // and sends a copy of each message to the subscriber. Otherwise, the target sends messages only to
 // its peer.
 //
-// Messages to the peer have priority over the copies. A frame has at most kMostMessages messages.
-// The target sends a copy only if enough buffers remain for the frame's messages to the peer. The
-// port's ring is enlarged to make room for the copies.
+// Messages to the peer have priority over the copies. A frame is expected to have at most
+// kMostMessages messages. The target sends a copy only if enough buffers remain for the rest of the
+// frame's messages to the peer. The port's ring is enlarged to make room for the copies.
 #pragma once
 
 #include <cstddef>
@@ -23,11 +23,11 @@ namespace iog::app {
 template <hal::EthernetPort Port>
 class Offering {
  public:
-  // The maximum number of messages per frame. This number allows for a complete grid of raw tiles
-  // and for other messages that may be sent at the same time.
+  // The expected maximum number of messages per frame. This number allows for a complete grid of
+  // raw tiles and for other messages that may be sent at the same time.
   static constexpr std::size_t kMostMessages = 1024 + 64;
-  // The number of buffers that remain reserved for the peer if a frame has more messages than
-  // expected.
+  // The minimum number of buffers that stay reserved for the peer, even if a frame has more
+  // messages than expected.
   static constexpr std::size_t kLeastRoom = 64;
 
   // `port` and `host` must outlive this object. `run_number` seeds the random delay before the
@@ -63,8 +63,8 @@ class Offering {
     }
   }
 
-  // Withdraws the offer. Call this function once, before the run ends. If the controller accepts
-  // the message, it is sent immediately.
+  // Withdraws the offer. Call this function once, before the run ends. The message is sent
+  // immediately if the controller accepts it.
   void withdraw() {
     if (is_on_) {
       send(server_.withdraw());
@@ -90,7 +90,7 @@ class Offering {
   }
 
  private:
-  // Maps neighbouring numbers to distant numbers (Knuth, The Art of Computer Programming, 6.4).
+  // Spreads adjacent numbers far apart (Knuth, The Art of Computer Programming, 6.4).
   static constexpr std::uint32_t scattered(std::uint32_t number) { return number * 2'654'435'761U; }
 
   [[nodiscard]] bool copy(std::span<const std::byte> message) {

@@ -1,8 +1,8 @@
 // Computes the perception grid of a frame (app/frame.hpp) from poses, maps and the frame's packets.
 //
-// The engine buffers the packets until the frame ends. Then the engine fuses the packets that were
-// measured in the same slice of a few milliseconds, and adds them to the window using the pose of
-// the slice. The frame's own grid is assembled from the grids of its slices. This grid is
+// The engine buffers the packets until the frame ends. Then the engine fuses all packets that were
+// measured in the same slice of a few milliseconds, and adds the result to the window using the
+// pose of the slice. The frame's own grid is assembled from the grids of its slices. This grid is
 // byte-for-byte identical to the grid that results from fusing the packets on arrival.
 //
 //     packets -> [FrameSlices] slices -> [fusion] grid of a slice -> [window] masses -> classes
@@ -10,7 +10,7 @@
 //     map, newest transform -> [Layer] masks of tiles -> [window] names
 //
 // Packets without a pose are fused into the frame's grid, but are not added to the window. If the
-// sequence of poses breaks, the entire window becomes unknown. The engine counts both cases.
+// sequence of poses is broken, the entire window is reset to unknown. The engine counts both cases.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,8 @@
 namespace iog::app {
 
 // The reason why a vehicle cannot have a perception grid. The car file compiler rejects such a
-// vehicle. On a PC, however, the fusion rule can be changed later.
+// vehicle. On a PC, however, the fusion rule can still be changed after the car file has been
+// compiled.
 enum class Unfit : std::uint8_t {
   kNone,
   kFusionRule,    // its fusion rule is not hits_win: slices could not be joined
@@ -58,7 +59,8 @@ class PerceptionEngine {
   // The map must outlive the engine.
   void begin_with_map(std::span<const std::uint8_t> block) { maps_.begin_with(block); }
 
-  // Call this function before the first datagram. The window's age is measured from `now_us`.
+  // Call this function before the first datagram. The window's clock starts from 0 at the time
+  // `now_us`.
   void start(std::uint64_t now_us) { clock_.start(now_us); }
 
   // Returns true if the datagram was a pose or a part of a map. The function also logs all
@@ -70,7 +72,7 @@ class PerceptionEngine {
   void keep(const intake::SensorPacket& packet, std::uint64_t now_us);
 
   // Closes the frame. Completes the grid and the classes, using all cores of the crew. After each
-  // stage, finish() passes the stage's member of stream::StageTicks to lap().
+  // stage, finish() calls lap() with that stage's member of stream::StageTicks.
   template <typename Lap>
   void finish(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     decide(now_us, crew, lap);
@@ -81,8 +83,8 @@ class PerceptionEngine {
   // `decide()`, `follow_objects()` and `end()` are the three steps of finish(). Callers that call
   // these steps individually can run other tasks in parallel. `decide()` completes the grid and all
   // classes except those of moving objects. `follow_objects()` adds the classes of moving objects
-  // on core 0. Other cores may read the grid while follow_objects() runs. `end()` stores the
-  // ground. While end() runs, core 0 runs do_beside(), which may read the classes.
+  // on core 0. Other cores may read the grid while follow_objects() runs. `end()` updates the
+  // ground memory. While end() runs, core 0 runs do_beside(), which may read the classes.
   template <typename Lap>
   void decide(std::uint64_t now_us, const work::Crew& crew, Lap&& lap) {
     receptions_.close(now_us);
@@ -110,11 +112,11 @@ class PerceptionEngine {
   void describe(stream::ClassEnd& end) const;
   void list_objects(stream::ObjectList& list) const;
 
-  // `slices()` returns the registered slices. `stamp_us()` returns the frame's end on the clock of
-  // the poses. A frame ends at the end of its last slice. A frame without packets ends at the time
-  // of the newest pose. The value of stamp_us() increases from frame to frame, even if the clock of
-  // the poses restarts or is unknown. `is_forgotten()` returns true if the position of the window's
-  // earlier content is no longer known.
+  // `slices()` returns the registered slices. `stamp_us()` returns the time at which the frame
+  // ended, on the clock of the poses. A frame ends at the end of its last slice. A frame without
+  // packets ends at the time of the newest pose. The value of stamp_us() never decreases, even if
+  // the clock of the poses restarts or is unknown. `is_forgotten()` returns true if the window was
+  // reset to unknown in this frame.
   [[nodiscard]] std::span<const fusion::PlacedSlice> slices() const { return slices_.placed(); }
   [[nodiscard]] std::uint64_t stamp_us() const { return clock_.stamp_us(); }
   [[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
@@ -167,7 +169,7 @@ class PerceptionEngine {
     lap(&stream::StageTicks::mark);
   }
 
-  // Fuses as many slices at a time as fit into memory, and then adds these slices to the window.
+  // Repeatedly fuses as many slices as fit into memory, and adds them to the window.
   template <typename Lap>
   void fuse_together(const work::Crew& crew, Lap&& lap) {
     fusion::SharedFusion& fusion = frame_->fusion();

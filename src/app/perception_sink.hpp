@@ -29,8 +29,8 @@ class PerceptionSink : private NetworkSink<P> {
   using Indexes::begin_frame;
   using Indexes::end;
 
-  // Callers must fill in class_end(), which is the class end message, before the classes are
-  // encoded. Callers must also fill in objects() before the objects are sent.
+  // Callers must fill in the class end message, class_end(), before the classes are encoded, and
+  // objects() before the objects are sent.
   [[nodiscard]] stream::ClassEnd& class_end() { return class_end_; }
   [[nodiscard]] stream::ObjectList& objects() { return objects_; }
 

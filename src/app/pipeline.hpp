@@ -31,7 +31,7 @@
 
 namespace iog::app {
 
-// Replaces PerceptionEngine for a car without classes.
+// Takes the place of PerceptionEngine for a car without classes.
 struct NoPerception {
   NoPerception(const Frame& /*frame*/, const vehicle::Vehicle& /*vehicle*/,
                std::uint32_t /*replayer_ipv4*/) {}
@@ -54,7 +54,7 @@ template <typename Perception, Platform P, FrameSink... Sinks>
 class FramePipeline {
  public:
   // `vehicle`, `platform` and `sinks` must outlive the pipeline. The replayer at `replayer_ipv4`
-  // may send on behalf of any sensor. The address is 0 if there is no replayer.
+  // may send on behalf of any sensor. `replayer_ipv4` is 0 if there is no replayer.
   FramePipeline(const vehicle::Vehicle& vehicle, std::uint32_t replayer_ipv4, P& platform,
                 Coding coding, Sinks&... sinks)
       : helpers_(vehicle),
@@ -70,12 +70,12 @@ class FramePipeline {
       : FramePipeline(vehicle, replayer_ipv4, platform, Coding::kShortest, sinks...) {}
 
   // Sets the map that is available from the start. Call this function before the first datagram.
-  // The map must outlive the pipeline. If there are no classes, this function has no effect.
+  // The map must outlive the pipeline. In a pipeline without classes, this function has no effect.
   void begin_with_map(std::span<const std::uint8_t> block) { perception_.begin_with_map(block); }
 
   // Call this function before the first datagram. If start() is not called, time starts at 0. The
-  // time without datagrams is measured from now_us, so it does not include the time needed to set
-  // up the pipeline.
+  // timer that closes an empty frame starts at now_us, so the time needed to set up the pipeline
+  // does not count.
   void start(std::uint64_t now_us) {
     frame_.start(now_us);
     perception_.start(now_us);
@@ -219,8 +219,7 @@ class FramePipeline {
     return static_cast<std::uint32_t>(std::min(now_us - std::min(now_us, deadline_us), kMost));
   }
 
-  // `publish()` and `publish_divided()` are kept out of line so that both can use the same stack
-  // space.
+  // `publish()` and `publish_divided()` are not inlined, so that both can use the same stack space.
   [[gnu::noinline]] void publish(const stream::Header& header) {
     keep_cache(true);
     take_tiles(header);
@@ -234,10 +233,10 @@ class FramePipeline {
     keep_cache(false);
   }
 
-  // Each tile and its reference are used only once per frame. They must not evict the tables and
-  // beam lines from the L2 cache, because the next frame uses these again. Raw tiles have no
-  // reference, and classes reuse most of their data. For raw tiles and classes, protecting the
-  // cache would only cost time (lab/notes/2026-11-29-l2-lockdown.md).
+  // Tiles and their references are used only once per frame, so they must not evict the tables and
+  // beam lines from the L2 cache. The next frame needs the tables and beam lines again. Raw tiles
+  // have no reference, and classes reuse most of their data. For raw tiles and classes, protecting
+  // the cache would only cost time (lab/notes/2026-11-29-l2-lockdown.md).
   void keep_cache(bool keep) {
     if constexpr (hal::SharedCache<P>) {
       if (keeps_cache_) {
@@ -246,8 +245,9 @@ class FramePipeline {
     }
   }
 
-  // Core 0 tracks objects while the other cores encode tiles. Core 0 then sends the tiles while the
-  // other cores encode classes, and sends the classes while the other cores store the ground.
+  // Core 0 tracks objects while the other cores encode tiles. Then core 0 sends the tiles while the
+  // other cores encode classes. Finally, core 0 sends the classes while the other cores update the
+  // ground memory.
   [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
     take_tiles(header);
     network_.encode_tiles([this] { perception_.follow_objects(); });

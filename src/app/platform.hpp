@@ -34,7 +34,7 @@ struct FrameTimes {
   bool has_packets = false;
 };
 
-// `send_message(bytes)` sends a copy of at most protection::kMaxMessageBytes bytes.
+// `send_message(bytes)` copies and sends a message of at most protection::kMaxMessageBytes bytes.
 // `send_message()` returns false if the message cannot be sent. Together, ticks() and ticks_hz()
 // form a stopwatch, like hal::Stopwatch. `vitals(times)` is called once per frame, before the
 // frame's first message. `run_number()` is the same function as in hal::RunNumber. `cores()`
@@ -52,7 +52,7 @@ concept Platform = requires(T& platform, std::span<const std::byte> message, std
   { platform.share(items, work, beside) } -> std::same_as<void>;
 };
 
-// A platform that is declared to have only one core.
+// A platform that never has more than one core.
 template <typename T>
 concept HasOneCore = requires {
   requires T::kMostCores == 1;
@@ -60,7 +60,8 @@ concept HasOneCore = requires {
 
 // A FrameSink receives a closed frame: first the header of the frame's messages, then each tile
 // with a known cell, in ascending order, and finally the end of the frame. The sink ignores the
-// type and number in the header. The cells belong to the caller and change after the call.
+// message type and the sequence number in the header. The cells belong to the caller and may change
+// after the call.
 template <typename T>
 concept FrameSink = requires(T& sink, const stream::Header& header, std::size_t tile,
                              tile_coding::TileCells cells) {

@@ -19,8 +19,8 @@ class ReceptionLog {
 
   [[nodiscard]] bool is_on() const { return is_on_; }
 
-  // Adds a datagram. Call this function when the datagram is processed, and only if its sender is
-  // allowed to send it.
+  // Adds a datagram. Call this function when the datagram is processed, and only if the datagram
+  // comes from a permitted sender.
   void add(const intake::Datagram& datagram, std::uint64_t now_us) {
     if (!is_on_) {
       return;
@@ -29,8 +29,8 @@ class ReceptionLog {
       ++not_listed_;
       return;
     }
-    // This field contains the arrival time modulo 2^32 until close() replaces it with the time from
-    // the arrival to the closing of the frame.
+    // At first, `before_close_us` contains the arrival time modulo 2^32. Later, close() replaces
+    // the arrival time with the time from the arrival to the closing of the frame.
     list_[count_++] = {.port = datagram.destination_port,
                        .key = stream::key_of(datagram.payload),
                        .before_close_us = static_cast<std::uint32_t>(now_us)};

@@ -1,6 +1,6 @@
-// Runs a target that has no car block. Such a target computes no grid and reports why it has no car
-// block. The target answers ARP and ping as usual, ignores datagrams, and sends a message with the
-// reason to its peer every second (docs/spec.md 3.11).
+// Runs a target without a valid car block. Such a target computes no grid. It answers ARP and ping
+// as usual, and ignores datagrams. Once a second, the target sends its peer a message that states
+// why the car block was rejected (docs/spec.md 3.11).
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace iog::app {
 
 inline constexpr std::uint64_t kRefusalPeriodUs = 1'000'000;
 
-// The texts in the refusal must outlive this object.
+// The text in `refusal` must outlive this object.
 template <Machine M>
 class RefusedCar {
  public:

@@ -1,12 +1,12 @@
-// Converts the tiles of one grid to messages. Each tile is sent in its shortest encoding, which may
-// contain only the changes since the tile was last sent.
+// Converts the tiles of one grid to messages. Each tile is sent in its shortest encoding. This
+// encoding may list just the changes since the tile's reference.
 //
 // Several cores encode waiting tiles and compute the contribution of each tile to the grid's CRC.
 // Each tile is processed independently of the other tiles. The messages and the CRC are then
-// generated in ascending order of tiles, so the bytes are the same for any number of cores. If the
-// cells of the tiles do not change, all tiles are collected first. During encoding, core 0 can then
-// do other work. Tiles whose cells change are collected in batches. If there is only one core, it
-// encodes each tile immediately, while the tile is still in the cache.
+// generated in ascending order of tiles, so the bytes are the same for any number of cores. Tiles
+// whose cells stay unchanged until the grid ends are all collected before they are encoded, and
+// core 0 can do other work during encoding. Other tiles are copied and encoded in batches. A single
+// core encodes each tile immediately, while the tile is still in the cache.
 //
 // Encoded class tiles are cached. The cells of a tile are read again only if the cells or the
 // tile's reference have changed.
@@ -38,8 +38,8 @@
 
 namespace iog::app {
 
-// The encoding of the sent tiles. In their shortest encoding, tiles have a tenth of the size of raw
-// tiles, but encoding them takes more instructions.
+// The encoding in which tiles are sent. Tiles in their shortest encoding are a tenth of the size of
+// raw tiles, but take more instructions to encode.
 enum class Coding : std::uint8_t { kShortest, kRaw };
 
 // Specifies how long the cells of an added tile stay unchanged.
@@ -62,7 +62,7 @@ class TileSender {
              const geometry::Grid& grid = {})
       : platform_(&platform), messages_(&messages), coding_{coding}, grid_{grid} {}
 
-  // Begins a frame's grid, either of occupancy indexes or of classes.
+  // Begins the occupancy grid or the class grid of a frame.
   void begin(const stream::Header& header) {
     begin_frame(header);
     hash_ = Hash(grid_);
@@ -92,8 +92,8 @@ class TileSender {
         CellsStay::kToTheFinish);
   }
 
-  // Returns true if the added tiles wait to be encoded together. They wait if several cores share
-  // the work and the tiles are not sent raw.
+  // Returns true if added tiles wait until they are encoded together. Tiles wait if several cores
+  // share the work and the tiles are not sent raw.
   [[nodiscard]] bool do_wait() const { return do_wait_; }
 
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
@@ -114,8 +114,8 @@ class TileSender {
     encode_rest();
     return finish_encoded();
   }
-  // Same as finish(), but requires that all waiting tiles have been encoded. This function uses
-  // only the calling core, so it may be called while other cores are busy.
+  // Like finish(), but all waiting tiles must already have been encoded. This function uses only
+  // the calling core, so it may be called while other cores are busy.
   Sent finish_encoded() {
     send_waiting();
     send_tiles(end_tile_);
@@ -124,9 +124,9 @@ class TileSender {
   }
 
  private:
-  // Tiles whose cells change are copied and encoded in rounds of kBatch tiles. `kBatch` is large
-  // enough to keep the number of rounds low, and small enough to keep the data of a round in the L2
-  // cache.
+  // Tiles whose cells may change are copied and encoded in rounds of kBatch tiles. `kBatch` is
+  // large enough to keep the number of rounds low, and small enough to keep the data of a round in
+  // the L2 cache.
   static constexpr std::size_t kBatch = 192;
   // The number of tiles that one core claims at a time.
   static constexpr work::Runs::Lengths kEncoded{.shortest = 4, .longest = 32};
@@ -197,7 +197,8 @@ class TileSender {
   }
 
   // A task reads no data that another task writes. Each task writes only to the slots of its own
-  // tiles and to the encoder of its core. A partially written slot has no version.
+  // tiles and to the encoder of its core. While a tile is being encoded into a slot, the slot's
+  // version is kNoVersion.
   void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
     const bool is_kept = kIsKept && found.version == added.version;
     if (is_kept && found.is_left_out) {
@@ -220,9 +221,10 @@ class TileSender {
     found.version = added.version;
   }
 
-  // Updates the encoding of cells that have not changed. The reference is the same as before, or
-  // the cells' own self-contained tile. After a self-contained tile, the new encoding states that
-  // no cell has changed. If the function is interrupted and repeated, the result is the same.
+  // Updates the encoding of a tile whose cells have not changed. If the tile was last encoded in
+  // self-contained form, that form is now its reference, and the new encoding states that no cell
+  // has changed. Otherwise, the tile still has the same reference. If the function is interrupted
+  // and repeated, the result is the same.
   void send_again(const tile_coding::Reference& reference, Found& found) const {
     found.payload[0] = static_cast<std::byte>(frame_number_ - reference.frame_number);
     if (stream::stands_by_itself(found.encoded.encoding)) {
@@ -233,7 +235,7 @@ class TileSender {
     }
   }
 
-  // Sends an encoded tile. Call this function in ascending order of tiles.
+  // Sends an encoded tile. Call this function for the tiles in ascending order.
   void send(const Added& added, const Found& found) {
     if (found.is_left_out) {
       return;
@@ -286,7 +288,7 @@ class TileSender {
     }
   }
 
-  // A raw payload consists of the cells, so the CRC remainder of the cells is also used for the CRC
+  // A raw payload consists of the cells themselves, so their CRC remainder is also used for the CRC
   // of the message.
   void append_or_send(const Added& added, stream::Encoding encoding,
                       std::span<const std::byte> payload, std::uint32_t remainder) {

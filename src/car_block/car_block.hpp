@@ -19,8 +19,8 @@
 
 namespace iog::car_block {
 
-// The properties that are fixed when the firmware is compiled. A car that requires different
-// properties requires a different image.
+// The properties of the firmware that are fixed at compile time. A car that requires other
+// properties needs a different image.
 struct Firmware {
   std::uint16_t cell_mm = 0;
   std::uint16_t cells_per_side = 0;
@@ -29,7 +29,7 @@ struct Firmware {
   friend constexpr bool operator==(const Firmware&, const Firmware&) = default;
 };
 
-// Returns the properties of the firmware that is compiled from this source.
+// Returns the properties of the firmware compiled from this source.
 [[nodiscard]] Firmware firmware_of(vehicle::Grids grids);
 
 // Writes the complete block. The vehicle must be within the limits, and the network configuration
@@ -49,8 +49,8 @@ void write_key(const authentication::Key& key, WritableBlock block);
 // car.
 [[nodiscard]] std::optional<authentication::Key> read_key(Block block);
 
-// Two records contain the network configuration. Returns the first valid record, or std::nullopt if
-// both records are invalid.
+// The block stores the network configuration in two records. Returns the configuration in the first
+// valid record, or std::nullopt if both records are invalid.
 [[nodiscard]] std::optional<net::Config> read_network(Block block);
 
 // The record that was rejected.
@@ -69,7 +69,7 @@ struct Verdict {
 [[nodiscard]] Verdict read_car(Block block, vehicle::Grids grids, SensorMemory& memory,
                                vehicle::Vehicle& vehicle);
 
-// The message that is shown when a car block is rejected.
+// The message shown when a car block is rejected.
 class Words {
  public:
   explicit Words(const Verdict& verdict);
@@ -79,7 +79,7 @@ class Words {
   void add(std::string_view text);
   void add_number(std::uint32_t number);
 
-  // The longest list of allowed values has about 110 characters.
+  // The longest list of allowed values is about 110 characters long.
   std::array<char, 200> letters_{};
   std::size_t length_ = 0;
 };
