@@ -19,9 +19,7 @@ def drive(vehicle: str) -> str:
 
 def counted(place: a9_runs.Place, vehicle: str, capture: str) -> list[a9_runs.Row]:
     """Fails if a grid is not that of `iog fuse`."""
-    car = vehicle
-    if vehicle not in VEHICLES:
-        car = str(place.images / f"vehicles/{vehicle}.toml")
+    car = str(place.images / f"vehicles/{vehicle}.toml")
     line, = a9_runs.counted(place, f"frame_cost-{vehicle}", capture, "shortest", 1, "stages")
     rows = a9_runs.counted_rows(line, f"turning vehicle={vehicle}")
     a9_runs.check_grids(place, rows, capture, car)

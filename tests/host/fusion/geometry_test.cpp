@@ -104,7 +104,7 @@ TEST(Geometry, ALongGridIsMadeOfItsHalves) {
   car.grid = {.ahead_m = 102.4, .behind_m = 102.4, .left_m = 25.6, .right_m = 25.6};
   const CompiledCar all(configs, car);
   tests::Random random(7);
-  auto frame = points_of(all.vehicle, random, tests::effort(2'000, 400));
+  auto frame = points_of(all.vehicle, random, 2'000);
   const Cells cells = fuse(all.vehicle, frame);
   std::ranges::reverse(frame);  // no order shows
   for (const bool is_ahead : {false, true}) {

@@ -202,7 +202,7 @@ TEST(Carving, BlockByBlockIsCellByCellOnLongGrids) {
 // same is true of blocks, and block 0 comes on top. docs/model.md has r = 1024.
 TEST(Carving, NoGridHasALineWithMoreBordersThanSlots) {
   for (int width = 32; width <= geometry::kLongestSide; width += 32) {
-    const int height = std::min(geometry::kLongestSide, 1024 * 1024 / width / 32 * 32);
+    const int height = std::min<int>(geometry::kLongestSide, 1024 * 1024 / width / 32 * 32);
     int most = 0;
     int most_blocks = 0;
     for (int dx = 0; dx <= std::min(width, 1448); ++dx) {
