@@ -7,6 +7,7 @@
 #include "lidar/points.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 
@@ -34,7 +35,21 @@ PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
   return scan;
 }
 
+// All points are placed by one mount.
+void PointsSender::demand_one_frame(const std::string& frame) {
+  if (frame.empty()) {
+    return;
+  }
+  if (!frame_.empty() && frame != frame_) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + " is in frame " + printable(frame) +
+                     ", the one before in " + printable(frame_) +
+                     ": one sensor sees in one frame, so record each lidar on a topic of its own");
+  }
+  frame_ = frame;
+}
+
 std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
+  demand_one_frame(cloud.frame);
   if (cloud.points.size() > sensor_->max_points_per_scan) {
     throw UsageError("cloud " + std::to_string(sent_.clouds) + " has " +
                      std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
@@ -32,16 +33,18 @@ class PointsSender {
 
   // Sends a scan in the order of the points' times or, if they have none, of their azimuths.
   // UsageError if the scan has more points than the car file allows, for the reasons of
-  // demand_metres(), or if times go back.
+  // demand_metres(), if times go back, or if scans are in two frames.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
 
   [[nodiscard]] const SentClouds& sent() const { return sent_; }
 
  private:
+  void demand_one_frame(const std::string& frame);
   [[nodiscard]] PointsScan scan_of(SeenCloud&& cloud) const;
 
   const description::SensorConfig* config_;
   const vehicle::Sensor* sensor_;
+  std::string frame_{};  // of the clouds
   std::uint64_t last_cloud_us_ = 0;
   std::uint64_t last_us_ = 0;
   SentClouds sent_;
