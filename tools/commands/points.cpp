@@ -133,6 +133,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",
          words);
+  remark(sent.out_of_order,
+         "cloud|clouds out of order skipped (time goes back by up to " +
+             std::to_string(sent.furthest_back_ms()) + " ms)",
+         words);
   out << counted(sent.clouds, "cloud|clouds") << ", " << counted(sent.points, "point|points in ")
       << counted(sent.datagrams, "datagram|datagrams ") << where << '\n';
   for (const std::string& word : words) {
@@ -236,6 +240,7 @@ void send_clouds(PointsOptions options) {
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }
+  sender.demand_order();
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
   if (sender.sent().points == 0) {

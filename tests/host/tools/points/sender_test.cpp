@@ -174,9 +174,34 @@ TEST_F(PointsOfBag, AFrameWithoutANameIsNoOther) {
   EXPECT_EQ(told(), "");
 }
 
-TEST_F(PointsOfBag, TimesThatGoBackAreTold) {
+TEST_F(PointsOfBag, ACloudOutOfOrderIsSkipped) {
   bag_.times_ns[3] = bag_.times_ns[1];
-  EXPECT_EQ(told(), "cloud 3: its time goes back by 25 ms");
+  EXPECT_EQ(sent().size(), (kScans - 1) * 13U);
+  EXPECT_EQ(sender_.sent().clouds, kScans - 1);
+  EXPECT_EQ(sender_.sent().out_of_order, 1U);
+  EXPECT_NO_THROW(sender_.demand_order());
+}
+
+// Half of them are borne; of times that fall all but the first are out of order.
+TEST_F(PointsOfBag, CloudsMostOfWhichAreOutOfOrderAreTold) {
+  for (std::size_t i = 4; i < kScans; ++i) {
+    bag_.times_ns[i] = bag_.times_ns[0];
+  }
+  EXPECT_EQ(told(), "");
+  EXPECT_EQ(sender_.sent().out_of_order, 4U);
+  EXPECT_NO_THROW(sender_.demand_order());
+  sender_ = PointsSender(find_vehicle("robot_2d"), 0);
+  bag_.times_ns = {kStartNs + 2 * kPeriodNs, kStartNs + kPeriodNs, kStartNs};
+  EXPECT_EQ(told(), "");
+  try {
+    sender_.demand_order();
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "2 of 3 clouds are out of order (times go back by up to 50 ms): give files in order "
+        "of time, and recordings sorted by header.stamp");
+  }
 }
 
 TEST_F(PointsOfBag, OneWithoutCloudsIsTold) {
