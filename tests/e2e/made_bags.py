@@ -41,9 +41,10 @@ class Cdr:
         return b"\0\1\0\0" + self.bytes
 
 
-def point_cloud2(time_ns: int, points: numpy.ndarray, is_big_endian: bool = False) -> tuple[str, bytes]:
+def point_cloud2(time_ns: int, points: numpy.ndarray, is_big_endian: bool = False,
+                 frame: str = "lidar") -> tuple[str, bytes]:
     """Of a structured array, row by row."""
-    out = Cdr().header(time_ns, "lidar").put("I", 1, len(points), len(points.dtype.names))
+    out = Cdr().header(time_ns, frame).put("I", 1, len(points), len(points.dtype.names))
     for name in points.dtype.names:
         out.text(name).put("I", points.dtype.fields[name][1]).put("B", FORMATS[name]).put("I", 1)
     data = (points.byteswap() if is_big_endian else points).tobytes()
@@ -94,15 +95,15 @@ def proto(*fields: tuple[int, object]) -> bytes:
 FOXGLOVE = {7: 7, 4: 3}  # foxglove.PackedElementField, by sensor_msgs/PointField
 
 
-def foxglove_head(time_ns: int) -> list[tuple[int, object]]:
+def foxglove_head(time_ns: int, frame: str = "lidar") -> list[tuple[int, object]]:
     pose = proto((1, proto()), (2, proto((4, ("<d", 1.0)))))
-    return [(1, proto((1, time_ns // 10**9), (2, time_ns % 10**9))), (2, "lidar"), (3, pose)]
+    return [(1, proto((1, time_ns // 10**9), (2, time_ns % 10**9))), (2, frame), (3, pose)]
 
 
-def foxglove_cloud(time_ns: int, points: numpy.ndarray) -> tuple[str, bytes]:
+def foxglove_cloud(time_ns: int, points: numpy.ndarray, frame: str = "lidar") -> tuple[str, bytes]:
     fields = [(5, proto((1, name), (2, ("<I", points.dtype.fields[name][1])), (3, FOXGLOVE[FORMATS[name]])))
               for name in points.dtype.names]
-    return "foxglove.PointCloud", proto(*foxglove_head(time_ns), (4, ("<I", points.itemsize)), *fields,
+    return "foxglove.PointCloud", proto(*foxglove_head(time_ns, frame), (4, ("<I", points.itemsize)), *fields,
                                         (6, points.tobytes()))
 
 

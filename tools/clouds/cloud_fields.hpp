@@ -16,6 +16,7 @@ namespace iog::tools {
 
 // What a lidar saw in one scan.
 struct SeenCloud {
+  std::string frame{};             // in which its points are; empty: not known
   std::uint64_t time_us = 0;       // that of its first point
   bool has_times = false;          // of its points
   double time_span = 0;            // of its points, in their own unit

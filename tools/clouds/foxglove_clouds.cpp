@@ -157,6 +157,23 @@ LaserRanges scan_in(ros::CdrReader& in) {
   return scan;
 }
 
+std::string frame_in(ByteView message) {
+  std::string frame;
+  for_each_field(message, [&](const ProtoField& its) {
+    if (its.number == 2) {
+      frame.assign(reinterpret_cast<const char*>(its.bytes.data()), its.bytes.size());
+    }
+  });
+  return frame;
+}
+
+std::string frame_in(ros::CdrReader& in) {
+  static_cast<void>(in.stamp_us());
+  std::string frame = in.text();
+  in.must_be_whole();
+  return frame;
+}
+
 // What read(message or its reader) makes of either encoding.
 template <typename Read>
 auto read_either(ByteView message, bool is_cdr, const std::string& what, const Read& read) {
@@ -186,6 +203,10 @@ SeenCloud scan_of_foxglove(ByteView message, bool is_cdr, const std::string& wha
   const auto steps = static_cast<double>(scan.ranges_m.size()) - 1;
   scan.step_rad = steps > 0 ? (scan.last_rad - scan.first_rad) / steps : 0;
   return cloud_of_ranges(scan, what);
+}
+
+std::string frame_of_foxglove(ByteView message, bool is_cdr, const std::string& what) {
+  return read_either(message, is_cdr, what, [](auto& in) { return frame_in(in); });
 }
 
 }  // namespace iog::tools

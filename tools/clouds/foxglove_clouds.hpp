@@ -16,5 +16,8 @@ namespace iog::tools {
                                           TimeUnit& unit, const std::string& what);
 [[nodiscard]] SeenCloud scan_of_foxglove(std::span<const std::byte> message, bool is_cdr,
                                          const std::string& what);
+// UsageError, which begins with `what`, for one that is cut off.
+[[nodiscard]] std::string frame_of_foxglove(std::span<const std::byte> message, bool is_cdr,
+                                            const std::string& what);
 
 }  // namespace iog::tools

@@ -7,6 +7,7 @@
 #include "lidar/points.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 
 namespace iog::tools {
 
@@ -34,7 +35,31 @@ PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
   return scan;
 }
 
+// All points are placed by one mount.
+void PointsSender::demand_one_frame(const std::string& frame) {
+  if (frame.empty()) {
+    return;
+  }
+  if (!frame_.empty() && frame != frame_) {
+    throw UsageError("cloud " + std::to_string(sent_.clouds) + " is in frame " + printable(frame) +
+                     ", the one before in " + printable(frame_) +
+                     ": one sensor sees in one frame, so record each lidar on a topic of its own");
+  }
+  frame_ = frame;
+}
+
+void PointsSender::demand_order() const {
+  if (sent_.out_of_order > sent_.clouds) {
+    throw UsageError(std::to_string(sent_.out_of_order) + " of " +
+                     std::to_string(sent_.out_of_order + sent_.clouds) +
+                     " clouds are out of order (times go back by up to " +
+                     std::to_string(sent_.furthest_back_ms()) +
+                     " ms): give files in order of time, and recordings sorted by header.stamp");
+  }
+}
+
 std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
+  demand_one_frame(cloud.frame);
   if (cloud.points.size() > sensor_->max_points_per_scan) {
     throw UsageError("cloud " + std::to_string(sent_.clouds) + " has " +
                      std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +
@@ -53,8 +78,9 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
           cloud.points, [](std::int32_t mm) { return mm > kFarthestMm; }, &WirePoint::third)),
       cloud.points.size(), "cloud " + std::to_string(sent_.clouds));
   if (cloud.time_us < last_cloud_us_) {
-    throw UsageError("cloud " + std::to_string(sent_.clouds) + ": its time goes back by " +
-                     std::to_string((last_cloud_us_ - cloud.time_us + 999) / 1000) + " ms");
+    ++sent_.out_of_order;
+    sent_.furthest_back_us = std::max(sent_.furthest_back_us, last_cloud_us_ - cloud.time_us);
+    return {};
   }
   if (cloud.time_us == 0) {
     ++sent_.without_stamp;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
@@ -23,6 +24,10 @@ struct SentClouds {
   std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
   std::uint64_t without_times = 0;  // clouds of a spinning unit: their points have none
   std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
+  std::uint64_t out_of_order = 0;   // clouds: not sent
+  std::uint64_t furthest_back_us = 0;
+
+  [[nodiscard]] std::uint64_t furthest_back_ms() const { return (furthest_back_us + 999) / 1000; }
 };
 
 class PointsSender {
@@ -32,16 +37,21 @@ class PointsSender {
 
   // Sends a scan in the order of the points' times or, if they have none, of their azimuths.
   // UsageError if the scan has more points than the car file allows, for the reasons of
-  // demand_metres(), or if times go back.
+  // demand_metres(), or if scans are in two frames. Skips a scan that is older than one before it.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
+
+  // UsageError if most scans were skipped.
+  void demand_order() const;
 
   [[nodiscard]] const SentClouds& sent() const { return sent_; }
 
  private:
+  void demand_one_frame(const std::string& frame);
   [[nodiscard]] PointsScan scan_of(SeenCloud&& cloud) const;
 
   const description::SensorConfig* config_;
   const vehicle::Sensor* sensor_;
+  std::string frame_{};  // of the clouds
   std::uint64_t last_cloud_us_ = 0;
   std::uint64_t last_us_ = 0;
   SentClouds sent_;

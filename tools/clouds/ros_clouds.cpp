@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
@@ -123,6 +124,11 @@ SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& 
   return cloud_of(records, unit, what);
 }
 
+// All that are in CDR begin alike.
+std::string frame_of(const ros::RecordedMessage& message) {
+  return frame_of_foxglove(message.data, !message.type.starts_with("foxglove."), message.where);
+}
+
 SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit& unit) {
   const bool is_scan = message.type.ends_with("LaserScan");
   if (message.type.starts_with("foxglove")) {
@@ -159,7 +165,9 @@ std::vector<std::string> for_each_cloud(const std::string& path, const std::stri
                        " have clouds: choose one by --topic");
     }
     ++number;
-    take(cloud_of_message(message, unit));
+    SeenCloud cloud = cloud_of_message(message, unit);
+    cloud.frame = frame_of(message);
+    take(std::move(cloud));
   };
   std::vector<std::string> remarks = ros::for_each_message(path, kCloudTypes, topic, take_message);
   if (number == 0) {

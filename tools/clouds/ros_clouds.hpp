@@ -37,6 +37,9 @@ std::vector<std::string> for_each_cloud_or_transform(
 // functions above.
 [[nodiscard]] SeenCloud cloud_of_message(const ros::RecordedMessage& message, TimeUnit& unit);
 
+// The frame that its header names, in which its points are. UsageError if it is cut off.
+[[nodiscard]] std::string frame_of(const ros::RecordedMessage& message);
+
 // Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
 // remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
 // clouds and none is chosen.

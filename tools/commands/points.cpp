@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
@@ -133,6 +135,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",
          words);
+  remark(sent.out_of_order,
+         "cloud|clouds out of order skipped (time goes back by up to " +
+             std::to_string(sent.furthest_back_ms()) + " ms)",
+         words);
   out << counted(sent.clouds, "cloud|clouds") << ", " << counted(sent.points, "point|points in ")
       << counted(sent.datagrams, "datagram|datagrams ") << where << '\n';
   for (const std::string& word : words) {
@@ -217,6 +223,12 @@ TimeUnit unit_of(PointsOptions options) {
   return unit;
 }
 
+// Frames of the world (REP 105), and the one in which LOAM and FAST-LIO leave registered clouds.
+bool is_of_world(std::string_view frame) {
+  const std::string_view name = frame.substr(frame.rfind('/') + 1);  // all of it without a slash
+  return name == "odom" || name == "map" || name == "world" || name == "camera_init";
+}
+
 void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
@@ -229,6 +241,11 @@ void send_clouds(PointsOptions options) {
       throw UsageError("cloud " + std::to_string(sender.sent().clouds) +
                        " does not show the unit of its points' times: give --time-unit");
     }
+    if (sender.sent().clouds == 0 && is_of_world(cloud.frame)) {
+      std::cerr << "iog: warning: the clouds are in frame " << printable(cloud.frame)
+                << ", but points must be in the sensor's frame: use the topic of the lidar's "
+                   "driver\n";
+    }
     const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
     std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
     progress.show(sender.sent().clouds);
@@ -236,6 +253,7 @@ void send_clouds(PointsOptions options) {
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }
+  sender.demand_order();
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
   if (sender.sent().points == 0) {

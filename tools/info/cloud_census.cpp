@@ -15,6 +15,7 @@
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/info/static_frames.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
 
@@ -25,6 +26,7 @@ constexpr std::uint64_t kLookedInto = 10;  // messages of a topic; of the others
 constexpr double kPartsPerDegree = lidar::PointsPacket::kPartsPerTurn / 360.0;
 constexpr double kTicksPerDegree = 32;  // of scan_width_ticks
 constexpr std::size_t kMostRings = 128;
+constexpr std::size_t kMostListed = 8;  // that are listed
 
 struct LaserAngles {
   double first_deg = 0;
@@ -33,7 +35,7 @@ struct LaserAngles {
 };
 
 struct CloudTopic {
-  std::string frame{};
+  std::vector<std::string> frames{};  // some of them, if there are many
   bool is_scan = false;
   bool has_times = true;  // in each message
   std::uint64_t messages = 0;
@@ -73,12 +75,17 @@ void CloudTopic::add(const ros::RecordedMessage& message) {
     look_into(cloud_of_message(message, unit));
   }
   ++messages;
+  const std::string frame = frame_of(message);
+  if (frames.size() < kMostListed && !frame.empty() &&
+      std::ranges::find(frames, frame) == frames.end()) {
+    frames.push_back(frame);
+  }
   if (message.type.starts_with("foxglove")) {
     return;
   }
   ros::CdrReader in(message.data, message.where);
   const std::uint64_t stamp_us = in.stamp_us();
-  frame = in.text();
+  static_cast<void>(in.text());
   if (is_scan) {
     const auto degrees = [&] { return in.f32() * 180 / std::numbers::pi; };
     LaserAngles its{.first_deg = degrees()};
@@ -203,11 +210,18 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   return text.str();
 }
 
+std::string words_of_frames(const std::vector<std::string>& frames) {
+  if (frames.size() < 2) {
+    return frames.empty() ? "" : row("frame", printable(frames.front()));
+  }
+  return row("frames", printable(joined(frames, ", ")) +
+                           ": one sensor sees in one frame; record each lidar on its own topic");
+}
+
 std::string words_of(const std::string& name, const CloudTopic& topic, const StaticFrames& frames) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  text << row("clouds on", printable(name))
-       << (topic.frame.empty() ? "" : row("frame", printable(topic.frame)));
+  text << row("clouds on", printable(name)) << words_of_frames(topic.frames);
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
                             (topic.has_times ? "with times" : "without times"));
   if (topic.elevations.empty()) {
@@ -233,7 +247,8 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Sta
     text << row("elevations", view.str());
   }
   return text.str() + "  for a car file (docs/first_ros_bag.md):\n" +
-         draft_of(topic, rings, low_deg, high_deg) + frames.mount_of(topic.frame);
+         draft_of(topic, rings, low_deg, high_deg) +
+         (topic.frames.size() == 1 ? frames.mount_of(topic.frames.front()) : "");
 }
 
 struct Census {

@@ -30,14 +30,15 @@ constexpr std::uint64_t kStartNs = 1'700'000'000'000'000'000;
 constexpr std::uint64_t kPeriodNs = 25'000'000;
 
 // A wall 6 m ahead of the scanner and nothing else; ranges vary by 1 cm.
-std::vector<std::byte> scan_of_wall(std::uint64_t time_ns, tests::Random& random) {
+std::vector<std::byte> scan_of_wall(std::uint64_t time_ns, const std::string& frame,
+                                    tests::Random& random) {
   constexpr int kBeams = 1081;
   constexpr double kFirst = -135 * std::numbers::pi / 180;
   constexpr double kStep = 0.25 * std::numbers::pi / 180;
   ros::CdrWriter out;
   out.put(static_cast<std::uint32_t>(time_ns / 1'000'000'000));
   out.put(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
-  out.put(std::string_view("laser"));
+  out.put(std::string_view(frame));
   for (const double value : {kFirst, -kFirst, kStep, 0.000'015, 0.025, 0.1, 20.0}) {
     out.put(static_cast<float>(value));
   }
@@ -55,6 +56,7 @@ std::vector<std::byte> scan_of_wall(std::uint64_t time_ns, tests::Random& random
 struct Bag {
   std::vector<std::string> topics{"/scan"};
   std::vector<std::uint64_t> times_ns{};
+  std::vector<std::string> frames{"laser"};  // in turn
 };
 
 void write(const Bag& bag, const std::string& path) {
@@ -65,9 +67,10 @@ void write(const Bag& bag, const std::string& path) {
   for (const std::string& topic : bag.topics) {
     const std::uint16_t channel = writer.add_channel(
         {.schema_id = schema, .topic = topic, .message_encoding = "cdr", .metadata = {}});
-    for (const std::uint64_t time_ns : bag.times_ns) {
+    for (std::size_t i = 0; i < bag.times_ns.size(); ++i) {
+      const std::uint64_t time_ns = bag.times_ns[i];
       writer.write(channel, {.log_ns = time_ns, .publish_ns = time_ns},
-                   scan_of_wall(time_ns, random));
+                   scan_of_wall(time_ns, bag.frames[i % bag.frames.size()], random));
     }
   }
   writer.finish("iog", {});
@@ -158,9 +161,47 @@ TEST_F(PointsOfBag, ATopicThatIsNotThereIsToldWithThoseThatAre) {
   EXPECT_EQ(told("/scam"), words + all_to('f') + ", ...");
 }
 
-TEST_F(PointsOfBag, TimesThatGoBackAreTold) {
+TEST_F(PointsOfBag, TwoLidarsOnOneTopicAreTold) {
+  bag_.frames = {"front", "rear"};
+  EXPECT_EQ(told(),
+            "cloud 1 is in frame rear, the one before in front: one sensor sees in one frame, so "
+            "record each lidar on a topic of its own");
+}
+
+// A driver that left the name out in one message says nothing of a second lidar.
+TEST_F(PointsOfBag, AFrameWithoutANameIsNoOther) {
+  bag_.frames = {"front", ""};
+  EXPECT_EQ(told(), "");
+}
+
+TEST_F(PointsOfBag, ACloudOutOfOrderIsSkipped) {
   bag_.times_ns[3] = bag_.times_ns[1];
-  EXPECT_EQ(told(), "cloud 3: its time goes back by 25 ms");
+  EXPECT_EQ(sent().size(), (kScans - 1) * 13U);
+  EXPECT_EQ(sender_.sent().clouds, kScans - 1);
+  EXPECT_EQ(sender_.sent().out_of_order, 1U);
+  EXPECT_NO_THROW(sender_.demand_order());
+}
+
+// Half of them are borne; of times that fall all but the first are out of order.
+TEST_F(PointsOfBag, CloudsMostOfWhichAreOutOfOrderAreTold) {
+  for (std::size_t i = 4; i < kScans; ++i) {
+    bag_.times_ns[i] = bag_.times_ns[0];
+  }
+  EXPECT_EQ(told(), "");
+  EXPECT_EQ(sender_.sent().out_of_order, 4U);
+  EXPECT_NO_THROW(sender_.demand_order());
+  sender_ = PointsSender(find_vehicle("robot_2d"), 0);
+  bag_.times_ns = {kStartNs + 2 * kPeriodNs, kStartNs + kPeriodNs, kStartNs};
+  EXPECT_EQ(told(), "");
+  try {
+    sender_.demand_order();
+    ADD_FAILURE();
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "2 of 3 clouds are out of order (times go back by up to 50 ms): give files in order "
+        "of time, and recordings sorted by header.stamp");
+  }
 }
 
 TEST_F(PointsOfBag, OneWithoutCloudsIsTold) {
