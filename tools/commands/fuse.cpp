@@ -102,7 +102,8 @@ class Signs {
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
   [[nodiscard]] std::string rows() {
     const std::string motion = motion_.words();
-    return mount_.rows() +
+    const std::string crowd = identity_.words_of_crowd(*car_);
+    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
 

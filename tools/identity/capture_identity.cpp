@@ -13,11 +13,12 @@
 #include "tools/formats/lux/lux_scan.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
+#include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
 namespace {
 
-// Of a port; they are all alike.
+// Of a sender to a port; they are all alike.
 constexpr std::uint64_t kLookedAt = 400;
 // So many of each port of a car, or so many of all, are enough to know them.
 constexpr std::uint64_t kEnoughOfPort = 50;
@@ -83,10 +84,12 @@ std::string CaptureIdentity::Port::name() const {
 void CaptureIdentity::add(const CapturedDatagram& datagram) {
   ++datagrams_;
   Port& port = ports_[datagram.destination.port];
-  if (port.datagrams++ >= kLookedAt) {
+  ++port.datagrams;
+  Sender& sender = port.senders[datagram.source.ipv4];
+  if (sender.datagrams++ >= kLookedAt) {
     return;
   }
-  const SeenUnit seen = port.watches[datagram.source.ipv4].take(datagram.payload);
+  const SeenUnit seen = sender.watch.take(datagram.payload);
   if (seen.name.empty()) {
     return;
   }
@@ -102,7 +105,7 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
   for (const vehicle::Sensor* sensor : sensors_on(datagram.destination.port)) {
     if (seen.formats.has(sensor->format) &&
         intake::Packet::decode(sensor->format, datagram.payload, sensor->unit()).is_sound()) {
-      port.its_senders.insert(sensor);
+      port.its_senders[sensor].insert(datagram.source.ipv4);
     }
   }
   if (seen.formats.has(lidar::kFormat<lidar::IbeoLux>)) {
@@ -223,6 +226,27 @@ std::string CaptureIdentity::words(const CatalogueEntry& car) const {
          joined(misfits(car), "; ");
 }
 
+std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    const description::SensorConfig& sensor = car.sensors[i];
+    const auto port = ports_.find(sensor.udp_port);
+    if (port == ports_.end() || !port->second.its_senders.contains(&car.vehicle->sensors[i])) {
+      continue;
+    }
+    const std::set<std::uint32_t>& sources = port->second.its_senders.at(&car.vehicle->sensors[i]);
+    if (sources.size() < 2 || sources.contains(sensor.source_ipv4)) {
+      continue;
+    }
+    std::vector<std::string> addresses;
+    std::ranges::transform(sources, std::back_inserter(addresses), dotted);
+    addresses.resize(std::min(addresses.size(), kNamedPorts));
+    return std::to_string(sources.size()) + " units send to " + port_words(sensor.udp_port) + " (" +
+           joined(addresses, ", ") + "): name that of sensor " + std::string(sensor.name) +
+           " by source_ipv4 in the car's file";
+  }
+  return {};
+}
+
 std::string CaptureIdentity::words_of_best() const {
   std::size_t fewest = SIZE_MAX;
   std::vector<std::string> names;
@@ -243,6 +267,9 @@ std::string CaptureIdentity::words_of_best() const {
     }
     names.emplace_back(entry.vehicle->name);
     fewest = its.size();
+    if (std::string crowd = words_of_crowd(entry); !crowd.empty()) {
+      its.push_back(std::move(crowd));
+    }
     reasons = std::move(its);
   }
   if (names.empty() && has_points) {
@@ -323,6 +350,9 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
   }
   if (const auto doubt = first_of(Kind::kInDoubt); doubt != all.end() && !has_sender(car)) {
     return doubt->words;
+  }
+  if (std::string crowd = words_of_crowd(car); !crowd.empty()) {
+    return crowd;
   }
   // How many points a LUX of a user's own car may send says little of how many directions it has.
   const bool is_finer = first_of(Kind::kFiner) != all.end() && !is_of_file(car);

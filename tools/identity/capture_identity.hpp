@@ -37,6 +37,10 @@ class CaptureIdentity {
   // if no vehicle fits better than the car.
   [[nodiscard]] std::string words(const CatalogueEntry& car) const;
 
+  // That several units send to a port of a sensor whose address in the car's file is none of
+  // theirs; empty if none do.
+  [[nodiscard]] std::string words_of_crowd(const CatalogueEntry& car) const;
+
   // The vehicles that fit best, and what does not fit even them; empty if nothing of a lidar has
   // come.
   [[nodiscard]] std::string words_of_best() const;
@@ -46,16 +50,22 @@ class CaptureIdentity {
   [[nodiscard]] std::string refusal(const CatalogueEntry& car) const;
 
  private:
+  // What has come from one sender to one port.
+  struct Sender {
+    std::uint64_t datagrams = 0;
+    UnitWatch watch;
+  };
   // What has come to a port.
   struct Port {
     std::uint64_t datagrams = 0;
-    std::map<std::uint32_t, UnitWatch> watches;  // by source
-    std::set<std::string> names;                 // of the units that are certain
-    std::string doubted;                         // of the last one that is in doubt
+    std::map<std::uint32_t, Sender> senders;  // by source
+    std::set<std::string> names;              // of the units that are certain
+    std::string doubted;                      // of the last one that is in doubt
     lidar::FormatSet doubted_formats;
-    bool has_ours = false;                         // of a unit that iogrid takes
-    bool has_other_mode = false;                   // of such a unit, in a mode that is not taken
-    std::set<const vehicle::Sensor*> its_senders;  // that would send what came, of any vehicle
+    bool has_ours = false;        // of a unit that iogrid takes
+    bool has_other_mode = false;  // of such a unit, in a mode that is not taken
+    // Those that would send what came, of any vehicle, and from which sources it came.
+    std::map<const vehicle::Sensor*, std::set<std::uint32_t>> its_senders;
     // How often two neighbouring directions of a message were so many ticks apart.
     std::map<std::int32_t, std::uint64_t> steps;
 

@@ -196,7 +196,8 @@ CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
       has_log_(!drive.poses.empty()),
       offset_us_(std::llround(drive.clock_offset_s.value_or(0) * 1e6)),
       files_(drive.captures),
-      clocks_(car) {
+      clocks_(car),
+      senders_(car) {
   if (drive.finds_clock_offset && !has_log_) {
     throw UsageError("--clock-offset auto needs --poses, a log whose motion is compared");
   }
@@ -322,10 +323,8 @@ bool CarCapture::is_distant(std::uint64_t pose_us,
 
 std::optional<CapturedDatagram> CarCapture::next() {
   std::optional<CapturedDatagram> datagram = std::exchange(packet_, std::nullopt);
-  while (!datagram && (datagram = files_.next()) && is_merged_ &&
-         is_pose_port(*car_, datagram->destination.port)) {
+  while (!datagram && (datagram = files_.next()) && is_left_out(*datagram)) {
     datagram.reset();
-    unused_poses_ += has_log_ ? 1U : 0U;
   }
   while (has_log_ && next_pose_ < poses_.size() &&
          is_distant(poses_[next_pose_].time_us, datagram)) {
@@ -371,6 +370,8 @@ std::string CarCapture::clock_words() const {
   std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
                                words_of_cover()};
   std::erase(all, "");
+  remark(senders_.strangers(),
+         "packet|packets of another sender than `source_ipv4` is|are not used", all);
   return joined(all, "; ");
 }
 

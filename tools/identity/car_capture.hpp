@@ -15,6 +15,7 @@
 #include "tools/formats/capture/capture_set.hpp"
 #include "tools/formats/capture/clock_pace.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -103,8 +104,8 @@ class CarCapture {
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
-  // Words for a difference between the clocks of poses, packets and captures or between captures.
-  // Empty if there is none. Complete when everything has been read.
+  // Words for a difference between the clocks of poses, packets and captures or between captures,
+  // and for packets of strangers. Empty if there is none. Complete when everything has been read.
   [[nodiscard]] std::string clock_words() const;
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;
@@ -114,6 +115,13 @@ class CarCapture {
                                 const std::optional<CapturedDatagram>& packet) const;
   // That the log begins later than the packets or ends before them.
   [[nodiscard]] std::string words_of_cover() const;
+  // Whether it is of a stranger, or a pose that comes at another time. Counts it.
+  [[nodiscard]] bool is_left_out(const CapturedDatagram& datagram) {
+    const std::uint16_t port = datagram.destination.port;
+    const bool is_unused = is_merged_ && is_pose_port(*car_, port);
+    unused_poses_ += is_unused && has_log_ ? 1U : 0U;
+    return is_unused || senders_.is_stranger(datagram.source.ipv4, port);
+  }
   // The offset in the pose's message, if it is one; those of a log are numbered anew.
   void put_ahead(CapturedDatagram& pose);
   // The delay of the poses, found at the beginning of the files.
@@ -129,6 +137,7 @@ class CarCapture {
   CarClocks clocks_;
   pose::Encoder encoder_;
   std::vector<std::string> log_words_;
+  NamedSenders senders_;
   std::uint64_t unused_poses_ = 0;       // in the captures, beside a log
   bool is_merged_ = false;               // the poses do not come as they stand in the files
   std::vector<CapturedDatagram> poses_;  // then all of them

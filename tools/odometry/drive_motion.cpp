@@ -13,6 +13,7 @@
 #include "tools/program/joined.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
+#include "tools/vehicles/named_senders.hpp"
 
 namespace iog::tools {
 namespace {
@@ -46,6 +47,7 @@ void add_row(std::ostream& out, double time_s, const Pose& pose, const TurnMotio
 std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const CatalogueEntry& car,
                                 std::optional<double> most_s) {
   TurnPoints points(car);
+  NamedSenders senders(car);
   Odometry odometry;
   CaptureSet files(captures);
   Progress progress("packets");
@@ -57,7 +59,8 @@ std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const 
       break;
     }
     progress.show(files.datagrams(), files.part_read());
-    std::optional<Turn> turn = points.take(*datagram);
+    const bool is_strange = senders.is_stranger(datagram->source.ipv4, datagram->destination.port);
+    std::optional<Turn> turn = is_strange ? std::nullopt : points.take(*datagram);
     if (!turn || (!turns.empty() && turn->end_us <= turns.back().time_us)) {
       continue;
     }

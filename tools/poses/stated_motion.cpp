@@ -17,8 +17,9 @@ constexpr double kLongestS = 10;  // what creeps may be the drift of a receiver
 constexpr double kGapS = 3;
 constexpr double kLeastDriveM = 20;
 constexpr double kLeastTurnRad = 1;
-constexpr double kMostPart = 0.25;     // of the way
-constexpr double kMostTurnPart = 0.5;  // of the turn
+constexpr double kMostPart = 0.25;      // of the way
+constexpr double kMostTurnPart = 0.5;   // of the turn
+constexpr double kMostBackwards = 0.9;  // of the way
 
 double turn_between(const PoseSample& from, const PoseSample& to) {
   return std::remainder(to.heading_rad - from.heading_rad, 2 * std::numbers::pi);
@@ -40,6 +41,7 @@ struct Moved {
 // Sums of the absolute values of whole stretches.
 struct Sums {
   double way_m = 0;
+  double backwards_m = 0;
   Moved moved{};
   double speed_off_m = 0;
   double turn_rad = 0;
@@ -64,6 +66,7 @@ bool ends_way(const PoseSample& from, const PoseSample& to, const Moved& moved, 
     return seconds_between(from, to) > kLongestS;
   }
   sums.way_m += way_m;
+  sums.backwards_m += moved.ahead_m < 0 ? way_m : 0;
   sums.moved.ahead_m += std::abs(moved.ahead_m);
   sums.moved.beside_m += std::abs(moved.beside_m);
   const double off_m = std::abs(moved.ahead_m - moved.stated_m);
@@ -123,6 +126,10 @@ std::string words_of_misfit(const std::vector<LoggedPose>& poses,
     words = "headings by " + rounded(angle * 180 / std::numbers::pi, " degrees");
   } else if (sums.speed_off_m > most_m) {
     words = "speeds by " + rounded(100 * sums.speed_off_m / sums.way_m, " %");
+  } else if (sums.backwards_m > kMostBackwards * sums.way_m) {
+    return "by the log the car drives backwards on " +
+           rounded(100 * sums.backwards_m / sums.way_m, " % of its way") +
+           ": if it did not, add 180 degrees to the headings";
   }
   if (sums.turn_rad >= kLeastTurnRad && sums.rate_off_rad > kMostTurnPart * sums.turn_rad) {
     words += (words.empty() ? "" : " and ") + std::string("yaw rates by ") +

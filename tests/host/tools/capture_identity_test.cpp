@@ -24,9 +24,10 @@ using Payload = std::vector<std::byte>;
 // A capture of such payloads, one every period.
 class Capture {
  public:
-  void add(std::uint16_t port, std::uint64_t time_us, const Payload& payload) {
+  void add(std::uint16_t port, std::uint64_t time_us, const Payload& payload,
+           std::uint32_t source_ipv4 = 0xC0A801C9) {
     file_->write({.time_us = time_us,
-                  .source = {.ipv4 = 0xC0A801C9, .port = 2368},
+                  .source = {.ipv4 = source_ipv4, .port = 2368},
                   .destination = {.ipv4 = 0xFFFFFFFF, .port = port},
                   .payload = payload});
   }
@@ -191,6 +192,22 @@ TEST(CaptureIdentity, InfoNamesOnlyTheCarThatFits) {
   }
   const std::string info = capture.info();
   EXPECT_TRUE(contains(info, "looks like            roof_vlp16\n")) << info;
+}
+
+// Factory settings send all units of a maker to one port.
+TEST(CaptureIdentity, TwoUnitsOnAPortThatNamesNoneAreTold) {
+  Capture capture;
+  for (int i = 0; i < 40; ++i) {
+    capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i), 0x0A000264);
+    capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i + 37), 0x0A000265);
+  }
+  const std::string words =
+      "2 units send to UDP port 2368 (10.0.2.100, 10.0.2.101): name that of sensor roof by "
+      "source_ipv4 in the car's file";
+  EXPECT_TRUE(capture.refusal_by("roof_vlp16").ends_with(": " + words));
+  EXPECT_TRUE(contains(capture.info(), "looks like            roof_vlp16, but " + words))
+      << capture.info();
+  EXPECT_EQ(capture.refusal_by("roof_vlp16_radar"), "");  // names 10.0.2.101
 }
 
 // Two LUX of a quarter of a degree on two of the reference car's four ports.

@@ -83,6 +83,25 @@ TEST(CarCapture, ClocksThatAgreeAreLeftAlone) {
   }
 }
 
+// A second unit on the port of a sensor whose address the car's file has.
+TEST(CarCapture, StrangersOnAPortOfANamedSenderAreLeftOut) {
+  Datagrams datagrams = sample_drive(car(), 1, 6);
+  const Read alone = read(datagrams, 0);
+  const std::size_t own = datagrams.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    datagrams.push_back(datagrams[i]);
+    datagrams.back().source.ipv4 = 0x0A0002FA;
+  }
+  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  const Read both = read(datagrams, 0);
+  EXPECT_EQ(both.datagrams, alone.datagrams);
+  EXPECT_EQ(both.words,
+            std::to_string(own) + " packets of another sender than `source_ipv4` are not used");
+  // Of a drive that was recorded elsewhere nothing is lost.
+  std::erase_if(datagrams, [](const auto& datagram) { return datagram.source.ipv4 != 0x0A0002FA; });
+  EXPECT_EQ(read(datagrams, 0).datagrams, alone.datagrams);
+}
+
 struct Offset {
   std::int64_t seconds;
   std::string words;

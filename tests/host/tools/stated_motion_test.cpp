@@ -50,11 +50,6 @@ TEST(StatedMotion, FitsThePositionsOfASoundLog) {
                 pose.speed_mps.reset();
                 pose.yaw_rate_rps.reset();
               }).empty());
-  // Backwards along the same circle.
-  EXPECT_TRUE(notes_of([](LoggedPose& pose) {
-                pose.heading_rad = *pose.heading_rad + std::numbers::pi;
-                pose.speed_mps = -10;
-              }).empty());
   Random random(1);  // a receiver's noise
   EXPECT_TRUE(notes_of([&](LoggedPose& pose) {
                 pose.x_m += random.between(-0.5, 0.5);
@@ -81,6 +76,29 @@ TEST(StatedMotion, ContradictsPositionsInOtherUnitsOrAxes) {
     EXPECT_TRUE(notes.back().starts_with("the positions contradict the log's headings by "))
         << notes.back();
   }
+}
+
+// To and fro on 60 m in 21 s: ahead until 5.2 s, back until 15.7 s.
+TEST(StatedMotion, ADriveThatIsBackwardsAlmostAllTheWayIsTold) {
+  const auto told_of = [](double from_s, std::size_t rows) {
+    return notes_of(
+        [=](LoggedPose& pose) {
+          const double angle = 0.3 * (from_s + static_cast<double>(pose.time_us) / 1e6);
+          pose.x_m = 30 * std::sin(angle);
+          pose.y_m = 0;
+          pose.heading_rad = 0;
+          pose.speed_mps = 9 * std::cos(angle);
+          pose.yaw_rate_rps = 0;
+        },
+        rows);
+  };
+  const std::vector<std::string> backwards{
+      "by the log the car drives backwards on 100 % of its way: if it did not, add 180 degrees to "
+      "the headings"};
+  EXPECT_EQ(told_of(5.2, 104), backwards);
+  EXPECT_TRUE(told_of(5.2, 30).empty());   // 11 m
+  EXPECT_TRUE(told_of(2.0, 137).empty());  // 13 m of 73 ahead
+  EXPECT_TRUE(told_of(0, 300).empty());
 }
 
 TEST(StatedMotion, OfAShortDriveIsNotJudged) {
