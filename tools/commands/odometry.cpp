@@ -37,8 +37,9 @@ void compare(const OdometryOptions& options, const CatalogueEntry& car,
   const MotionOffset offset = offset_by_motion(turns, log.samples);
   const std::int64_t offset_us = offset.refusal.empty() ? std::llround(offset.seconds * 1e6) : 0;
   if (const std::string words = words_of(check_of(turns, log.samples, offset_us)); !words.empty()) {
-    throw CheckFailed(options.drive.poses + ": " + words +
-                      ": the log, its headings or the mount's yaw_deg are wrong");
+    throw CheckFailed(options.drive.poses + ": " + words + ": the log, its headings" +
+                      (offset.refusal.empty() ? "" : ", its clock") +
+                      " or the mount's yaw_deg are wrong");
   }
   if (!offset.refusal.empty()) {
     throw CheckFailed(options.drive.poses + ": no clock offset: " + offset.refusal);

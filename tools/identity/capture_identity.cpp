@@ -105,7 +105,9 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
   for (const vehicle::Sensor* sensor : sensors_on(datagram.destination.port)) {
     if (seen.formats.has(sensor->format) &&
         intake::Packet::decode(sensor->format, datagram.payload, sensor->unit()).is_sound()) {
-      port.its_senders[sensor].insert(datagram.source.ipv4);
+      const Heard now{.first_us = datagram.time_us, .last_us = datagram.time_us};
+      port.its_senders[sensor].try_emplace(datagram.source.ipv4, now).first->second.last_us =
+          datagram.time_us;
     }
   }
   if (seen.formats.has(lidar::kFormat<lidar::IbeoLux>)) {
@@ -233,14 +235,14 @@ std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
     if (port == ports_.end() || !port->second.its_senders.contains(&car.vehicle->sensors[i])) {
       continue;
     }
-    const std::set<std::uint32_t>& sources = port->second.its_senders.at(&car.vehicle->sensors[i]);
-    if (sources.size() < 2 || sources.contains(sensor.source_ipv4)) {
+    const auto& sources = port->second.its_senders.at(&car.vehicle->sensors[i]);
+    std::vector<std::string> addresses = senders_at_once(sources);
+    if (addresses.empty() || sources.contains(sensor.source_ipv4)) {
       continue;
     }
-    std::vector<std::string> addresses;
-    std::ranges::transform(sources, std::back_inserter(addresses), dotted);
-    addresses.resize(std::min(addresses.size(), kNamedPorts));
-    return std::to_string(sources.size()) + " units send to " + port_words(sensor.udp_port) + " (" +
+    const std::size_t count = addresses.size();
+    addresses.resize(std::min(count, kNamedPorts));
+    return std::to_string(count) + " units send to " + port_words(sensor.udp_port) + " (" +
            joined(addresses, ", ") + "): name that of sensor " + std::string(sensor.name) +
            " by source_ipv4 in the car's file";
   }

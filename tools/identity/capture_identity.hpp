@@ -13,6 +13,7 @@
 
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/identity/unit_watch.hpp"
+#include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -37,8 +38,8 @@ class CaptureIdentity {
   // if no vehicle fits better than the car.
   [[nodiscard]] std::string words(const CatalogueEntry& car) const;
 
-  // That several units send to a port of a sensor whose address in the car's file is none of
-  // theirs; empty if none do.
+  // That several units send at the same time to a port of a sensor whose address in the car's file
+  // is none of theirs; empty if none do. A unit whose address changes is one.
   [[nodiscard]] std::string words_of_crowd(const CatalogueEntry& car) const;
 
   // The vehicles that fit best, and what does not fit even them; empty if nothing of a lidar has
@@ -65,7 +66,7 @@ class CaptureIdentity {
     bool has_ours = false;        // of a unit that iogrid takes
     bool has_other_mode = false;  // of such a unit, in a mode that is not taken
     // Those that would send what came, of any vehicle, and from which sources it came.
-    std::map<const vehicle::Sensor*, std::set<std::uint32_t>> its_senders;
+    std::map<const vehicle::Sensor*, std::map<std::uint32_t, Heard>> its_senders;
     // How often two neighbouring directions of a message were so many ticks apart.
     std::map<std::int32_t, std::uint64_t> steps;
 

@@ -231,6 +231,7 @@ CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
 std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
   CaptureSet files(drive.captures);
   CarClocks clocks(*car_);
+  NamedSenders senders(*car_);
   if (has_log_) {
     clocks.use_log(0);
   }
@@ -246,7 +247,9 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
   };
   std::optional<CapturedDatagram> datagram;
   while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
-    if (!has_log_ || !is_pose_port(*car_, datagram->destination.port)) {
+    const std::uint16_t port = datagram->destination.port;
+    if (!senders.is_stranger(datagram->source.ipv4, port) &&
+        !(has_log_ && is_pose_port(*car_, port))) {
       clocks.add(*datagram);
     }
   }
@@ -368,10 +371,8 @@ std::string CarCapture::words_of_cover() const {
 
 std::string CarCapture::clock_words() const {
   std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
-                               words_of_cover()};
+                               words_of_cover(), senders_.words()};
   std::erase(all, "");
-  remark(senders_.strangers(),
-         "packet|packets of another sender than `source_ipv4` is|are not used", all);
   return joined(all, "; ");
 }
 

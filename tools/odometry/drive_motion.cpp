@@ -75,8 +75,10 @@ std::vector<TurnPose> motion_in(const std::vector<std::string>& captures, const 
       warn_of(file.path, *file.reader);
     }
   }
-  if (const std::string words = points.words_of_pace(); !most_s && !words.empty()) {
-    std::cerr << "iog: " << joined(captures, ", ") << ": " << words << '\n';
+  for (const std::string& words : {points.words_of_pace(), senders.words()}) {
+    if (!most_s && !words.empty()) {
+      std::cerr << "iog: " << joined(captures, ", ") << ": " << words << '\n';
+    }
   }
   if (turns.size() < 2) {
     throw UsageError(joined(captures, ", ") + ": " +

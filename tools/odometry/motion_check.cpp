@@ -19,7 +19,9 @@ namespace {
 constexpr std::uint64_t kStretchUs = 1'000'000;
 constexpr std::uint64_t kMostGapUs = 500'000;  // between poses
 constexpr double kLeastM = 5;
+constexpr double kMovesM = 1;  // in a stretch; less may be noise
 constexpr double kLeastOffRad = 0.15;
+constexpr double kNoiseRad = 0.01;  // of the turn in a stretch
 constexpr double kMostWayShare = 0.2;
 constexpr double kMostTurnShare = 0.5;
 constexpr double kMostDeg = 15;
@@ -51,9 +53,12 @@ void add_stretch(const Pose& lidar, const PoseSample& from, const PoseSample& to
   const std::complex told =
       std::complex(to.x_m - from.x_m, to.y_m - from.y_m) * std::polar(1.0, -from.heading_rad);
   const double turn = std::remainder(to.heading_rad - from.heading_rad, 2 * std::numbers::pi);
-  check.lidar_m += std::abs(seen);
-  check.poses_m += std::abs(told);
-  check.product += seen * std::conj(told);
+  ++check.stretches;
+  if (std::max(std::abs(seen), std::abs(told)) >= kMovesM) {
+    check.lidar_m += std::abs(seen);
+    check.poses_m += std::abs(told);
+    check.product += seen * std::conj(told);
+  }
   check.lidar_rad += std::abs(heading_rad(lidar));
   check.poses_rad += std::abs(turn);
   check.off_rad += std::abs(std::remainder(heading_rad(lidar) - turn, 2 * std::numbers::pi));
@@ -88,10 +93,11 @@ std::string words_of(const MotionCheck& check) {
   text << std::fixed << std::setprecision(0);
   const double most_m = std::max(check.lidar_m, check.poses_m);
   const double most_rad = std::max(check.lidar_rad, check.poses_rad);
+  const double noise_rad = kNoiseRad * static_cast<double>(check.stretches);
   const double aside_deg = std::arg(check.product) / kRadians;
   if (most_m >= kLeastM && std::abs(check.lidar_m - check.poses_m) > kMostWayShare * most_m) {
     text << "the lidar moves " << check.lidar_m << " m and the poses " << check.poses_m << " m";
-  } else if (check.off_rad > std::max(kLeastOffRad, kMostTurnShare * most_rad)) {
+  } else if (check.off_rad > noise_rad + std::max(kLeastOffRad, kMostTurnShare * most_rad)) {
     text << "the lidar turns by " << check.lidar_rad / kRadians << " degrees and the poses by "
          << check.poses_rad / kRadians << ", not at the same times or to the same side";
   } else if (most_m >= kLeastM && std::abs(aside_deg) > kMostDeg) {
@@ -115,8 +121,10 @@ void MotionWatch::take(const CapturedDatagram& datagram) {
 void MotionWatch::take_pose(const CapturedDatagram& datagram) {
   constexpr double kRadiansOfPart = 2 * std::numbers::pi / 4'294'967'296.0;
   const auto [fate, message] = pose::decode(datagram.payload);
-  if (fate == pose::Fate::kUsed && (poses_.empty() || datagram.time_us > poses_.back().time_us)) {
-    poses_.push_back({.time_us = datagram.time_us,
+  const std::uint64_t time_us =
+      datagram.time_us - std::min<std::uint64_t>(message.age_us, datagram.time_us);
+  if (fate == pose::Fate::kUsed && (poses_.empty() || time_us > poses_.back().time_us)) {
+    poses_.push_back({.time_us = time_us,
                       .x_m = message.pose.x_mm / 1e3,
                       .y_m = message.pose.y_mm / 1e3,
                       .heading_rad = message.pose.heading * kRadiansOfPart});
@@ -125,7 +133,7 @@ void MotionWatch::take_pose(const CapturedDatagram& datagram) {
 
 // Without poses there is nothing to compare.
 void MotionWatch::take_packet(const CapturedDatagram& datagram) {
-  const std::uint64_t since_us = datagram.time_us - begin_us_;
+  const std::uint64_t since_us = datagram.time_us - std::min(begin_us_, datagram.time_us);
   if (!points_ && !poses_.empty() && samples_ < kMostSamples &&
       (samples_ == 0 || since_us >= samples_ * kSamplesApartUs)) {
     begin_us_ = datagram.time_us;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,10 +16,13 @@ namespace iog::tools {
 
 // Sums over stretches of a second in which both are known.
 struct MotionCheck {
+  std::size_t stretches = 0;
+  // Of stretches in which the car moves:
   double lidar_m = 0;
   double poses_m = 0;
   std::complex<double> product{};  // of both ways: its angle is how far the lidar's is to the left
-  double lidar_rad = 0;            // turned, to either side
+  // Of all:
+  double lidar_rad = 0;  // turned, to either side
   double poses_rad = 0;
   double off_rad = 0;  // differences of both turns
 };

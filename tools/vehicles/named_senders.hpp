@@ -1,13 +1,44 @@
 // Of captures, where several units may send to a sensor's port.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "tools/program/table.hpp"
+#include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
+
+// When the first and the last packet of a sender came.
+struct Heard {
+  std::uint64_t first_us = 0;
+  std::uint64_t last_us = 0;
+};
+
+// The addresses of those that send at the same time as another one. A unit whose address changes
+// does not, and a single packet says nothing.
+[[nodiscard]] inline std::vector<std::string> senders_at_once(
+    const std::map<std::uint32_t, Heard>& senders) {
+  std::vector<std::string> addresses;
+  for (const auto& one : senders) {
+    const auto is_beside = [&one](const auto& other) {
+      return other.first != one.first && other.second.first_us < other.second.last_us &&
+             other.second.first_us < one.second.last_us &&
+             one.second.first_us < other.second.last_us;
+    };
+    if (one.second.first_us < one.second.last_us && std::ranges::any_of(senders, is_beside)) {
+      addresses.push_back(dotted(one.first));
+    }
+  }
+  return addresses;
+}
 
 // Knows the strangers on the ports of a car whose file names the senders (`source_ipv4`). What was
 // recorded elsewhere has other addresses, so nobody is a stranger until the named sender was heard.
@@ -29,8 +60,12 @@ class NamedSenders {
     return is_stranger;
   }
 
-  // How many packets of theirs have come.
-  [[nodiscard]] std::size_t strangers() const { return strangers_; }
+  // How many packets of theirs have come; empty if none.
+  [[nodiscard]] std::string words() const {
+    constexpr std::string_view kNoun =
+        "packet|packets of another sender than `source_ipv4` is|are not used";
+    return strangers_ == 0 ? std::string{} : counted(strangers_, kNoun);
+  }
 
  private:
   const CatalogueEntry* car_;

@@ -210,6 +210,16 @@ TEST(CaptureIdentity, TwoUnitsOnAPortThatNamesNoneAreTold) {
   EXPECT_EQ(capture.refusal_by("roof_vlp16_radar"), "");  // names 10.0.2.101
 }
 
+TEST(CaptureIdentity, AUnitWhoseAddressChangesIsOne) {
+  Capture capture;
+  for (int i = 0; i < 80; ++i) {
+    capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i),
+                i < 40 ? 0x0A000264 : 0x0A000265);
+  }
+  EXPECT_EQ(capture.refusal_by("roof_vlp16"), "");
+  EXPECT_FALSE(contains(capture.info(), "units send")) << capture.info();
+}
+
 // Two LUX of a quarter of a degree on two of the reference car's four ports.
 TEST(CaptureIdentity, FinerScansThanTheCarsAreAnotherCars) {
   Capture parking;

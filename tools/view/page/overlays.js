@@ -125,9 +125,10 @@ function drawJudged(view) {
   const truth = grid.layers[showsClasses ? LAYERS.TRUE_CLASSES : LAYERS.OCCUPIED];
   const judge = showsClasses ? judgementOfClass : (index, isTrue) => judgement(index, isTrue !== 0);
   const size = Math.max(2.4, view.pixelsPerMetre * view.cellM);
-  for (let y = 0; y < view.shape.rows; ++y) {
-    for (let x = 0; x < view.shape.columns; ++x) {
-      const number = view.numberOf(x, y);
+  const { columns, rows } = view.shape;
+  for (let y = 0, number = 0; y < rows; ++y) {
+    for (let x = 0; x < columns; ++x) {
+      number = x % TILE_SIDE === 0 ? view.numberOf(x, y) : number + 1;
       const verdict = cells[number] === 0 ? "" : judge(cells[number], truth[number]);
       if (verdict !== "") {
         const [column, row] = view.cellToScreen(x + 0.5, y + 0.5);

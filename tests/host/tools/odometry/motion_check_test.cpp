@@ -54,6 +54,27 @@ TEST(MotionCheck, IsSilentAboutRightPoses) {
   EXPECT_EQ(told([](PoseSample& pose) { pose.time_us += 3'600'000'000; }), "") << "no pose";
 }
 
+// Ten minutes straight ahead, or at a standstill, by poses whose headings and places are a little
+// off to alternating sides.
+TEST(MotionCheck, IsSilentAboutNoise) {
+  for (const double speed_mps : {0.0, 10.0}) {
+    std::vector<TurnPose> turns;
+    std::vector<PoseSample> poses;
+    for (int i = 0; i <= 6000; ++i) {
+      const double side = i / 10 % 2 == 0 ? 1 : -1;
+      const double x_m = speed_mps * i / 10;
+      TurnPose& turn = turns.emplace_back();
+      turn.time_us = kDriveUs + static_cast<std::uint64_t>(i) * 100'000;
+      turn.pose.translation() = Eigen::Vector3d(x_m + side * 0.002, 0, 0);
+      poses.push_back({.time_us = turn.time_us,
+                       .x_m = x_m,
+                       .y_m = side * 0.1,
+                       .heading_rad = side * 0.2 * kRadians});
+    }
+    EXPECT_EQ(words_of(check_of(turns, poses)), "") << speed_mps;
+  }
+}
+
 TEST(MotionCheck, TellsWrongOnes) {
   EXPECT_EQ(told([](PoseSample& pose) { pose.heading_rad += std::numbers::pi / 2; }),
             "the lidar moves 90 degrees to the left of where the poses do");
