@@ -25,7 +25,9 @@ BlockGrid::BlockGrid(const geometry::Grid& grid)
 
 std::size_t BlockGrid::first_block(std::size_t tile) const {
   const geometry::Cell place = tiles_.place_of(tile);
-  return static_cast<std::size_t>((place.y * stride_ + place.x) * kBlocksPerTile);
+  const auto x = static_cast<std::size_t>(place.x);
+  const auto y = static_cast<std::size_t>(place.y);
+  return (y * static_cast<std::size_t>(stride_) + x) * kBlocksPerTile;
 }
 
 const LaneBytes* BlockGrid::blocks_of(std::size_t tile) const {

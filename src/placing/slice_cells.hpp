@@ -191,7 +191,8 @@ inline bool SliceCells::is_known_near(geometry::Cell low, geometry::Cell high,
   for (auto row = static_cast<std::uint32_t>(low.y + kAround) / kSquareSide; row <= rows_end;
        ++row) {
     std::uint16_t bits = 0;
-    __builtin_memcpy(&bits, &squares_[row * stride + first / kSquaresOfTile], sizeof bits);
+    const std::size_t place = std::size_t{row} * stride + first / kSquaresOfTile;
+    __builtin_memcpy(&bits, &squares_[place], sizeof bits);
     known |= bits;
   }
   const std::uint32_t columns = (2U << (last - first)) - 1;
