@@ -31,7 +31,7 @@ namespace {
 
 constexpr std::size_t kLineBytes = 32;  // TRM of the Cortex-A9 and of PL310
 constexpr geometry::Cell kLastCell = geometry::cell_of(geometry::kCellCount - 1);
-constexpr std::size_t kLines = grid::offset_of(kLastCell) / kLineBytes + 1;
+constexpr std::size_t kLines = grid::offset_of(kLastCell, grid::kBlockStride) / kLineBytes + 1;
 constexpr std::size_t kLinesOfMessage = protection::kMaxMessageBytes / kLineBytes;
 using LineNumber = std::uint16_t;
 static_assert(kLines - 1 <= std::numeric_limits<LineNumber>::max());
@@ -83,7 +83,7 @@ class TouchedLines {
     for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
       const geometry::Cell cell = geometry::cell_of(number);
       if (frame.at(cell) != index::kUnknown) {
-        known[grid::offset_of(cell) / kLineBytes] = true;
+        known[grid::offset_of(cell, grid::kBlockStride) / kLineBytes] = true;
       }
     }
     for (std::size_t line = 0; line < kLines; ++line) {

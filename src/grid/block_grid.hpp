@@ -41,8 +41,7 @@ inline constexpr std::int32_t kBlockPadding = 2;
 inline constexpr std::int32_t kBlockStride = block_stride_of({});
 
 // Returns the byte offset of a cell. The cell's block begins at a multiple of 16.
-[[nodiscard]] constexpr std::uint32_t offset_of(geometry::Cell cell,
-                                                std::int32_t stride = kBlockStride) {
+[[nodiscard]] constexpr std::uint32_t offset_of(geometry::Cell cell, std::int32_t stride) {
   constexpr std::uint32_t kSide = kBlockSide;
   const auto x = static_cast<std::uint32_t>(cell.x);
   const auto y = static_cast<std::uint32_t>(cell.y);

@@ -51,6 +51,12 @@ struct Way {
 
 class BlockPath {
  public:
+  // A line is monotone on each axis. The number of blocks that a line enters is therefore less than
+  // the number of block columns plus the number of block rows. In grids with a longer side, no line
+  // enters more blocks than that (car_block/limits.cpp). The search always stores two codes per
+  // column of blocks, even if only one of them is valid.
+  static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
+
   // Begins the path of a line that starts in the grid and meets no corner after its start
   // (traversal/corner.hpp).
   void begin(const vehicle::BeamLine& line, const BlockGrid& grid);
@@ -129,12 +135,6 @@ class BlockPath {
   }
 
  private:
-  // A line is monotone on each axis. The number of blocks that a line enters is therefore less than
-  // the number of block columns plus the number of block rows. In grids with a longer side, no line
-  // enters more blocks than that (car_block/limits.cpp). The search always stores two codes per
-  // column of blocks, even if only one of them is valid.
-  static constexpr std::size_t kMaxBlocks = std::size_t{2} * kBlocksPerSide;
-
   void find_first_column(const vehicle::BeamLine& line);
   void skip_cell_above(std::uint32_t u, std::uint32_t v);
 

@@ -35,6 +35,10 @@ namespace iog::grid {
 
 class FreeSteps {
  public:
+  // A line crosses at most `kSlots - 2` cell borders. The border after its last cell can add one
+  // more.
+  static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
+
   static constexpr std::uint32_t kMaxBeams = 256;
 
   // Sets the point where the line enters the grid. Call this function only while no beams are
@@ -110,9 +114,6 @@ class FreeSteps {
 
  private:
   static constexpr std::uint32_t kFirstBit = std::uint32_t{1} << 31;
-  // A line crosses at most `kSlots - 2` cell borders. The border after its last cell can add one
-  // more.
-  static constexpr std::size_t kSlots = std::size_t{2} * geometry::kCellsPerSide;
 
   Between first_;
   Between last_;

@@ -109,17 +109,15 @@ std::string words_of(const MotionCheck& check) {
 
 void MotionWatch::take(const CapturedDatagram& datagram) {
   const std::uint16_t port = datagram.destination.port;
+  const std::size_t sensor = sensor_of_port(*car_, port);
   if (is_pose_port(*car_, port)) {
     take_pose(datagram);
-  } else if (std::ranges::any_of(car_->sensors, [port](const auto& sensor) {
-               return lidar::turns(sensor.format) && sensor.udp_port == port;
-             })) {
+  } else if (sensor < car_->sensors.size() && lidar::turns(car_->sensors[sensor].format)) {
     take_packet(datagram);
   }
 }
 
 void MotionWatch::take_pose(const CapturedDatagram& datagram) {
-  constexpr double kRadiansOfPart = 2 * std::numbers::pi / 4'294'967'296.0;
   const auto [fate, message] = pose::decode(datagram.payload);
   const std::uint64_t time_us =
       datagram.time_us - std::min<std::uint64_t>(message.age_us, datagram.time_us);
@@ -127,7 +125,7 @@ void MotionWatch::take_pose(const CapturedDatagram& datagram) {
     poses_.push_back({.time_us = time_us,
                       .x_m = message.pose.x_mm / 1e3,
                       .y_m = message.pose.y_mm / 1e3,
-                      .heading_rad = message.pose.heading * kRadiansOfPart});
+                      .heading_rad = message.pose.heading * (2 * std::numbers::pi / 0x1p32)});
   }
 }
 

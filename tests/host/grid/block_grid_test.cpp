@@ -16,7 +16,7 @@ using TileCells = std::array<OccupancyIndex, geometry::kTileCells>;
 std::unique_ptr<BlockGrid> empty_grid() { return std::make_unique<BlockGrid>(); }
 
 void set(BlockGrid& grid, Cell cell, OccupancyIndex index) {
-  grid.cell_at(offset_of(cell)) = index;
+  grid.cell_at(offset_of(cell, kBlockStride)) = index;
 }
 
 bool is_known(const BlockGrid& grid, std::size_t tile) {
@@ -27,7 +27,7 @@ bool is_known(const BlockGrid& grid, std::size_t tile) {
 TEST(BlockGrid, EveryCellHasAPlaceOfItsOwn) {
   std::vector<std::uint32_t> offsets;
   for (std::size_t number = 0; number < geometry::kCellCount; ++number) {
-    offsets.push_back(offset_of(geometry::cell_of(number)));
+    offsets.push_back(offset_of(geometry::cell_of(number), kBlockStride));
   }
   std::ranges::sort(offsets);
   EXPECT_EQ(std::ranges::adjacent_find(offsets), offsets.end());
@@ -36,11 +36,11 @@ TEST(BlockGrid, EveryCellHasAPlaceOfItsOwn) {
 
 // Sixteen bytes of a block: 4 by 4 cells, from the lowest y row by row.
 TEST(BlockGrid, ABlockIsASquareOfCells) {
-  const std::uint32_t first = offset_of({36, 72});
+  const std::uint32_t first = offset_of({36, 72}, kBlockStride);
   EXPECT_EQ(first % kLaneCount, 0U);
-  EXPECT_EQ(offset_of({37, 72}), first + 1);
-  EXPECT_EQ(offset_of({36, 73}), first + 4);
-  EXPECT_EQ(offset_of({39, 75}), first + 15);
+  EXPECT_EQ(offset_of({37, 72}, kBlockStride), first + 1);
+  EXPECT_EQ(offset_of({36, 73}, kBlockStride), first + 4);
+  EXPECT_EQ(offset_of({39, 75}, kBlockStride), first + 15);
 }
 
 // A line of cells along y must not compete for a few sets of a cache of 256 sets of 32 bytes.
@@ -48,7 +48,7 @@ TEST(BlockGrid, TheBlocksOfAColumnLieInDifferentSetsOfTheCache) {
   std::vector<std::uint32_t> sets;
   for (std::int32_t y = 0; y < std::min<std::int32_t>(geometry::kCellsPerSide, 1024);
        y += kBlockSide) {
-    sets.push_back(offset_of({512, y}) / 32 % 256);
+    sets.push_back(offset_of({512, y}, kBlockStride) / 32 % 256);
   }
   std::ranges::sort(sets);
   EXPECT_EQ(std::ranges::adjacent_find(sets), sets.end());

@@ -81,7 +81,7 @@ void join(const BlockGrid& from, BlockGrid& to) {
     ASSERT_LE(int{carved}, 0);
     ASSERT_LE(int{to.at(cell)}, 0);
     if (carved != index::kUnknown) {
-      to.cell_at(offset_of(cell)) = index::sat_add(to.at(cell), carved);
+      to.cell_at(offset_of(cell, kBlockStride)) = index::sat_add(to.at(cell), carved);
       to.touch(geometry::tile_of(cell));
     }
   }

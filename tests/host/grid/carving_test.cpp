@@ -96,9 +96,10 @@ TEST(BlockPath, GoesThroughTheCellsOfTheWalk) {
         ASSERT_EQ(std::ranges::count(cells_of(path, block).bytes, std::int8_t{-1}), 0);
         continue;
       }
-      const std::uint32_t first = offset_of(cells[at]) / kLaneCount;
-      for (; at < cells.size() && offset_of(cells[at]) / kLaneCount == first; ++at, ++in_block) {
-        ASSERT_EQ(cells_of(path, block).bytes[offset_of(cells[at]) % kLaneCount], -1);
+      const std::uint32_t first = offset_of(cells[at], kBlockStride) / kLaneCount;
+      for (; at < cells.size() && offset_of(cells[at], kBlockStride) / kLaneCount == first;
+           ++at, ++in_block) {
+        ASSERT_EQ(cells_of(path, block).bytes[offset_of(cells[at], kBlockStride) % kLaneCount], -1);
       }
       // The last block goes on beyond the end of the line.
       if (at < cells.size()) {
@@ -202,7 +203,8 @@ TEST(Carving, BlockByBlockIsCellByCellOnLongGrids) {
 // same is true of blocks, and block 0 comes on top. docs/model.md has r = 1024.
 TEST(Carving, NoGridHasALineWithMoreBordersThanSlots) {
   for (int width = 32; width <= geometry::kLongestSide; width += 32) {
-    const int height = std::min<int>(geometry::kLongestSide, 1024 * 1024 / width / 32 * 32);
+    const int height =
+        std::min<int>(geometry::kLongestSide, int{geometry::kCellCount} / width / 32 * 32);
     int most = 0;
     int most_blocks = 0;
     for (int dx = 0; dx <= std::min(width, 1448); ++dx) {
@@ -211,8 +213,8 @@ TEST(Carving, NoGridHasALineWithMoreBordersThanSlots) {
       most_blocks = std::max(
           most_blocks, std::min(width / 4 - 1, dx / 4 + 1) + std::min(height / 4 - 1, dy / 4 + 1));
     }
-    EXPECT_LE(most, 2046) << width;
-    EXPECT_LE(most_blocks, 511) << width;
+    EXPECT_LE(most, int{FreeSteps::kSlots} - 2) << width;
+    EXPECT_LE(most_blocks, int{BlockPath::kMaxBlocks} - 1) << width;
   }
 }
 
