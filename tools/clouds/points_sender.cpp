@@ -41,9 +41,10 @@ void PointsSender::demand_one_frame(const std::string& frame) {
     return;
   }
   if (!frame_.empty() && frame != frame_) {
-    throw UsageError("cloud " + std::to_string(sent_.clouds) + " is in frame " + printable(frame) +
-                     ", the one before in " + printable(frame_) +
-                     ": one sensor sees in one frame, so record each lidar on a topic of its own");
+    throw UsageError(
+        "cloud " + std::to_string(sent_.clouds) + " is in frame " + printable(frame) +
+        ", the one before in " + printable(frame_) +
+        ": all clouds of a sensor are in one frame, so record each lidar on a topic of its own");
   }
   frame_ = frame;
 }

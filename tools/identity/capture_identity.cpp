@@ -243,8 +243,8 @@ std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
     const std::size_t count = addresses.size();
     addresses.resize(std::min(count, kNamedPorts));
     return std::to_string(count) + " units send to " + port_words(sensor.udp_port) + " (" +
-           joined(addresses, ", ") + "): name that of sensor " + std::string(sensor.name) +
-           " by source_ipv4 in the car's file";
+           joined(addresses, ", ") + "): set source_ipv4 of sensor " + std::string(sensor.name) +
+           " in the car file";
   }
   return {};
 }

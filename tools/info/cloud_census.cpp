@@ -214,8 +214,9 @@ std::string words_of_frames(const std::vector<std::string>& frames) {
   if (frames.size() < 2) {
     return frames.empty() ? "" : row("frame", printable(frames.front()));
   }
-  return row("frames", printable(joined(frames, ", ")) +
-                           ": one sensor sees in one frame; record each lidar on its own topic");
+  return row("frames",
+             printable(joined(frames, ", ")) +
+                 ": all clouds of a sensor are in one frame; record each lidar on its own topic");
 }
 
 std::string words_of(const std::string& name, const CloudTopic& topic, const StaticFrames& frames) {

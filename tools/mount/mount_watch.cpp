@@ -63,7 +63,7 @@ std::string MountWatch::rows() {
     const std::string words = is_other_way_up ? "is the other way up: its roll_deg differs by 180"
                                               : words_of(fit, sensor->mount);
     text += row_if(!words.empty(), "MOUNT?",
-                   "by the road, the mount of " + std::string(sensor->name) + " " + words);
+                   "judging by the road, the mount of " + std::string(sensor->name) + " " + words);
   }
   return text;
 }

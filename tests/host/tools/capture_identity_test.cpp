@@ -202,8 +202,8 @@ TEST(CaptureIdentity, TwoUnitsOnAPortThatNamesNoneAreTold) {
     capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i + 37), 0x0A000265);
   }
   const std::string words =
-      "2 units send to UDP port 2368 (10.0.2.100, 10.0.2.101): name that of sensor roof by "
-      "source_ipv4 in the car's file";
+      "2 units send to UDP port 2368 (10.0.2.100, 10.0.2.101): set source_ipv4 of sensor roof in "
+      "the car file";
   EXPECT_TRUE(capture.refusal_by("roof_vlp16").ends_with(": " + words));
   EXPECT_TRUE(contains(capture.info(), "looks like            roof_vlp16, but " + words))
       << capture.info();

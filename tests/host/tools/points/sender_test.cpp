@@ -164,8 +164,8 @@ TEST_F(PointsOfBag, ATopicThatIsNotThereIsToldWithThoseThatAre) {
 TEST_F(PointsOfBag, TwoLidarsOnOneTopicAreTold) {
   bag_.frames = {"front", "rear"};
   EXPECT_EQ(told(),
-            "cloud 1 is in frame rear, the one before in front: one sensor sees in one frame, so "
-            "record each lidar on a topic of its own");
+            "cloud 1 is in frame rear, the one before in front: all clouds of a sensor are in one "
+            "frame, so record each lidar on a topic of its own");
 }
 
 // A driver that left the name out in one message says nothing of a second lidar.
