@@ -11,26 +11,40 @@
 
 namespace iog::tools {
 
-using lidar::PointsPacket;
+namespace {
+
+constexpr std::uint32_t kPartsPerTurn = lidar::PointsPacket::kPartsPerTurn;
+
+// How far the point is to the left of where the sector begins.
+std::uint32_t parts_within(const PointsSector& sector, const WirePoint& point) {
+  return (static_cast<std::uint32_t>(point.first) + kPartsPerTurn - sector.begin) % kPartsPerTurn;
+}
+
+}  // namespace
 
 PointsSender::PointsSender(const CatalogueEntry& car, std::size_t sensor)
     : config_(&car.sensors[sensor]), sensor_(&car.vehicle->sensors[sensor]) {}
 
 // What does not turn looks as far to the left as to the right.
+PointsSector PointsSender::field() const {
+  const std::uint64_t width =
+      sensor_->scan_width_ticks * std::uint64_t{kPartsPerTurn} / sensor_->azimuths.ticks_per_turn();
+  return {.begin = static_cast<std::uint32_t>((kPartsPerTurn - width / 2) % kPartsPerTurn),
+          .width = static_cast<std::uint32_t>(width)};
+}
+
 PointsScan PointsSender::scan_of(SeenCloud&& cloud) const {
-  const std::uint64_t turn = PointsPacket::kPartsPerTurn;
-  const std::uint64_t width = sensor_->scan_width_ticks * turn / sensor_->azimuths.ticks_per_turn();
+  const PointsSector sector = field();
   PointsScan scan{.number = static_cast<std::uint32_t>(sent_.clouds),
                   .time_us = cloud.time_us,
-                  .sector_begin = static_cast<std::uint32_t>((turn - width / 2) % turn),
-                  .sector_width = static_cast<std::uint32_t>(width),
+                  .sector_begin = sector.begin,
+                  .sector_width = sector.width,
                   .points = std::move(cloud.points)};
   if (cloud.has_times) {
     std::ranges::stable_sort(scan.points, {}, &WirePoint::after_us);
   } else {
-    std::ranges::stable_sort(scan.points, {}, [&](const WirePoint& point) {
-      return (static_cast<std::uint64_t>(point.first) + turn - scan.sector_begin) % turn;
-    });
+    std::ranges::stable_sort(scan.points, {},
+                             [&](const WirePoint& point) { return parts_within(sector, point); });
   }
   return scan;
 }
@@ -61,6 +75,11 @@ void PointsSender::demand_order() const {
 
 std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   demand_one_frame(cloud.frame);
+  const PointsSector sector = field();
+  // The target drops the whole datagram of such a point.
+  const std::size_t beyond_width = std::erase_if(cloud.points, [&](const WirePoint& point) {
+    return parts_within(sector, point) > sector.width;
+  });
   if (cloud.points.size() > sensor_->max_points_per_scan) {
     throw UsageError("cloud " + std::to_string(sent_.clouds) + " has " +
                      std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +
@@ -91,6 +110,7 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   last_cloud_us_ = cloud.time_us;
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
+  sent_.beyond_width += beyond_width;
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
   const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
   sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
@@ -99,12 +119,6 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(
       cloud.points, [&](const WirePoint& point) { return !layers.sees(point.second); }));
   const PointsScan scan = scan_of(std::move(cloud));
-  sent_.beyond_width +=
-      static_cast<std::uint64_t>(std::ranges::count_if(scan.points, [&](const WirePoint& point) {
-        const std::uint32_t turn = PointsPacket::kPartsPerTurn;
-        const auto azimuth = static_cast<std::uint32_t>(point.first);
-        return (azimuth + turn - scan.sector_begin) % turn > scan.sector_width;
-      }));
   ++sent_.clouds;
   const std::uint32_t source = config_->source_ipv4 != 0 ? config_->source_ipv4 : kUnnamedIpv4;
   std::vector<CapturedDatagram> datagrams;

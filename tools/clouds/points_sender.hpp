@@ -8,6 +8,7 @@
 
 #include "tools/clouds/cloud_fields.hpp"
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/formats/points/points_writer.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -19,7 +20,7 @@ struct SentClouds {
   std::uint64_t beyond_layers = 0;  // sent, and not used
   std::uint64_t not_finite = 0;
   std::uint64_t nowhere = 0;
-  std::uint64_t beyond_width = 0;   // of the scan, as the car's file has it: sent, and not watched
+  std::uint64_t beyond_width = 0;   // of the scan, as the car's file has it: not sent
   std::uint64_t without_stamp = 0;  // clouds: it is 0
   std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
   std::uint64_t without_times = 0;  // clouds of a spinning unit: their points have none
@@ -35,9 +36,10 @@ class PointsSender {
   // The car outlives it, and its sensor is a unit of points.
   PointsSender(const CatalogueEntry& car, std::size_t sensor);
 
-  // Sends a scan in the order of the points' times or, if they have none, of their azimuths.
-  // UsageError if the scan has more points than the car file allows, for the reasons of
-  // demand_metres(), or if scans are in two frames. Skips a scan that is older than one before it.
+  // Sends a scan in the order of the points' times or, if they have none, of their azimuths,
+  // without the points outside of the field of view. UsageError if the scan has more points than
+  // the car file allows, for the reasons of demand_metres(), or if scans are in two frames. Skips a
+  // scan that is older than one before it.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
 
   // UsageError if most scans were skipped.
@@ -47,6 +49,7 @@ class PointsSender {
 
  private:
   void demand_one_frame(const std::string& frame);
+  [[nodiscard]] PointsSector field() const;  // that the car's file has the sensor watch
   [[nodiscard]] PointsScan scan_of(SeenCloud&& cloud) const;
 
   const description::SensorConfig* config_;

@@ -120,9 +120,7 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   remark(sent.beyond_layers,
          "point|points is|are beyond the car's layers; the target does not use it|them", words);
   remark(sent.beyond_width,
-         "point|points is|are outside the field of view (scan_width_ticks): the target does not "
-         "watch there",
-         words);
+         "point|points outside the field of view (scan_width_ticks) was|were not sent", words);
   remark(sent.without_stamp,
          "cloud|clouds has|have no stamp (0): frames and poses cannot be matched", words);
   remark(sent.same_stamps, "cloud|clouds has|have the same stamp as the one before", words);

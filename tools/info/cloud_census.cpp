@@ -137,7 +137,7 @@ double field_of_view_deg(std::vector<std::int32_t> azimuths) {
 }
 
 // Of x as much to the left as to the right, so that all directions are in it: a point outside of it
-// is malformed. Upwards, but not for the noise of a float32.
+// is not sent. Upwards, but not for the noise of a float32.
 std::int64_t scan_width_ticks(const CloudTopic& topic) {
   double half_deg = 0;
   if (topic.angles) {

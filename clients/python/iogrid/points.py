@@ -135,14 +135,28 @@ def sectors_of_scan(azimuths: list[int], begin: int, width: int) -> list[tuple[i
     return [(min(its) % TURN, max(its) - min(its)) for its in ends]
 
 
+def _field(field_of_view_deg: float, turns: bool) -> tuple[int, int]:
+    """Where it begins, and its width: as far to the left as to the right."""
+    width = TURN if turns else min(round(field_of_view_deg * 3200), TURN)
+    return (TURN - width // 2) % TURN, width
+
+
+def is_outside(scan: Scan, field_of_view_deg: float = 360, turns: bool = False) -> numpy.ndarray:
+    """Of each point, whether it is outside the field of view: datagrams() does not send it."""
+    begin, width = _field(field_of_view_deg, turns)
+    return (scan.azimuth.astype(numpy.int64) - begin) % TURN > width
+
+
 def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bool = False) -> list[bytes]:
-    """In the order of the points' times or, if they have none, of their azimuths."""
+    """In the order of the points' times or, if they have none, of their azimuths. Without points outside the field of
+    view: a target drops the whole datagram of such a point."""
     points = numpy.zeros(len(scan.azimuth), POINT)
     points["azimuth"], points["elevation"], points["range"] = scan.azimuth, scan.elevation, scan.range_mm
     points["flags"] = scan.flags
     after_us = numpy.zeros(len(points), int) if scan.after_us is None else scan.after_us
-    width = TURN if turns else round(field_of_view_deg * 3200)
-    begin = (TURN - width // 2) % TURN
+    is_sent = ~is_outside(scan, field_of_view_deg, turns)
+    points, after_us = points[is_sent], after_us[is_sent]
+    begin, width = _field(field_of_view_deg, turns)
     key = (points["azimuth"].astype(int) - begin) % TURN if scan.after_us is None else after_us
     order = numpy.argsort(key, kind="stable")
     points, after_us = points[order], after_us[order]

@@ -22,7 +22,8 @@ range_max_mm = 30_000
 layers = { from_deg = -20, to_deg = 20, count = 16 }
 max_points_per_scan = 4_000
 """
-KINDS = {"turning": 'type = "points_turning"\n', "wide": 'type = "points"\nscan_width_ticks = 8640\n'}  # 270 degrees
+KINDS = {"turning": 'type = "points_turning"\n', "wide": 'type = "points"\nscan_width_ticks = 8640\n',  # 270 degrees
+         "narrow": 'type = "points"\nscan_width_ticks = 2240\n'}  # 70 degrees
 
 
 class Node:
@@ -115,10 +116,23 @@ class PointsNode(unittest.TestCase):
         for names in (("x", "y", "z", "ring", "time"), ("x", "y", "z")):
             for is_big_endian in (False, True):
                 its = list(zip(times, clouds(*names)))
-                for kind, parameters in (("turning", {"turns": True}), ("wide", {"field_of_view_deg": 270.0})):
+                for kind, parameters in (("turning", {"turns": True}), ("wide", {"field_of_view_deg": 270.0}),
+                                         ("narrow", {"field_of_view_deg": 70.0})):
                     self.sent(kind, "cloud",
                               [("/it", now, made_bags.point_cloud2(now, cloud, is_big_endian)) for now, cloud in its],
                               [cloud_message(now, cloud, is_big_endian) for now, cloud in its], **parameters)
+
+    def test_points_outside_the_field_of_view(self):
+        """They are counted, and none of them has its datagram dropped; the rest is sent."""
+        points = load_node().points
+        azimuth = numpy.array([0, 35 * 3200, 35 * 3200 + 1, 180 * 3200, 325 * 3200 - 1, 325 * 3200])
+        scan = points.Scan(0, azimuth, numpy.zeros(6, int), numpy.arange(1, 7), numpy.arange(6), numpy.arange(6))
+        self.assertEqual(points.is_outside(scan, 70).tolist(), [False, False, True, True, True, False])
+        self.assertFalse(points.is_outside(scan, 70, turns=True).any())
+        (datagram,) = points.datagrams(scan, 0, 70)
+        sent = numpy.frombuffer(datagram[32:], points.POINT)
+        self.assertEqual(sent["range"].tolist(), [1, 2, 6])
+        self.assertEqual(sent["flags"].tolist(), [0, 1, 5])
 
     def parts_of_clouds(self, *sizes: tuple[int, int]) -> list[numpy.ndarray]:
         """Of so many points, and from the first to the last so many nanoseconds."""

@@ -246,14 +246,50 @@ TEST(PointsSender, StampsThatDoNotRiseAreCounted) {
 }
 
 // robot_2d sees 270 degrees, symmetric about x.
-TEST(PointsSender, PointsOutsideTheFieldOfViewAreCounted) {
+TEST(PointsSender, PointsOutsideTheFieldOfViewAreCountedAndNotSent) {
   PointsSender sender(find_vehicle("robot_2d"), 0);
   SeenCloud cloud;
-  for (const int degrees : {0, 134, 136, 180, 224, 226, 359}) {
+  for (const int degrees : {0, 134, 135, 136, 180, 224, 225, 226, 359}) {
     cloud.points.push_back({.first = degrees * 3'200, .third = 1});
   }
   static_cast<void>(sender.send(std::move(cloud)));
   EXPECT_EQ(sender.sent().beyond_width, 3U);
+  EXPECT_EQ(sender.sent().points, 6U);
+}
+
+// A point outside of it would have its whole datagram dropped, and in no order most have one.
+TEST(PointsSender, PointsOutsideTheFieldOfViewCostNoOthers) {
+  PointsSender sender(find_vehicle("roof_points"), 0);
+  SeenCloud cloud{.time_us = 5, .has_times = true};
+  tests::Random random(1);
+  std::size_t inside = 0;
+  for (std::uint32_t i = 0; i < 8'000; ++i) {
+    const int azimuth = random.between(-36 * 3'200, 36 * 3'200);
+    inside += std::abs(azimuth) <= 35 * 3'200 ? 1U : 0U;
+    cloud.points.push_back(
+        {.first = (azimuth + 360 * 3'200) % (360 * 3'200), .third = 1, .after_us = i});
+  }
+  const auto datagrams = sender.send(std::move(cloud));
+  EXPECT_EQ(datagrams.size(), (inside + 84) / 85);
+  std::size_t decoded = 0;
+  for (const auto& datagram : datagrams) {
+    lidar::Points decoder;
+    ASSERT_EQ(
+        decoder.decode(datagram.payload, find_vehicle("roof_points").vehicle->sensors[0].unit()),
+        lidar::DecodeStatus::kOk);
+    decoder.for_each_point([&](const lidar::ScanPoint&) { ++decoded; });
+  }
+  EXPECT_EQ(decoded, inside);
+  EXPECT_EQ(sender.sent().points, inside);
+  EXPECT_EQ(sender.sent().beyond_width, 8'000 - inside);
+}
+
+// What is not sent needs no room on the target.
+TEST(PointsSender, PointsOutsideTheFieldOfViewDoNotCountAgainstTheMost) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  SeenCloud cloud{.points = std::vector<WirePoint>(1'500, {.third = 1})};
+  cloud.points.push_back({.first = 180 * 3'200, .third = 1});
+  EXPECT_NO_THROW(static_cast<void>(sender.send(std::move(cloud))));
 }
 
 // In the order of their times if they have any; of what turns else by azimuth.
