@@ -56,7 +56,7 @@ void PointsSender::demand_one_frame(const std::string& frame) {
   }
   if (!frame_.empty() && frame != frame_) {
     throw UsageError(
-        "cloud " + std::to_string(sent_.clouds) + " is in frame " + printable(frame) +
+        "cloud " + std::to_string(sent_.given) + " is in frame " + printable(frame) +
         ", the one before in " + printable(frame_) +
         ": all clouds of a sensor are in one frame, so record each lidar on a topic of its own");
   }
@@ -77,17 +77,17 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   demand_one_frame(cloud.frame);
   const PointsSector sector = field();
   // The target drops the whole datagram of such a point.
-  const std::size_t beyond_width = std::erase_if(cloud.points, [&](const WirePoint& point) {
+  cloud.outside = std::erase_if(cloud.points, [&](const WirePoint& point) {
     return parts_within(sector, point) > sector.width;
   });
   if (cloud.points.size() > sensor_->max_points_per_scan) {
-    throw UsageError("cloud " + std::to_string(sent_.clouds) + " has " +
+    throw UsageError("cloud " + std::to_string(sent_.given) + " has " +
                      std::to_string(cloud.points.size()) + " points, and max_points_per_scan of " +
                      std::string(config_->name) + " is " +
                      std::to_string(sensor_->max_points_per_scan));
   }
   if (lidar::turns(sensor_->format) && cloud.view_deg < kWholeTurnDeg) {
-    throw UsageError("cloud " + std::to_string(sent_.clouds) + " spans " +
+    throw UsageError("cloud " + std::to_string(sent_.given) + " spans " +
                      std::to_string(std::lround(cloud.view_deg)) + " degrees, and " +
                      std::string(config_->name) +
                      " is of type points_turning: for less than a turn give type = \"points\" and "
@@ -96,12 +96,26 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   demand_metres(
       static_cast<std::size_t>(std::ranges::count_if(
           cloud.points, [](std::int32_t mm) { return mm > kFarthestMm; }, &WirePoint::third)),
-      cloud.points.size(), "cloud " + std::to_string(sent_.clouds));
-  if (cloud.time_us < last_cloud_us_) {
-    ++sent_.out_of_order;
-    sent_.furthest_back_us = std::max(sent_.furthest_back_us, last_cloud_us_ - cloud.time_us);
-    return {};
+      cloud.points.size(), "cloud " + std::to_string(sent_.given));
+  std::vector<SeenCloud> in_order = order_.take(std::move(cloud));
+  ++sent_.given;
+  return datagrams_of_all(std::move(in_order));
+}
+
+std::vector<CapturedDatagram> PointsSender::finish() { return datagrams_of_all(order_.finish()); }
+
+std::vector<CapturedDatagram> PointsSender::datagrams_of_all(std::vector<SeenCloud>&& clouds) {
+  std::vector<CapturedDatagram> datagrams;
+  for (SeenCloud& cloud : clouds) {
+    add_datagrams(std::move(cloud), datagrams);
   }
+  sent_.out_of_order = order_.out_of_order();
+  sent_.furthest_back_us = order_.furthest_back_us();
+  sent_.strays = order_.strays();
+  return datagrams;
+}
+
+void PointsSender::add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram>& datagrams) {
   if (cloud.time_us == 0) {
     ++sent_.without_stamp;
   } else if (cloud.time_us == last_cloud_us_) {
@@ -110,7 +124,7 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   last_cloud_us_ = cloud.time_us;
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
-  sent_.beyond_width += beyond_width;
+  sent_.beyond_width += cloud.outside;
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
   const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
   sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
@@ -121,16 +135,14 @@ std::vector<CapturedDatagram> PointsSender::send(SeenCloud&& cloud) {
   const PointsScan scan = scan_of(std::move(cloud));
   ++sent_.clouds;
   const std::uint32_t source = config_->source_ipv4 != 0 ? config_->source_ipv4 : kUnnamedIpv4;
-  std::vector<CapturedDatagram> datagrams;
   for (PointsDatagram& made : datagrams_of(scan)) {
     last_us_ = std::max(last_us_, made.last_us);  // points are sent when they have been seen
     datagrams.push_back({.time_us = last_us_,
                          .source = {source, config_->udp_port},
                          .destination = {kTargetIpv4, config_->udp_port},
                          .payload = std::move(made.bytes)});
+    ++sent_.datagrams;
   }
-  sent_.datagrams += datagrams.size();
-  return datagrams;
 }
 
 }  // namespace iog::tools

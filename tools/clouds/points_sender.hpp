@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/clouds/cloud_fields.hpp"
+#include "tools/clouds/cloud_order.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/formats/points/points_writer.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -14,7 +15,8 @@
 namespace iog::tools {
 
 struct SentClouds {
-  std::uint64_t clouds = 0;
+  std::uint64_t given = 0;   // clouds
+  std::uint64_t clouds = 0;  // that were sent
   std::uint64_t points = 0;  // that were sent
   std::uint64_t datagrams = 0;
   std::uint64_t beyond_layers = 0;  // sent, and not used
@@ -26,6 +28,7 @@ struct SentClouds {
   std::uint64_t without_times = 0;  // clouds of a spinning unit: their points have none
   std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
   std::uint64_t out_of_order = 0;   // clouds: not sent
+  std::uint64_t strays = 0;         // clouds: not sent (CloudOrder::strays)
   std::uint64_t furthest_back_us = 0;
 
   [[nodiscard]] std::uint64_t furthest_back_ms() const { return (furthest_back_us + 999) / 1000; }
@@ -36,11 +39,15 @@ class PointsSender {
   // The car outlives it, and its sensor is a unit of points.
   PointsSender(const CatalogueEntry& car, std::size_t sensor);
 
-  // Sends a scan in the order of the points' times or, if they have none, of their azimuths,
-  // without the points outside of the field of view. UsageError if the scan has more points than
-  // the car file allows, for the reasons of demand_metres(), or if scans are in two frames. Skips a
-  // scan that is older than one before it.
+  // Sends scans in order of time, so a scan may have to wait for the next one, and some are skipped
+  // (cloud_order.hpp). The points of a scan are in the order of their times or, if they have none,
+  // of their azimuths, without those outside of the field of view. UsageError if the scan has more
+  // points than the car file allows, for the reasons of demand_metres() and CloudOrder, or if scans
+  // are in two frames.
   [[nodiscard]] std::vector<CapturedDatagram> send(SeenCloud&& cloud);
+
+  // After the last scan: the one that waits.
+  [[nodiscard]] std::vector<CapturedDatagram> finish();
 
   // UsageError if most scans were skipped.
   void demand_order() const;
@@ -49,12 +56,15 @@ class PointsSender {
 
  private:
   void demand_one_frame(const std::string& frame);
+  [[nodiscard]] std::vector<CapturedDatagram> datagrams_of_all(std::vector<SeenCloud>&& clouds);
+  void add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram>& datagrams);
   [[nodiscard]] PointsSector field() const;  // that the car's file has the sensor watch
   [[nodiscard]] PointsScan scan_of(SeenCloud&& cloud) const;
 
   const description::SensorConfig* config_;
   const vehicle::Sensor* sensor_;
   std::string frame_{};  // of the clouds
+  CloudOrder order_;
   std::uint64_t last_cloud_us_ = 0;
   std::uint64_t last_us_ = 0;
   SentClouds sent_;

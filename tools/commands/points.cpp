@@ -137,6 +137,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "cloud|clouds out of order skipped (time goes back by up to " +
              std::to_string(sent.furthest_back_ms()) + " ms)",
          words);
+  remark(sent.strays,
+         "cloud|clouds skipped: its|their stamp|stamps is|are more than 1 s from those before and "
+         "after",
+         words);
   out << counted(sent.clouds, "cloud|clouds") << ", " << counted(sent.points, "point|points in ")
       << counted(sent.datagrams, "datagram|datagrams ") << where << '\n';
   for (const std::string& word : words) {
@@ -234,20 +238,23 @@ void send_clouds(PointsOptions options) {
   Destination destination(options, car.sensors[sensor].udp_port);
   options.unit = options.unit == TimeUnit::kFound ? unit_of(options) : options.unit;
   Progress progress("clouds");
+  const auto take_all = [&](const std::vector<CapturedDatagram>& datagrams) {
+    std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
+  };
   std::vector<std::string> remarks = for_each_input(options, options.unit, [&](SeenCloud&& cloud) {
     if (cloud.has_unknown_times) {
-      throw UsageError("cloud " + std::to_string(sender.sent().clouds) +
+      throw UsageError("cloud " + std::to_string(sender.sent().given) +
                        " does not show the unit of its points' times: give --time-unit");
     }
-    if (sender.sent().clouds == 0 && is_of_world(cloud.frame)) {
+    if (sender.sent().given == 0 && is_of_world(cloud.frame)) {
       std::cerr << "iog: warning: the clouds are in frame " << printable(cloud.frame)
                 << ", but points must be in the sensor's frame: use the topic of the lidar's "
                    "driver\n";
     }
-    const std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
-    std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
-    progress.show(sender.sent().clouds);
+    take_all(sender.send(std::move(cloud)));
+    progress.show(sender.sent().given);
   });
+  take_all(sender.finish());
   if (sender.sent().clouds == 0) {
     throw UsageError("there is no cloud in what is given");
   }

@@ -25,6 +25,13 @@
 namespace iog::tools {
 namespace {
 
+// Of a scan that no other one follows.
+std::vector<CapturedDatagram> sent_alone(PointsSender& sender, SeenCloud&& cloud) {
+  std::vector<CapturedDatagram> datagrams = sender.send(std::move(cloud));
+  std::ranges::move(sender.finish(), std::back_inserter(datagrams));
+  return datagrams;
+}
+
 constexpr std::uint32_t kScans = 8;
 constexpr std::uint64_t kStartNs = 1'700'000'000'000'000'000;
 constexpr std::uint64_t kPeriodNs = 25'000'000;
@@ -90,6 +97,7 @@ class PointsOfBag : public ::testing::Test {
     for_each_cloud(path_, topic, unit, [&](SeenCloud&& cloud) {
       std::ranges::move(sender_.send(std::move(cloud)), std::back_inserter(all));
     });
+    std::ranges::move(sender_.finish(), std::back_inserter(all));
     return all;
   }
   std::string told(const std::string& topic = {}) {
@@ -236,11 +244,37 @@ TEST(PointsSender, CoordinatesThatAreNoMetresAreTold) {
   }
 }
 
+// It is the one of the recording, whatever became of those before it.
+TEST(PointsSender, ErrorsNumberTheCloudsThatWereGiven) {
+  PointsSender sender(find_vehicle("robot_2d"), 0);
+  for (const std::uint64_t time_us : {100'000U, 50'000U, 3'600'000'000U, 150'000U}) {
+    static_cast<void>(sender.send({.frame = "front", .time_us = time_us}));
+  }
+  EXPECT_EQ(sender.sent().clouds, 2U);
+  EXPECT_EQ(sender.sent().out_of_order, 1U);
+  EXPECT_EQ(sender.sent().strays, 1U);
+  EXPECT_EQ(sender.sent().given, 4U);
+  const auto told = [&](SeenCloud&& cloud) {
+    try {
+      static_cast<void>(sender.send(std::move(cloud)));
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(told({.points = std::vector<WirePoint>(1'501)}),
+            "cloud 4 has 1501 points, and max_points_per_scan of front is 1500");
+  EXPECT_EQ(told({.points = {{.third = 500'001}}}),
+            "cloud 4: 1 of its 1 points are more than 500 m away; coordinates are metres");
+  EXPECT_TRUE(told({.frame = "rear"}).starts_with("cloud 4 is in frame rear, "));
+}
+
 TEST(PointsSender, StampsThatDoNotRiseAreCounted) {
   PointsSender sender(find_vehicle("robot_2d"), 0);
   for (const std::uint64_t time_us : {0U, 0U, 7U, 7U, 8U}) {
     static_cast<void>(sender.send({.time_us = time_us}));
   }
+  static_cast<void>(sender.finish());
   EXPECT_EQ(sender.sent().without_stamp, 2U);
   EXPECT_EQ(sender.sent().same_stamps, 1U);
 }
@@ -252,7 +286,7 @@ TEST(PointsSender, PointsOutsideTheFieldOfViewAreCountedAndNotSent) {
   for (const int degrees : {0, 134, 135, 136, 180, 224, 225, 226, 359}) {
     cloud.points.push_back({.first = degrees * 3'200, .third = 1});
   }
-  static_cast<void>(sender.send(std::move(cloud)));
+  static_cast<void>(sent_alone(sender, std::move(cloud)));
   EXPECT_EQ(sender.sent().beyond_width, 3U);
   EXPECT_EQ(sender.sent().points, 6U);
 }
@@ -269,7 +303,7 @@ TEST(PointsSender, PointsOutsideTheFieldOfViewCostNoOthers) {
     cloud.points.push_back(
         {.first = (azimuth + 360 * 3'200) % (360 * 3'200), .third = 1, .after_us = i});
   }
-  const auto datagrams = sender.send(std::move(cloud));
+  const auto datagrams = sent_alone(sender, std::move(cloud));
   EXPECT_EQ(datagrams.size(), (inside + 84) / 85);
   std::size_t decoded = 0;
   for (const auto& datagram : datagrams) {
@@ -297,7 +331,7 @@ TEST(PointsSender, SortsByTime) {
   PointsSender sender(find_vehicle("roof_points"), 0);
   SeenCloud cloud{.time_us = 5, .has_times = true};
   cloud.points = {{.first = 1, .third = 1, .after_us = 30'000}, {.first = 2, .third = 2}};
-  const auto datagrams = sender.send(std::move(cloud));
+  const auto datagrams = sent_alone(sender, std::move(cloud));
   ASSERT_EQ(datagrams.size(), 1U);
   EXPECT_EQ(datagrams[0].time_us, 30'005U);
   lidar::Points decoder;
@@ -323,7 +357,7 @@ TEST(PointsSender, LostDatagramsOfNoOrderThinOutAllDirections) {
                             .third = 1,
                             .after_us = static_cast<std::uint32_t>(i)});
   }
-  auto datagrams = sender.send(std::move(cloud));
+  auto datagrams = sent_alone(sender, std::move(cloud));
   ASSERT_EQ(datagrams.size(), 100U);
   datagrams.erase(datagrams.begin() + 3, datagrams.begin() + 13);
   std::array<std::uint32_t, 10> ticks{};  // of each 7 degrees that were swept, from the right
