@@ -4,23 +4,27 @@
     PYTHONPATH=clients/python python3 clients/ros2/points_node.py --ros-args -p address:=10.0.2.15 -p port:=2368 \\
         -r cloud:=/velodyne_points -r scan:=/scan -p turns:=true
 
-field_of_view_deg is the car file's scan_width_ticks / 32. The encoding is tested against `iog points`; with ROS 2 itself
-nobody here has run it.
+field_of_view_deg is the car file's scan_width_ticks / 32; points outside it are not sent. Only the newest message waits while
+one is sent. The encoding is tested against `iog points`; with ROS 2 itself nobody here has run it.
 """
 import socket
 import sys
+import threading
 import time
 
 import numpy
 import rclpy
+from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
-from rclpy.qos import qos_profile_sensor_data
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import LaserScan, PointCloud2
 
 from iogrid import points
 
 TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}  # sensor_msgs/PointField
-PAUSE_S = 0.0002  # between datagrams, so that a whole cloud does not overrun the target at once
+BURST = 16  # datagrams at once, so that a whole cloud does not overrun the target
+PAUSE_S = 0.003  # from burst to burst, or less, so that a message takes at most this share of the time to the next one:
+SHARE = 0.5
 
 
 def stamp_us(message) -> int:
@@ -63,25 +67,73 @@ class PointsNode(Node):
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.number = 0
         self.unit_us = None
-        self.create_subscription(PointCloud2, "cloud", self.send_cloud, qos_profile_sensor_data)
-        self.create_subscription(LaserScan, "scan", lambda message: self.send(scan_of_laser(message)),
-                                 qos_profile_sensor_data)
+        self.arrival = threading.Condition()
+        self.waiting = None  # the newest message that is not sent
+        self.newest_us = 0
+        self.period_s = 0.1  # the shortest time between two messages' stamps
+        self.skipped = self.outside = 0  # messages that a newer one replaced, and points
+        self.told = {}  # of each warning, its last number
+        newest = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+        self.create_subscription(PointCloud2, "cloud", self.take, newest)
+        self.create_subscription(LaserScan, "scan", self.take, newest)
 
-    def send_cloud(self, message) -> None:
-        scan, self.unit_us = scan_of_cloud(message, self.unit_us)
-        self.send(scan)
+    def take(self, message) -> None:
+        with self.arrival:
+            self.skipped += self.waiting is not None
+            self.waiting = message
+            apart_us, self.newest_us = stamp_us(message) - self.newest_us, stamp_us(message)
+            self.period_s = min(self.period_s, apart_us / 1e6) if apart_us >= 10_000 else self.period_s
+            self.arrival.notify()
 
-    def send(self, scan: points.Scan) -> None:
-        for datagram in points.datagrams(scan, self.number, self.view_deg, self.turns):
-            self.socket.sendto(datagram, self.target)
-            time.sleep(PAUSE_S)
+    def send_next(self, timeout_s: float = 0.5) -> None:
+        """Sends the message that waits or comes in this time."""
+        with self.arrival:
+            self.arrival.wait_for(lambda: self.waiting is not None, timeout_s)
+            message, self.waiting, skipped = self.waiting, None, self.skipped
+        if message is None:
+            return
+        if hasattr(message, "ranges"):
+            scan = scan_of_laser(message)
+        else:
+            scan, self.unit_us = scan_of_cloud(message, self.unit_us)
+        self.outside += int(points.is_outside(scan, self.view_deg, self.turns).sum())
+        self.tell(skipped, "messages were skipped: they come faster than they are sent")
+        self.tell(self.outside, "points outside field_of_view_deg were not sent")
+        self.send(points.datagrams(scan, self.number, self.view_deg, self.turns))
         self.number += 1
+
+    def tell(self, count: int, words: str) -> None:
+        """When there is a first one, and whenever there are twice as many."""
+        if count >= 2 * self.told.get(words, 0) and count:
+            self.told[words] = count
+            self.get_logger().warning(f"so far, {count} {words}")
+
+    def send(self, datagrams: list[bytes]) -> None:
+        pause_s = min(PAUSE_S, SHARE * self.period_s * BURST / len(datagrams))
+        next_s = time.monotonic()
+        for i, datagram in enumerate(datagrams):
+            if i and i % BURST == 0:
+                next_s += pause_s
+                time.sleep(max(next_s - time.monotonic(), 0))
+            self.socket.sendto(datagram, self.target)
+
+
+def take_messages(node: PointsNode) -> None:
+    try:
+        rclpy.spin(node)
+    except ExternalShutdownException:
+        pass
 
 
 def main() -> None:
     rclpy.init()
+    node = PointsNode()
+    threading.Thread(target=take_messages, args=[node], daemon=True).start()
     try:
-        rclpy.spin(PointsNode())
+        while rclpy.ok():
+            node.send_next()
+    except KeyboardInterrupt:
+        pass
     except ValueError as wrong:
         sys.exit(f"points_node: {wrong}")
 

@@ -31,6 +31,8 @@ class Node:
 
     PARAMETERS: dict[str, object] = {}
     subscriptions: dict[str, object] = {}
+    qualities: list[dict] = []
+    warnings: list[str] = []
 
     def __init__(self, name: str):
         assert name == "iogrid_points"
@@ -38,20 +40,27 @@ class Node:
     def declare_parameter(self, name: str, value):
         return types.SimpleNamespace(value=self.PARAMETERS.get(name, value))
 
-    def create_subscription(self, kind: str, topic: str, take, _quality) -> None:
+    def create_subscription(self, kind: str, topic: str, take, quality) -> None:
         self.subscriptions[topic] = take
+        self.qualities.append(quality)
+
+    def get_logger(self):
+        return types.SimpleNamespace(warning=self.warnings.append)
 
 
 def load_node():
+    Node.qualities.clear()
+    Node.warnings.clear()
     for name, content in {"rclpy": {"init": lambda: None}, "rclpy.node": {"Node": Node},
-                          "rclpy.qos": {"qos_profile_sensor_data": None}, "sensor_msgs": {},
+                          "rclpy.executors": {"ExternalShutdownException": Exception},
+                          "rclpy.qos": {"QoSProfile": dict, "ReliabilityPolicy": types.SimpleNamespace(BEST_EFFORT="best")},
+                          "sensor_msgs": {},
                           "sensor_msgs.msg": {"PointCloud2": "PointCloud2", "LaserScan": "LaserScan"}}.items():
         sys.modules[name] = types.ModuleType(name)
         vars(sys.modules[name]).update(content)
     spec = importlib.util.spec_from_file_location("points_node", streams.ROOT / "clients/ros2/points_node.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    module.PAUSE_S = 0
     return module
 
 
@@ -108,6 +117,7 @@ class PointsNode(unittest.TestCase):
             node = load_node().PointsNode()
             for message in messages:
                 Node.subscriptions[topic](message)
+                node.send_next()
             node.socket.close()
             self.assertEqual([target.recv(2000) for _ in expected], expected)
 
@@ -164,11 +174,73 @@ class PointsNode(unittest.TestCase):
         node = load_node().PointsNode()
         good = scan_message(made_bags.START_NS, numpy.full(5, 5.0), -0.2, 0.1, 0.001)
         Node.subscriptions["scan"](good)
+        node.send_next()
         for name, value in (("range_max", 0.0), ("range_max", numpy.nan), ("range_min", 30.0), ("angle_min", numpy.nan),
                             ("angle_increment", 0.0), ("angle_increment", -0.3), ("angle_increment", 0.05)):
             with self.assertRaisesRegex(ValueError, f"{name}.* {value:g}" if value != 0.05 else "angle_max is 0.2"):
                 Node.subscriptions["scan"](types.SimpleNamespace(**{**vars(good), name: value}))
+                node.send_next()
         node.socket.close()
+
+    def node_without_target(self):
+        """Its datagrams and pauses come into lists; its clock goes on by pauses alone."""
+        module, sent, pauses = load_node(), [], []
+        module.time = types.SimpleNamespace(monotonic=lambda: 1000 + sum(pauses), sleep=pauses.append)
+        node = module.PointsNode()
+        node.socket.close()
+        node.socket = types.SimpleNamespace(sendto=lambda datagram, _target: sent.append(datagram))
+        return node, sent, pauses
+
+    def test_a_message_is_sent_before_the_next_one_comes(self):
+        """131,072 points in 100 ms, as of an Ouster of 128 layers, need 1,543 datagrams."""
+        node, sent, pauses = self.node_without_target()
+        node.send([b"it"] * 1543)
+        self.assertEqual(len(sent), 1543)
+        self.assertEqual(len(pauses), 96)
+        self.assertAlmostEqual(sum(pauses), 0.05, 3)
+        pauses.clear()
+        node.send([b"it"] * 13)  # of a 2D scanner
+        self.assertEqual(pauses, [])
+        node.send([b"it"] * 353)  # 30,000 points
+        self.assertAlmostEqual(max(pauses), 0.05 * 16 / 353)
+        pauses.clear()
+        node.send([b"it"] * 64)
+        self.assertAlmostEqual(max(pauses), 0.003)
+
+    def test_a_fast_scanner_has_shorter_pauses(self):
+        node, _, pauses = self.node_without_target()
+        for time_ms in (0, 25, 50, 40, 41, 60):  # those that do not rise by 10 ms say nothing
+            Node.subscriptions["scan"](scan_message(made_bags.START_NS + time_ms * 10**6, numpy.full(5, 5.0), -0.2, 0.1, 0))
+        self.assertAlmostEqual(node.period_s, 0.019)
+        node.send([b"it"] * 640)
+        self.assertAlmostEqual(sum(pauses), 0.019 / 2 * 39 / 40)
+
+    def test_only_the_newest_message_waits(self):
+        """In the middleware, too; whoever does not keep up is told."""
+        node, sent, _ = self.node_without_target()
+        self.assertEqual(Node.qualities, [{"depth": 1, "reliability": "best"}] * 2)
+        for number in range(4):
+            Node.subscriptions["scan"](scan_message(made_bags.START_NS + number * 10**8, numpy.full(5, 5.0), -0.2, 0.1, 0))
+            if number == 0:
+                node.send_next()
+        node.send_next()
+        node.send_next(0)
+        self.assertEqual([int.from_bytes(datagram[16:24], "little") - made_bags.START_NS // 1000 for datagram in sent],
+                         [0, 300_000])
+        self.assertEqual(node.skipped, 2)
+        self.assertEqual(Node.warnings, ["so far, 2 messages were skipped: they come faster than they are sent"])
+
+    def test_points_outside_are_told(self):
+        node, sent, _ = self.node_without_target()
+        node.view_deg = 70.0
+        cloud = numpy.zeros(10, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+        cloud["x"][:7], cloud["y"][7:] = 5, 5
+        for _ in range(3):
+            Node.subscriptions["cloud"](cloud_message(made_bags.START_NS, cloud))
+            node.send_next()
+        self.assertEqual([len(datagram) for datagram in sent], [32 + 7 * 16] * 3)
+        self.assertEqual(Node.warnings, ["so far, 3 points outside field_of_view_deg were not sent",
+                                         "so far, 6 points outside field_of_view_deg were not sent"])
 
     def test_scans(self):
         ranges = numpy.float32(numpy.random.default_rng(4).uniform(0.05, 21, 1081))
