@@ -32,14 +32,19 @@ void check_span(double least, double most, std::string_view field, std::string_v
   }
 }
 
+// The longest side of a grid of the largest cells.
+constexpr double kLongestSideM =
+    geometry::kLongestSide * std::ranges::max(geometry::kCellSizesMm) / 1000.0;
+static_assert(kLongestSideM == 2048);  // as it is told
+
 // car_block/limits.hpp checks the rectangle, which is given in cells.
 void check_grid(const GridConfig& grid, const Tell& tell) {
   if (grid_of(grid).cell_mm == 0) {
     return;
   }
   const auto check = [&](double metres, std::string_view field) {
-    if (!is_within<double>(metres, 0, kFarthestM) || !is_whole(metres / grid.cell_m)) {
-      tell({.field = field, .allowed = "0 ... 1000, a whole number of cells"});
+    if (!is_within<double>(metres, 0, kLongestSideM) || !is_whole(metres / grid.cell_m)) {
+      tell({.field = field, .allowed = "0 ... 2048, a whole number of cells"});
     }
   };
   check(grid.ahead_m, "grid.ahead_m");

@@ -239,13 +239,16 @@ bool is_whole(double number) {
 geometry::Grid grid_of(const GridConfig& config) {
   const auto rounded = [](double value) {
     return static_cast<std::uint16_t>(
-        vehicle::is_within(value, 0.0, 20'000.0) ? numeric::round(value) : 0);
+        vehicle::is_within(value, 0.0, 65'535.0) ? numeric::round(value) : 0);
   };
   const auto cells = [&](double metres) { return rounded(metres / config.cell_m); };
+  const auto side = [&](double first_m, double second_m) {
+    return static_cast<std::uint16_t>(std::min(cells(first_m) + cells(second_m), 65'535));
+  };
   const double cell_mm = config.cell_m * 1000;
   return {.cell_mm = is_whole(cell_mm) ? rounded(cell_mm) : std::uint16_t{0},
-          .columns = static_cast<std::uint16_t>(cells(config.behind_m) + cells(config.ahead_m)),
-          .rows = static_cast<std::uint16_t>(cells(config.right_m) + cells(config.left_m)),
+          .columns = side(config.behind_m, config.ahead_m),
+          .rows = side(config.right_m, config.left_m),
           .origin_column = cells(config.behind_m),
           .origin_row = cells(config.right_m)};
 }

@@ -108,6 +108,34 @@ TEST(DescriptionLimits, MapsNeedAPortOfTheirOwn) {
   EXPECT_EQ(faults_on(Grids::kIndexes, 100), "");
 }
 
+std::string faults_of_grid(const GridConfig& grid) {
+  Description car = described(Grids::kIndexes);
+  car.grid = grid;
+  SensorConfig config = on_port_100();
+  config.range_max_mm = 40'000;
+  return faults_of(car, {config});
+}
+
+// docs/vehicles.md: 32 ... 4096 cells of 0.05, 0.1, 0.2 or 0.5 m, wherever the car is in them.
+TEST(DescriptionLimits, AGridOfTheLongestSideMayLieOnOneSideOfTheCar) {
+  for (const double cell_m : {0.05, 0.1, 0.2, 0.5}) {
+    for (const double share : {0.0, 0.25, 1.0}) {
+      const double first_m = share * 4096 * cell_m;
+      const double second_m = (1 - share) * 4096 * cell_m;
+      const double short_m = 128 * cell_m;
+      EXPECT_EQ(faults_of_grid({cell_m, first_m, second_m, short_m, short_m}), "");
+      EXPECT_EQ(faults_of_grid({cell_m, short_m, short_m, first_m, second_m}), "");
+    }
+  }
+}
+
+// Its side and its cells are too many, though 66,560 columns are 1,024 in a number of 16 bits.
+TEST(DescriptionLimits, AGridOfMoreCellsThanItsNumbersHoldIsNotShort) {
+  const std::string both = "grid.ahead_m grid.ahead_m";
+  EXPECT_EQ(faults_of_grid({.cell_m = 0.05, .ahead_m = 1280, .behind_m = 2048}), both);
+  EXPECT_EQ(faults_of_grid({.cell_m = 0.05, .ahead_m = 2048, .behind_m = 25.6}), both);
+}
+
 std::string faults_in_steps(std::uint32_t steps) {
   return faults_of(described(Grids::kIndexes), {turning(steps, 1)});
 }
