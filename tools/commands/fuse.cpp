@@ -332,8 +332,8 @@ void add_fuse(CLI::App& program) {
              "City map that the target has from the start (.iogmap)");
   command->footer(
       "fuse processes the capture as if `iog replay` sent it. It assigns packets to sensors by "
-      "destination port and does not check source addresses. Time is that of the capture. A pause "
-      "counts as at most 1 s.\n"
+      "destination port. After a packet from a sensor's source_ipv4, it skips the port's packets "
+      "from other addresses. Time is that of the capture. A pause counts as at most 1 s.\n"
       "--out-raw: columns x rows int8, row by row from the lowest y. --hashes: number, complete "
       "and "
       "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
