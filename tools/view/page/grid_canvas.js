@@ -12,7 +12,7 @@ import { CLASS_COUNT, MOVING, classOf, classTable, colourOfClass, css, isSomethi
 import * as overlays from "./overlays.js";
 import { TileImage } from "./tile_image.js";
 
-const MIN_SCALE = 0.3; // pixels a cell
+const MIN_SCALE = 0.3; // pixels a cell, or what shows the whole grid
 const MAX_SCALE = 40;
 const START_HEIGHT = 620; // cells
 const USUAL_SHAPE = { cell_m: 0.1, columns: 1024, rows: 1024, origin: [512, 512] };
@@ -135,11 +135,16 @@ export class GridCanvas {
     }
   }
 
-  // With the car in the middle; a smaller grid is seen as a whole.
+  // With the car in the middle; a smaller grid is seen as a whole, and of a short one as much to the
+  // sides as else ahead and behind.
   zoomToStreet() {
-    const { origin: [behind], columns } = this.shape;
-    const cells = Math.min(START_HEIGHT, 2 * Math.max(behind, columns - behind) + 1);
-    this.pixelsPerMetre = this.height / (cells * this.cellM);
+    const { origin: [behind, right], columns, rows } = this.shape;
+    const around = (before, cells) =>
+      Math.min(START_HEIGHT, 2 * Math.max(before, cells - before) + 1);
+    const high = around(behind, columns);
+    const scale = this.height / high;
+    this.pixelsPerMetre = (high < START_HEIGHT ? Math.min(scale, this.width / around(right, rows))
+                                               : scale) / this.cellM;
   }
 
   // Where the car is now, and how it is turned. What is in the middle of the view stays there, as
@@ -266,9 +271,9 @@ export class GridCanvas {
   // Around a place of the page, which stays where it is; around the car while it is followed.
   zoom(factor, column = this.width / 2, row = this.height / 2) {
     const before = this.toMetres(column, row);
+    const least = Math.min(MIN_SCALE / this.cellM, this.scaleOfAll);
     this.pixelsPerMetre =
-        Math.min(MAX_SCALE / this.cellM,
-                 Math.max(MIN_SCALE / this.cellM, this.pixelsPerMetre * factor));
+        Math.min(MAX_SCALE / this.cellM, Math.max(least, this.pixelsPerMetre * factor));
     if (!this.isFollowing) {
       const after = this.toMetres(column, row);
       this.centre.x += before.x - after.x;
@@ -290,13 +295,19 @@ export class GridCanvas {
     this.centre = { x: 0, y: 0 };
   }
 
+  // Pixels of a metre when the whole grid is seen.
+  get scaleOfAll() {
+    const { columns, rows } = this.shape;
+    return Math.min(this.width / (rows * this.cellM + 1),
+                    this.height / (columns * this.cellM + 1));
+  }
+
   showAll() {
     const { origin, columns, rows } = this.shape;
     this.follow();
     this.centre = { x: (columns / 2 - origin[0]) * this.cellM,
                     y: (rows / 2 - origin[1]) * this.cellM };
-    this.pixelsPerMetre = Math.min(this.width / (rows * this.cellM + 1),
-                                   this.height / (columns * this.cellM + 1));
+    this.pixelsPerMetre = this.scaleOfAll;
   }
 
   showStreet() {
