@@ -97,20 +97,24 @@ def _wrapped(parts: int) -> int:
     return parts % TURN - TURN if parts % TURN > TURN // 2 else parts % TURN
 
 
-def _mean(azimuth: list[int]) -> int | None:
-    """None if they lie all around."""
-    unit = math.tau / TURN
-    x, y = (sum(turned(each * unit) for each in azimuth) for turned in (math.cos, math.sin))
-    mean = math.atan2(y, x) / unit
-    return int(math.copysign(math.floor(abs(mean) + 0.5), mean)) if math.hypot(x, y) >= 0.5 * len(azimuth) else None
+def _mean(angles: list[float]) -> int | None:
+    """Of radians. None if they lie all around. The sum's order is that of tools/formats/points/turn_sectors.cpp."""
+    x, y = sum(map(math.cos, angles)), sum(map(math.sin, angles))
+    mean = math.atan2(y, x) / (math.tau / TURN)
+    return int(math.copysign(math.floor(abs(mean) + 0.5), mean)) if math.hypot(x, y) >= 0.5 * len(angles) else None
 
 
-def sectors_of_scan(azimuths: list[int], begin: int, width: int) -> list[tuple[int, int]]:
+def sectors_of_scan(azimuths: numpy.ndarray, begin: int, width: int) -> list[tuple[int, int]]:
     """Where the sector of each datagram begins, and its width, for points in the order of their azimuths in the field that
     was scanned. Empty if they are in another order. The rule is that of tools/formats/points/turn_sectors.hpp."""
-    parts = [azimuths[i:i + MOST_POINTS] for i in range(0, len(azimuths), MOST_POINTS)]
-    means = [_mean(part) for part in parts]
-    if not means or None in means:
+    angles = (azimuths * (math.tau / TURN)).tolist()
+    starts = range(0, len(azimuths), MOST_POINTS)
+    means = []
+    for start in starts:
+        means.append(_mean(angles[start:start + MOST_POINTS]))
+        if means[-1] is None:
+            return []
+    if not means:
         return []
     steps = [_wrapped(b - a) for a, b in zip(means, means[1:])]
     means = list(itertools.accumulate(steps, initial=means[0]))
@@ -127,12 +131,17 @@ def sectors_of_scan(azimuths: list[int], begin: int, width: int) -> list[tuple[i
         borders[-1] += sign * (missing - (missing >> 1))
     else:
         borders[0], borders[-1] = (low, high) if means[-1] > means[0] else (high, low)
-    ends = [[*borders[i:i + 2], *(at for each in part if low <= (at := mean + _wrapped(each - mean)) <= high or is_turn)]
-            for i, (mean, part) in enumerate(zip(means, parts))]
-    widths = [max(its) - min(its) for its in ends]
+    its_mean = numpy.repeat(means, MOST_POINTS)[:len(azimuths)]
+    turned = (azimuths - its_mean) % TURN
+    at = its_mean + numpy.where(turned > TURN // 2, turned - TURN, turned)
+    is_in_field = is_turn | ((low <= at) & (at <= high))
+    pairs = numpy.array([borders[:-1], borders[1:]])
+    lows = numpy.minimum(pairs.min(0), numpy.minimum.reduceat(numpy.where(is_in_field, at, 2**62), starts)).tolist()
+    highs = numpy.maximum(pairs.max(0), numpy.maximum.reduceat(numpy.where(is_in_field, at, -2**62), starts)).tolist()
+    widths = [last - first for first, last in zip(lows, highs)]
     if max(widths) > TURN // 2 or (not is_turn and 2 * sum(widths) > 3 * width):
         return []
-    return [(min(its) % TURN, max(its) - min(its)) for its in ends]
+    return [(first % TURN, its_width) for first, its_width in zip(lows, widths)]
 
 
 def _field(field_of_view_deg: float, turns: bool) -> tuple[int, int]:
@@ -160,15 +169,16 @@ def datagrams(scan: Scan, number: int, field_of_view_deg: float = 360, turns: bo
     key = (points["azimuth"].astype(int) - begin) % TURN if scan.after_us is None else after_us
     order = numpy.argsort(key, kind="stable")
     points, after_us = points[order], after_us[order]
-    sectors = sectors_of_scan(points["azimuth"].tolist(), begin, width)
+    sectors = sectors_of_scan(points["azimuth"].astype(numpy.int64), begin, width)
     count = max(-(-len(points) // MOST_POINTS), 1)
     apart = 1 if sectors else next(each for each in itertools.count((3 * count + 7) // 8) if math.gcd(each, count) == 1)
+    starts = range(0, len(points), MOST_POINTS)
+    first_us = numpy.minimum.reduceat(after_us, starts) if len(points) else numpy.zeros(1, int)
+    points["after"] = numpy.minimum((after_us - numpy.repeat(first_us, MOST_POINTS)[:len(points)]) // 10, 0xFFFF)
     made = []
-    for i in range(count):
-        its = slice(i * MOST_POINTS, (i + 1) * MOST_POINTS)
-        first_us = int(after_us[its].min(initial=2**62)) if len(points) else 0
-        points["after"][its] = numpy.minimum((after_us[its] - first_us) // 10, 0xFFFF)
+    for i, first in enumerate(first_us.tolist()):
+        its = points[i * MOST_POINTS:(i + 1) * MOST_POINTS]
         sector = sectors[i] if sectors else (begin, width)
-        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 0 if sectors else 2, len(points[its]), number, i * apart % count, count,
-                                scan.time_us + first_us, *sector) + points[its].tobytes())
+        made.append(struct.pack("<4sBBHIHHQII", b"IGPT", 1, 0 if sectors else 2, len(its), number, i * apart % count, count,
+                                scan.time_us + int(first), *sector) + its.tobytes())
     return made
