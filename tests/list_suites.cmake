@@ -2,10 +2,10 @@
 # `<room>/<Suite>`. It is run when the executable has been built:
 #
 #   cmake -D EXECUTABLE=<path> [-D RUNNER=<path>] -D ROOM=<room> -D LABEL=<label> [-D LONG=<suites>]
-#     -D OUTPUT=<file> -P list_suites.cmake
+#     [-D SLOW=<suites>] -D OUTPUT=<file> -P list_suites.cmake
 #
 # RUNNER: what starts the executable where this machine cannot. LABEL: one or more. LONG: suites whose label is
-# the first one with _all behind it.
+# the first one with _all behind it. SLOW: suites that have only the first one.
 cmake_policy(SET CMP0057 NEW)  # IN_LIST
 execute_process(COMMAND ${RUNNER} ${EXECUTABLE} --gtest_list_tests
   TIMEOUT 60 OUTPUT_VARIABLE listed RESULT_VARIABLE status)
@@ -29,7 +29,7 @@ if(NOT RUNNER)
 endif()
 
 list(TRANSFORM suites REPLACE "[\n.]" "")
-foreach(suite IN LISTS LONG)
+foreach(suite IN LISTS LONG SLOW)
   if(NOT suite IN_LIST suites)
     message(FATAL_ERROR "${EXECUTABLE} has no suite ${suite} that could be long:\n${listed}")
   endif()
@@ -40,6 +40,8 @@ foreach(suite IN LISTS suites)
   if(suite IN_LIST LONG)
     list(GET LABEL 0 label)
     string(APPEND label _all)
+  elseif(suite IN_LIST SLOW)
+    list(GET LABEL 0 label)
   endif()
   string(APPEND script
     "add_test([[${ROOM}/${suite}]] ${RUNNER} [[${EXECUTABLE}]] [[--gtest_filter=${suite}.*]])\n"

@@ -62,6 +62,7 @@ void ObjectFollower::begin(std::uint64_t end_us, std::span<const fusion::PlacedS
   }
   is_begun_ = tracker_.begin({.end_us = end_us,
                               .car = {car.x_mm, car.y_mm},
+                              .blind_mm = window.blind_mm(),
                               .area = window.view().area(),
                               .ages_ms = std::span(ages_ms).first(count),
                               .hits = window.hits()});

@@ -97,9 +97,8 @@ void weigh_reached(const Snapshot& then, Point car, bool open_counts,
 
 }  // namespace
 
-void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
-                  Track& track) {
+void weigh_motion(std::uint64_t now_us, const OurCar& car, std::span<const std::uint16_t> numbers,
+                  const Hits& hits, const GridNames& grid, Track& track) {
   track.seen.bad = track.seen.contradicted;
   const std::uint64_t after = shown_after_us(track);
   const Snapshot* then = now_us < after ? nullptr : track.snapshots.youngest_before(now_us - after);
@@ -107,14 +106,20 @@ void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
     return;
   }
   const bool open_counts =
-      track.speed() >= kOpenSpeed && !goes_with(car_velocity, track.velocity());
+      track.speed() >= kOpenSpeed && !goes_with(car.velocity, track.velocity());
   if (track.is_receding) {
-    weigh_trail(*then, car, numbers, hits, grid, track);
-  } else {
-    weigh_left(*then, car, open_counts, grid, track);
+    weigh_trail(*then, car.at, numbers, hits, grid, track);
+  }
+  const std::int32_t surely_bad = track.seen.bad;
+  if (!track.is_receding) {
+    weigh_left(*then, car.at, open_counts, grid, track);
   }
   track.follow_trail();
-  weigh_reached(*then, car, open_counts, numbers, hits.now.all(), track);
+  weigh_reached(*then, car.at, open_counts, numbers, hits.now.all(), track);
+  if (track.moves() && range_mm(car.at, track.box().at) < car.blind_mm) {
+    track.seen.neutral += track.seen.bad - surely_bad;
+    track.seen.bad = surely_bad;
+  }
 }
 
 bool is_shown(const Seen& seen) {

@@ -23,12 +23,19 @@ struct Hits {
   const RecentHits& recent;
 };
 
+// Our car. Within blind_mm of it, no place can be seen to be left or reached.
+struct OurCar {
+  Point at{};
+  Velocity velocity{};
+  std::int32_t blind_mm = 0;
+};
+
 // Counts the good, bad and neutral places and stores the counts in `track.seen`. Compares the track
 // and its hits with the youngest snapshot that is old enough to show motion. If the track is
-// receding, also updates its trail.
-void weigh_motion(std::uint64_t now_us, Point car, Velocity car_velocity,
-                  std::span<const std::uint16_t> numbers, const Hits& hits, const GridNames& grid,
-                  Track& track);
+// receding, also updates its trail. A moving track within blind_mm keeps its state: only
+// contradictions and hits at places that it has left are bad.
+void weigh_motion(std::uint64_t now_us, const OurCar& car, std::span<const std::uint16_t> numbers,
+                  const Hits& hits, const GridNames& grid, Track& track);
 
 // Returns true if enough places confirm the motion.
 [[nodiscard]] bool is_shown(const Seen& seen);

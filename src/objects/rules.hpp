@@ -149,6 +149,7 @@ inline constexpr std::int32_t kShownLeastMs = 160;
 inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that is this far outside
                                               // its box
 inline constexpr std::int32_t kOpenSpeed = 3000;
+inline constexpr std::int32_t kCarStandsSpeed = 1000;  // a faster car has seen near cells from afar
 
 // Parameters of the trail of a receding track. The trail consists of the places that the track has
 // left. A frame supports the trail if the track's own beams pass at least kTrailPlaces of these

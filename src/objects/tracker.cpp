@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "numeric/magnitude.hpp"
 #include "objects/adopt.hpp"
 #include "objects/edges.hpp"
 #include "objects/judge.hpp"
 #include "objects/measure.hpp"
 #include "objects/merge.hpp"
 #include "objects/motion_shown.hpp"
+#include "objects/rules.hpp"
 
 namespace iog::objects {
 
@@ -71,6 +73,9 @@ bool Tracker::pass_to(const Frame& frame) {
   now_us_ = frame.end_us;
   is_told_ = true;
   car_ = frame.car;
+  const auto [x, y] = car_velocity_;
+  const bool stands = std::max(numeric::magnitude(x), numeric::magnitude(y)) < kCarStandsSpeed;
+  blind_mm_ = stands ? frame.blind_mm : 0;
   return true;
 }
 
@@ -175,7 +180,8 @@ void Tracker::judge_all(const GridNames& grid) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
       track.look_from(car_);
-      weigh_motion(now_us_, car_, car_velocity_, owned_.of(slot), {hits_, recent_}, grid, track);
+      weigh_motion(now_us_, {car_, car_velocity_, blind_mm_}, owned_.of(slot), {hits_, recent_},
+                   grid, track);
       remember(now_us_, owned_.of(slot), hits_.all(), track);
       judge(now_us_, track);
     }

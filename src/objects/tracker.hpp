@@ -122,6 +122,7 @@ class Tracker {
   FrameCounts counts_{};
   Point car_{};
   Velocity car_velocity_{};
+  std::int32_t blind_mm_ = 0;  // Frame::blind_mm while the car stands, otherwise 0
 };
 
 }  // namespace iog::objects

@@ -75,6 +75,9 @@ struct Rules {
   // True if only low beams free occupied cells. `looks_over_things` has an effect only if
   // is_opened_from_below is true. The value is true if a sensor is high enough to see over objects.
   bool looks_over_things = true;
+  // Within this distance of the vehicle's reference point, no beam is low enough to open a cell.
+  // The value is 0 if a sensor opens cells everywhere.
+  std::int32_t blind_mm = 0;
   // Either kTallWithin or kTallOverGroundWithin.
   int tall_within = kTallWithin;
   Around around{};

@@ -157,6 +157,7 @@ class WindowFusion {
 
   // Returns a view of the window. After finish(), the view is valid until slices are added again.
   [[nodiscard]] window::WindowView view() const { return {window_, refreshed_, clock_}; }
+  [[nodiscard]] std::int32_t blind_mm() const { return rules_.blind_mm; }
 
   template <typename Visit>
   void for_each_guard(Visit&& visit) {

@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/sizes.hpp"
 #include "lidar/formats.hpp"
+#include "numeric/magnitude.hpp"
 #include "numeric/sine_table.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -50,6 +52,29 @@ constexpr RangeProducts range_products(std::int32_t low, std::int32_t high, std:
 // Returns true if the sensor is mounted above its own limit for low beams.
 constexpr bool looks_over_things(const Sensor& sensor) {
   return sensor.moved.are_given() && sensor.origin_z > sensor.grid.subcells(sensor.moved.low_mm);
+}
+
+// Returns the distance from the vehicle's reference point within which all beams of a level sensor
+// are higher than the limit for low beams. A layer's beams end, on average, at the height z.base.
+constexpr std::int32_t blind_mm(const Sensor& sensor) {
+  if (!looks_over_things(sensor)) {
+    return 0;
+  }
+  const auto layers = std::span(sensor.layers).first(sensor.layer_count);
+  const std::int64_t lowest =
+      std::ranges::min(layers, {}, [](const Layer& layer) { return layer.z.base; }).z.base >>
+      kAxisFractionBits;
+  const std::int64_t drop = sensor.origin_z - lowest;
+  const std::int64_t height = sensor.origin_z - sensor.grid.subcells(sensor.moved.low_mm);
+  const std::int64_t range_mm = sensor.range.mm();
+  const std::int64_t out_mm = height >= drop ? range_mm : height * range_mm / drop;
+  const auto aside = [](std::int32_t at, std::int32_t origin_cell) {
+    return std::int64_t{numeric::magnitude(at - origin_cell * geometry::kResolution)};
+  };
+  const std::int64_t off = aside(sensor.origin.x, sensor.grid.origin_column) +
+                           aside(sensor.origin.y, sensor.grid.origin_row);
+  const std::int64_t off_mm = off * sensor.grid.cell_mm / geometry::kResolution;
+  return static_cast<std::int32_t>(std::max<std::int64_t>(out_mm - off_mm, 0));
 }
 
 // Returns the value of Sensor::share_over_ground.
@@ -95,7 +120,7 @@ constexpr void derive_limits(const Footprint& footprint, std::int32_t z_min, std
 // If any sensor specifies MovedLimits, enables free-space gating. If one of these sensors is
 // mounted above its limit for low beams, sets `looks_over_things`. If a sensor with a limit for
 // tall returns follows the ground, increases `tall_within`, the maximum distance from a hit to a
-// tall return. Converts lengths to cells.
+// tall return. Sets `blind_mm` to the smallest distance of any sensor. Converts lengths to cells.
 constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& rules,
                             int cell_mm = geometry::kCellMm) {
   rules.is_opened_from_below =
@@ -104,6 +129,9 @@ constexpr void derive_rules(std::span<const Sensor> sensors, perception::Rules& 
     return sensor.moved.tall_mm != 0 && sensor.ground.is_followed();
   });
   rules.looks_over_things = std::ranges::any_of(sensors, derived_detail::looks_over_things);
+  rules.blind_mm = sensors.empty() ? 0
+                                   : derived_detail::blind_mm(*std::ranges::min_element(
+                                         sensors, {}, derived_detail::blind_mm));
   rules.tall_within = perception::cells_of(
       is_over_ground ? perception::kTallOverGroundWithinMm : perception::kTallWithinMm, cell_mm);
   rules.around = perception::around_with(cell_mm);

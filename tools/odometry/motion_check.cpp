@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint64_t kStretchUs = 1'000'000;
 constexpr std::uint64_t kMostGapUs = 500'000;  // between poses
+constexpr std::uint64_t kSpeedUs = 100'000;
 constexpr double kLeastM = 5;
 constexpr double kMovesM = 1;  // in a stretch; less may be noise
 constexpr double kLeastOffRad = 0.15;
@@ -45,6 +46,20 @@ std::optional<PoseSample> pose_at(std::span<const PoseSample> poses, std::uint64
   pose.heading_rad +=
       part * std::remainder(next->heading_rad - pose.heading_rad, 2 * std::numbers::pi);
   return pose;
+}
+
+// Forward, m/s, over the last kSpeedUs and more; nothing if there is no pose from before them.
+std::optional<double> speed_of(std::span<const PoseSample> poses) {
+  const auto before = std::ranges::find_if(
+      poses.rbegin(), poses.rend(),
+      [&](const PoseSample& pose) { return poses.back().time_us - pose.time_us >= kSpeedUs; });
+  if (before == poses.rend()) {
+    return std::nullopt;
+  }
+  const PoseSample& last = poses.back();
+  const std::complex way(last.x_m - before->x_m, last.y_m - before->y_m);
+  return (way * std::polar(1.0, -before->heading_rad)).real() * 1e6 /
+         static_cast<double>(last.time_us - before->time_us);
 }
 
 void add_stretch(const Pose& lidar, const PoseSample& from, const PoseSample& to,
@@ -142,7 +157,7 @@ void MotionWatch::take_packet(const CapturedDatagram& datagram) {
   }
   std::optional<Turn> turn = points_ ? points_->take(datagram) : std::nullopt;
   if (turn && (turns_.empty() || turn->end_us > turns_.back().time_us)) {
-    turns_.push_back(odometry_.add(*std::move(turn)));
+    turns_.push_back(odometry_.add(*std::move(turn), speed_of(poses_)));
   }
 }
 

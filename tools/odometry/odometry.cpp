@@ -19,6 +19,7 @@ constexpr int kFirstRounds = 4;
 // The first map is of one turn, in which posts and kerbs repeat every few metres.
 constexpr std::array kStartsMps{0.0, 10.0, 20.0, 30.0, 40.0};
 constexpr double kClearlyBetter = 1.5;
+constexpr double kConfirmsMps = 1;
 
 // Predictions: off by the car's acceleration, and in a map of one turn by anything.
 constexpr double kAccelerationMps2 = 5;
@@ -119,27 +120,44 @@ ScanMatch Odometry::matched(const Turn& turn, const Pose& predicted) const {
   return match;
 }
 
-// No prediction: several speeds are tried, and both turns are straightened by what each leads to.
-ScanMatch Odometry::matched_first(const Turn& turn) {
+// Both turns are straightened by what the rounds lead to.
+ScanMatch Odometry::matched_at(double speed_mps, const Turn& turn) {
+  Pose motion = forward(speed_mps * seconds_);
+  ScanMatch match;
+  for (int round = 0; round < kFirstRounds; ++round) {
+    map_ = {};
+    insert(last_, pose_, motion);
+    match =
+        match_scan(few_of(straightened(turn, motion, seconds_)), map_, pose_ * motion, kFirstDoubt);
+    motion = pose_.inverse() * match.pose;
+  }
+  return match;
+}
+
+// The start of kStartsMps whose match is clearly better than those before it.
+ScanMatch Odometry::best_start(const Turn& turn) {
   ScanMatch best;
   for (const double speed : kStartsMps) {
-    Pose motion = forward(speed * seconds_);
-    ScanMatch match;
-    for (int round = 0; round < kFirstRounds; ++round) {
-      map_ = {};
-      insert(last_, pose_, motion);
-      match = match_scan(few_of(straightened(turn, motion, seconds_)), map_, pose_ * motion,
-                         kFirstDoubt);
-      motion = pose_.inverse() * match.pose;
-    }
+    const ScanMatch match = matched_at(speed, turn);
     best = speed == 0 || worth_of(match) > kClearlyBetter * worth_of(best) ? match : best;
   }
-  map_ = {};
-  insert(last_, pose_, pose_.inverse() * best.pose);
   return best;
 }
 
-TurnPose Odometry::add(Turn turn) {
+ScanMatch Odometry::matched_first(const Turn& turn, std::optional<double> likely_mps) {
+  ScanMatch match = likely_mps ? matched_at(*likely_mps, turn) : best_start(turn);
+  const double found_mps = (pose_.inverse() * match.pose).translation().x() / seconds_;
+  const bool is_sound =
+      match.least_support >= kLeastSupport && match.agreement >= kLeastFirstAgreement;
+  if (likely_mps && !(is_sound && std::abs(found_mps - *likely_mps) < kConfirmsMps)) {
+    match = best_start(turn);
+  }
+  map_ = {};
+  insert(last_, pose_, pose_.inverse() * match.pose);
+  return match;
+}
+
+TurnPose Odometry::add(Turn turn, std::optional<double> likely_mps) {
   std::vector<Eigen::Vector3d> places;
   for (const TimedPoint& point : turn.points) {
     places.push_back(point.place);
@@ -153,7 +171,7 @@ TurnPose Odometry::add(Turn turn) {
   if (turns_ > 0) {
     const Pose predicted = turns_ == 1 ? Pose::Identity() : part_of(motion_, seconds / seconds_);
     seconds_ = seconds;
-    found.match = turns_ == 1 ? matched_first(turn) : matched(turn, predicted);
+    found.match = turns_ == 1 ? matched_first(turn, likely_mps) : matched(turn, predicted);
     motion_ = pose_.inverse() * found.match.pose;
     found.is_sure =
         found.match.least_support >= kLeastSupport &&

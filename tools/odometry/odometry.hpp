@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 #include "tools/odometry/local_map.hpp"
 #include "tools/odometry/scan_match.hpp"
@@ -21,12 +22,15 @@ struct TurnPose {
 
 class Odometry {
  public:
-  // Turns by rising times. The first one, and one after a silence, begins a new map.
-  [[nodiscard]] TurnPose add(Turn turn);
+  // Turns by rising times. The first one, and one after a silence, begins a new map. The first
+  // motion in a map is searched at all speeds of a car, unless the turns confirm the likely speed.
+  [[nodiscard]] TurnPose add(Turn turn, std::optional<double> likely_mps = std::nullopt);
 
  private:
   [[nodiscard]] ScanMatch matched(const Turn& turn, const Pose& predicted) const;
-  [[nodiscard]] ScanMatch matched_first(const Turn& turn);
+  [[nodiscard]] ScanMatch matched_at(double speed_mps, const Turn& turn);
+  [[nodiscard]] ScanMatch best_start(const Turn& turn);
+  [[nodiscard]] ScanMatch matched_first(const Turn& turn, std::optional<double> likely_mps);
   [[nodiscard]] double most_off_m() const;
   void learn(const Pose& off);
   void insert(const Turn& turn, const Pose& pose, const Pose& motion);

@@ -57,6 +57,7 @@ FrameCounts Scene::show(Tracker& tracker) {
   const Place car = car_(now_s());
   const Frame frame{.end_us = end_us,
                     .car = {mm_of(car.x), mm_of(car.y)},
+                    .blind_mm = mm_of(blind_m),
                     .area = window::Area::around(cell_at(car.x, car.y)),
                     .ages_ms = kAges,
                     .hits = hits};
@@ -126,8 +127,9 @@ Name Scene::name_of(geometry::Cell cell) const {
   }
   const Thing& thing = things_[its->thing];
   const std::uint64_t now_us = us_of(now_s());
-  if (now_us - its->last_us <= lag_us || covers(thing, thing.middle(now_s()), cell)) {
-    if (thing.is_told && its->began_open && now_us - its->first_us < 300'000) {
+  const std::uint64_t old_us = is_blind(cell) ? 2'000'000 : lag_us;
+  if (now_us - its->last_us <= old_us || covers(thing, thing.middle(now_s()), cell)) {
+    if (thing.is_told && !is_blind(cell) && its->began_open && now_us - its->first_us < 300'000) {
       return Name::kMoving;
     }
     return its->last_us - its->first_us >= kStandsUs ? Name::kStanding : Name::kOccupied;
@@ -162,7 +164,16 @@ Names Scene::names_around(geometry::Cell cell) const {
   return Names(classes);
 }
 
+bool Scene::is_blind(geometry::Cell cell) const {
+  const Point at = centre_of(cell);
+  const Place car = car_(now_s());
+  return std::hypot(at.x_mm * 1e-3 - car.x, at.y_mm * 1e-3 - car.y) < blind_m;
+}
+
 bool Scene::is_open(geometry::Cell cell) const {
+  if (is_blind(cell)) {
+    return false;
+  }
   const std::uint64_t now_us = us_of(now_s());
   for (std::int32_t y = cell.y - 1; y <= cell.y + 1; ++y) {
     for (std::int32_t x = cell.x - 1; x <= cell.x + 1; ++x) {

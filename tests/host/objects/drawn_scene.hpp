@@ -94,6 +94,9 @@ class Scene {
 
   // For how long the grid calls a cell by its old name when nothing covers it any more.
   std::uint64_t lag_us = 0;
+  // Within this distance of the car no beam opens a cell: the grid never calls one open or moving,
+  // and keeps the old name of what was left for two seconds.
+  double blind_m = 0;
   // The order in which the frame's hits are given.
   std::function<void(std::vector<Hit>&)> reorder = [](std::vector<Hit>&) {};
 
@@ -117,6 +120,7 @@ class Scene {
   void meet(geometry::Cell cell, std::size_t thing, std::uint64_t end_us);
   [[nodiscard]] Name name_of(geometry::Cell cell) const;
   [[nodiscard]] bool is_open(geometry::Cell cell) const;
+  [[nodiscard]] bool is_blind(geometry::Cell cell) const;
   [[nodiscard]] const Memory* memory_of(geometry::Cell cell) const;
 
   Motion car_;

@@ -72,6 +72,34 @@ TEST_F(Slow, ACarThatStopsInItsTurnHasStopped) {
                    [&] { EXPECT_EQ(scene.moving_share(0, tracker), 0) << scene.now_s(); });
 }
 
+// Where beams pass over a person's legs, only the track knows that he goes on. The parked car has a
+// lidar 1.5 m high, whose lowest beams are 0.6 m high 3.4 m away.
+TEST_F(Slow, APersonWhoPassesAParkedCarMoves) {
+  Scene scene(
+      at_rest({}),
+      {{.middle = straight({.x = -8, .y = 2}, 1.3), .length = 0.5, .width = 0.5, .is_told = true},
+       {.middle = at_rest({.x = 0, .y = 9}), .length = 30, .width = 1}});
+  scene.blind_m = 3.4;
+  scene.show_until(2, tracker);
+  scene.show_until(12, tracker,
+                   [&] { EXPECT_GT(scene.moving_share(0, tracker), 0.8) << scene.now_s(); });
+}
+
+TEST_F(Slow, APersonWhoStopsBesideAParkedCarHasStopped) {
+  Scene scene(at_rest({}),
+              {{.middle = [](double s) { return Place{.x = -8 + 1.3 * std::min(s, 6.0), .y = 2}; },
+                .length = 0.5,
+                .width = 0.5,
+                .is_told = true},
+               {.middle = at_rest({.x = 0, .y = 9}), .length = 30, .width = 1}});
+  scene.blind_m = 3.4;
+  scene.show_until(6, tracker);
+  EXPECT_GT(scene.moving_share(0, tracker), 0.8);
+  scene.show_until(7.5, tracker);
+  scene.show_until(9, tracker,
+                   [&] { EXPECT_EQ(scene.moving_share(0, tracker), 0) << scene.now_s(); });
+}
+
 Track car_of(std::int32_t length_mm, std::int32_t width_mm, std::int32_t confidence,
              std::int32_t unopposed = 4) {
   Track track;

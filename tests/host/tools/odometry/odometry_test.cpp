@@ -1,6 +1,7 @@
 // Motions that are known, in worlds whose scans are computed here.
 #include "tools/odometry/odometry.hpp"
 
+#include <optional>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -15,11 +16,12 @@ Path straight(double speed_mps) {
   return [=](double seconds) { return TruePose{speed_mps * seconds, 0, 0}; };
 }
 
-std::vector<TurnPose> drive(const Boxes& boxes, const Path& path, std::uint64_t turns) {
+std::vector<TurnPose> drive(const Boxes& boxes, const Path& path, std::uint64_t turns,
+                            std::optional<double> likely_mps = std::nullopt) {
   Odometry odometry;
   std::vector<TurnPose> found;
   for (std::uint64_t i = 1; i <= turns; ++i) {
-    found.push_back(odometry.add(turn_at(boxes, path, i)));
+    found.push_back(odometry.add(turn_at(boxes, path, i), likely_mps));
   }
   return found;
 }
@@ -46,6 +48,14 @@ TEST(Odometry, FollowsACarFromAnySpeed) {
   for (const double speed : {0.0, 7.0, 14.0, 27.0}) {
     SCOPED_TRACE(speed);
     expect_path(drive(street(), straight(speed), 12), straight(speed));
+  }
+}
+
+// Poses may be wrong: only the scans decide.
+TEST(Odometry, FindsTheSpeedWhateverIsLikely) {
+  for (const double likely : {0.0, 12.0, 14.0, 17.0, 40.0, -14.0}) {
+    SCOPED_TRACE(likely);
+    expect_path(drive(street(), straight(14), 4, likely), straight(14));
   }
 }
 
