@@ -21,6 +21,7 @@ namespace iog::objects {
 struct Hits {
   const FrameHits& now;
   const RecentHits& recent;
+  std::span<const FrameHit> of_view;  // the array to which the track's indices refer
 };
 
 // Counts the good, bad and neutral places and stores the counts in `track.seen`. Compares the track
