@@ -53,7 +53,7 @@ void weigh_trail(const Snapshot& then, Point car, std::span<const std::uint16_t>
                  const Hits& hits, const GridNames& grid, Track& track) {
   const bool is_slow = track.speed() < kLayersSpeed;
   const std::int32_t lately_mm = kLeftMm + track.speed() * kLayersMs / 1000;
-  const OwnBeams beams(car, numbers, hits.now.all());
+  const OwnBeams beams(car, numbers, hits.of_view);
   Seen& seen = track.seen;
   for (const geometry::Cell cell : then.all()) {
     const Point place = centre_of(cell);
@@ -115,7 +115,7 @@ void weigh_motion(std::uint64_t now_us, const OurCar& car, std::span<const std::
     weigh_left(*then, car.at, open_counts, grid, track);
   }
   track.follow_trail();
-  weigh_reached(*then, car.at, open_counts, numbers, hits.now.all(), track);
+  weigh_reached(*then, car.at, open_counts, numbers, hits.of_view, track);
   if (track.moves() && range_mm(car.at, track.box().at) < car.blind_mm) {
     track.seen.neutral += track.seen.bad - surely_bad;
     track.seen.bad = surely_bad;

@@ -21,6 +21,7 @@ namespace iog::objects {
 struct Hits {
   const FrameHits& now;
   const RecentHits& recent;
+  std::span<const FrameHit> of_view;  // the array to which the track's indices refer
 };
 
 // Our car. Within blind_mm of it, no place can be seen to be left or reached.

@@ -23,6 +23,12 @@ inline constexpr std::int32_t kLongestStepMs = 450;
 // If the last measurement is older than kLongestToldMs, no objects are published or labelled.
 inline constexpr std::int32_t kLongestToldMs = 200;
 
+// The capacities of views that the end of a frame has cut. Views beyond them stay in two parts.
+inline constexpr std::size_t kMostCutTracks = 32;
+inline constexpr std::size_t kMostCutHits = 1024;
+// A frame begins where the last one ended if at most this time is between their slices.
+inline constexpr std::int32_t kCutGapMs = 20;
+
 // Recent hits are recorded in epochs of 80 ms.
 inline constexpr std::uint64_t kEpochUs = 80'000;
 inline constexpr std::int32_t kEpochMs = 80;

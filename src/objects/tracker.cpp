@@ -28,6 +28,7 @@ bool Tracker::begin(const Frame& frame) {
   }
   area_ = frame.area;
   counts_.hits = hits_.gather(frame);
+  cut_.begin(frame.ages_ms, step_);
   return true;
 }
 
@@ -48,6 +49,7 @@ FrameCounts Tracker::end(const GridNames& grid) {
   merge(used(), hits_.all());
   judge_all(grid);
   leave_free_slots();
+  cut_.keep(hits_.all());
   moving_.list(used());
   recent_.add(now_us_, hits_.all());
   return counts_;
@@ -101,6 +103,7 @@ void Tracker::forget() {
   }
   leave_free_slots();
   moving_.clear();
+  cut_.forget();
   recent_.forget();
   now_us_ = 0;
   car_velocity_ = {};
@@ -126,7 +129,9 @@ void Tracker::measure_all() {
   group_by_owner();
   for (std::size_t slot = 0; slot < used_; ++slot) {
     if (tracks_[slot].is_there()) {
-      measure(car_, now_us_, step_, owned_.of(slot), hits_.all(), tracks_[slot]);
+      const View view = cut_.join(slot, car_, view_of(slot), tracks_[slot]);
+      measure(car_, now_us_, step_, view.numbers, view.hits, tracks_[slot]);
+      cut_.give_back(slot, view_of(slot));
     }
   }
 }
@@ -180,9 +185,10 @@ void Tracker::judge_all(const GridNames& grid) {
     Track& track = tracks_[slot];
     if (track.is_there() && is_judged(now_us_, step_, track)) {
       track.look_from(car_);
-      weigh_motion(now_us_, {car_, car_velocity_, blind_mm_}, owned_.of(slot), {hits_, recent_},
-                   grid, track);
-      remember(now_us_, owned_.of(slot), hits_.all(), track);
+      const View view = cut_.view_of(slot, view_of(slot));
+      weigh_motion(now_us_, {car_, car_velocity_, blind_mm_}, view.numbers,
+                   {hits_, recent_, view.hits}, grid, track);
+      remember(now_us_, view.numbers, view.hits, track);
       judge(now_us_, track);
     }
   }

@@ -8,8 +8,8 @@
 //          -> [measure] place, speed, box -> births -> [merge] -> [judge] by classes of the grid
 //
 // Every step processes slots, hits (objects/frame_hits.hpp) and clusters in their order, so the
-// result does not depend on the order in which hits arrive. A Tracker object takes up 2 MB and uses
-// no other memory.
+// result does not depend on the order in which hits arrive. A Tracker object takes up 2.3 MB and
+// uses no other memory.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@
 
 #include "objects/claim.hpp"
 #include "objects/clusters.hpp"
+#include "objects/cut_views.hpp"
 #include "objects/frame.hpp"
 #include "objects/frame_hits.hpp"
 #include "objects/grid_names.hpp"
@@ -100,6 +101,8 @@ class Tracker {
   std::uint32_t give_birth();
   void judge_all(const GridNames& grid);
   void group_by_owner();
+  // The hits of a track in this frame.
+  [[nodiscard]] View view_of(std::size_t slot) { return {owned_.of(slot), hits_.all()}; }
   // Returns all slots up to the last one that contains a track.
   [[nodiscard]] std::span<Track> used() { return std::span(tracks_).first(used_); }
   [[nodiscard]] Track* free_slot();
@@ -113,6 +116,7 @@ class Tracker {
   Claim claim_{};
   Clusters clusters_{};
   OwnedHits owned_{};
+  CutViews cut_{};
   MovingBoxes moving_{};
   // The state of the current frame.
   std::uint64_t now_us_ = 0;  // 0: no frame yet

@@ -213,23 +213,28 @@ TEST(SurfaceWalk, AForgedRampHidesNothing) {
   EXPECT_GE(surface.height_over(kShort, 61, 20 * 1024 + 500, 700), 250);
 }
 
-// A unit on a high roof beside a parked car: the car hides the road, and its side and bonnet are
-// the first returns. They are no ground, neither in the first turn nor while the car stays there.
-TEST(SurfaceWalk, ACarBesideAHighUnitIsNotTheFirstGround) {
-  Turn turn;
-  for (std::int32_t sector = 40; sector < 90; ++sector) {
-    for (const auto& [bin, z_mm] :
-         {std::array<std::int32_t, 2>{3, 420}, {4, 900}, {5, 1'400}, {9, 700}}) {
-      turn.push_back({sector, bin * 1024, z_mm});
+// A unit on a high roof beside a parked car, or a van: it hides the road, and its side and bonnet,
+// or its bonnet and roof, are the first returns. They are no ground, neither in the first turn nor
+// while it stays there.
+TEST(SurfaceWalk, ACarOrVanBesideAHighUnitIsNotTheFirstGround) {
+  using Low = std::array<std::int32_t, 2>;
+  for (const auto& lows : {std::vector<Low>{{3, 420}, {4, 900}, {5, 1'400}, {9, 700}},
+                           {{1, 1'050}, {2, 1'100}, {3, 1'130}, {4, 1'900}}}) {
+    Turn turn;
+    for (std::int32_t sector = 40; sector < 90; ++sector) {
+      for (const auto& [bin, z_mm] : lows) {
+        turn.push_back({sector, bin * 1024, z_mm});
+      }
     }
-  }
-  SurfaceWalk walk;
-  Surface surface;
-  for (int turns = 0; turns < 20; ++turns) {
-    walk.close_turn(kShort, lows_of(kShort, turn), surface);
-    for (const Return& its : turn) {
-      ASSERT_EQ(surface.height_over(kShort, 60, static_cast<std::uint32_t>(its.along_mm), its.z_mm),
-                its.z_mm);
+    SurfaceWalk walk;
+    Surface surface;
+    for (int turns = 0; turns < 20; ++turns) {
+      walk.close_turn(kShort, lows_of(kShort, turn), surface);
+      for (const Return& its : turn) {
+        ASSERT_EQ(
+            surface.height_over(kShort, 60, static_cast<std::uint32_t>(its.along_mm), its.z_mm),
+            its.z_mm);
+      }
     }
   }
 }
@@ -256,27 +261,38 @@ TEST(SurfaceWalk, AHalfHiddenCarIsNotGround) {
 }
 
 // A unit that sees the ground from 7 m on drives towards a slope of 8 %, at 6 m/s in turns of
-// 100 ms. It follows the rise from turn to turn, and without the last turn it would not.
+// 100 ms; one that sees it from 3.5 m on comes to a ramp of 17 % at 3 m/s, which is 51 mm higher
+// in each turn. They follow the rise by less than 60 mm from turn to turn, and without the last
+// turn they would not: 425 mm are above 150 + 20 x 4 mm.
 TEST(SurfaceWalk, TheFirstGroundMayRiseFromTurnToTurn) {
-  SurfaceWalk walk;
-  Surface surface;
-  Turn turn;
-  for (std::int32_t foot_mm = 12'000; foot_mm >= 1'000; foot_mm -= 600) {
-    turn.clear();
-    for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
-      for (std::int32_t along_mm = 7'200; along_mm < 30'000; along_mm += 1'024) {
-        turn.push_back({sector, along_mm, std::max<std::int32_t>(along_mm - foot_mm, 0) * 8 / 100});
+  struct Rise {
+    std::int32_t percent, from_mm, foot_mm, way_mm;
+  };
+  for (const Rise rise : {Rise{8, 7'200, 12'000, 600}, {17, 3'500, 4'000, 300}}) {
+    SurfaceWalk walk;
+    Surface surface;
+    Turn turn;
+    for (std::int32_t foot_mm = rise.foot_mm; foot_mm >= 1'000; foot_mm -= rise.way_mm) {
+      turn.clear();
+      for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
+        for (std::int32_t along_mm = rise.from_mm; along_mm < 30'000; along_mm += 1'024) {
+          turn.push_back({sector, along_mm,
+                          std::max<std::int32_t>(along_mm - foot_mm, 0) * rise.percent / 100});
+        }
+      }
+      walk.close_turn(kShort, lows_of(kShort, turn), surface);
+      for (const Return& its : turn) {
+        ASSERT_LE(std::abs(surface.height_over(kShort, 100,
+                                               static_cast<std::uint32_t>(its.along_mm), its.z_mm)),
+                  100)
+            << rise.percent << ' ' << foot_mm << ' ' << its.along_mm;
       }
     }
-    walk.close_turn(kShort, lows_of(kShort, turn), surface);
-    for (const Return& its : turn) {
-      ASSERT_LE(std::abs(surface.height_over(kShort, 100, static_cast<std::uint32_t>(its.along_mm),
-                                             its.z_mm)),
-                100)
-          << foot_mm << ' ' << its.along_mm;
-    }
+    EXPECT_GT(
+        surface_after(kShort, turn)
+            .height_over(kShort, 100, static_cast<std::uint32_t>(rise.from_mm), turn.front().z_mm),
+        400);
   }
-  EXPECT_GT(surface_after(kShort, turn).height_over(kShort, 100, 7'200, turn.front().z_mm), 400);
 }
 
 // Ground is found wherever there were returns, to the middle of a bin: a plane that is level, or

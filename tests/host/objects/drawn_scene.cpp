@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kReachM = 60;
 constexpr int kBeams = 1440;
-constexpr int kBeamsOfASlice = kBeams / 5;
 constexpr double kTurn = 6.283185307179586;
 
 std::uint64_t us_of(double s) {
@@ -65,6 +64,9 @@ FrameCounts Scene::show(Tracker& tracker) {
 }
 
 void Scene::look(std::uint64_t end_us, std::vector<Hit>& hits) {
+  const int beams = static_cast<int>(kBeams * turns_of_a_frame);
+  const double begin =
+      kTurn * std::fmod(begins_at + turns_of_a_frame * (frames_ - 1), 1) - kTurn / 2;
   for (std::size_t slice = 0; slice < kSlices; ++slice) {
     const double time = now_s() - kAges[slice] * 1e-3;
     const Place car = car_(time);
@@ -73,9 +75,11 @@ void Scene::look(std::uint64_t end_us, std::vector<Hit>& hits) {
     for (const Thing& thing : things_) {
       places.push_back(thing.middle(time));
     }
-    for (int beam = 0; beam < kBeamsOfASlice; ++beam) {
-      const int number = static_cast<int>(slice) * kBeamsOfASlice + beam;
-      look_along(car.heading - kTurn / 2 + number * kTurn / kBeams, car, places,
+    const int of_slices = static_cast<int>(kSlices);
+    const int first = static_cast<int>(slice) * beams / of_slices;
+    const int end = (static_cast<int>(slice) + 1) * beams / of_slices;
+    for (int number = first; number < end; ++number) {
+      look_along(car.heading + begin + number * kTurn / kBeams, car, places,
                  static_cast<std::uint8_t>(slice), end_us, hits);
     }
   }
@@ -92,8 +96,12 @@ void Scene::look_along(double angle, const Place& car, const std::vector<Place>&
       met = i;
     }
   }
-  if (met < things_.size()) {
-    const double range = nearest + random_.between(-30, 30) * 1e-3;
+  if (met == things_.size()) {
+    return;
+  }
+  const Thing& thing = things_[met];
+  if (thing.lost_of_ten == 0 || random_.between(0, 9) >= thing.lost_of_ten) {
+    const double range = nearest + random_.between(-thing.rough_mm, thing.rough_mm) * 1e-3;
     const geometry::Cell cell =
         cell_at(car.x + range * std::cos(angle), car.y + range * std::sin(angle));
     hits.push_back({.cell = cell, .slice = slice});

@@ -48,7 +48,9 @@ struct Thing {
   Motion middle;
   double length = 4.5;
   double width = 1.8;
-  bool is_told = false;  // the grid calls it moving for 0.3 s where it comes to open ground
+  bool is_told = false;          // the grid calls it moving for 0.3 s where it comes to open ground
+  std::int32_t rough_mm = 30;    // the largest range error, as of leaves at any depth
+  std::int32_t lost_of_ten = 0;  // beams that do not return
 };
 
 inline constexpr std::uint64_t kStartUs = 1'000'000'000;
@@ -97,6 +99,9 @@ class Scene {
   // Within this distance of the car no beam opens a cell: the grid never calls one open or moving,
   // and keeps the old name of what was left for two seconds.
   double blind_m = 0;
+  // The part of a turn in a frame, and where the first frame begins, in turns from the rear.
+  double turns_of_a_frame = 1;
+  double begins_at = 0;
   // The order in which the frame's hits are given.
   std::function<void(std::vector<Hit>&)> reorder = [](std::vector<Hit>&) {};
 

@@ -63,8 +63,8 @@ Seen seen_of(decision::Class grid, const FrameHit& hit, Point car, Velocity car_
   const auto hits = hits_of({kReached}, car, hit);
   constexpr std::array<std::uint16_t, 1> kNumbers{0};
   const AllAlike alike{grid};
-  weigh_motion(kNowUs, {car, car_velocity}, kNumbers, {*hits, *nothing_before()}, GridNames(alike),
-               track);
+  weigh_motion(kNowUs, {car, car_velocity}, kNumbers, {*hits, *nothing_before(), hits->all()},
+               GridNames(alike), track);
   return track.seen;
 }
 
@@ -102,7 +102,8 @@ Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& o
     }
   }
   const AllAlike alike{grid};
-  weigh_motion(kNowUs, {kCarBehind, kAtRest}, own, {*hits, *recent}, GridNames(alike), track);
+  weigh_motion(kNowUs, {kCarBehind, kAtRest}, own, {*hits, *recent, hits->all()}, GridNames(alike),
+               track);
   return track.seen;
 }
 
