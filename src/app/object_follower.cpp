@@ -23,7 +23,7 @@ class NamesOf {
 };
 
 // Hits per task of a round.
-constexpr std::size_t kLookedAt = 128;
+constexpr std::size_t kLookedAt = 64;
 
 // Confidence of a class label, 1 to 7: it grows with that of the track.
 std::uint8_t sureness_of(const objects::Track& track) {
