@@ -23,7 +23,7 @@ class NamesOf {
 };
 
 // Hits per task of a round.
-constexpr std::size_t kLookedAt = 128;
+constexpr std::size_t kLookedAt = 64;
 
 // Confidence of a class label, 1 to 7: it grows with that of the track.
 std::uint8_t sureness_of(const objects::Track& track) {
@@ -38,6 +38,10 @@ constexpr std::uint32_t kMostBeside = 1024;
 void name_beside(const objects::FrameHit& hit, const objects::Track& track,
                  perception::WindowFusion& window) {
   const window::WindowView view = window.view();
+  // Most hits have no such neighbour.
+  if (!objects::Names(view.classes_around(hit.cell)).has<objects::Name::kOccupied>()) {
+    return;
+  }
   for (std::int32_t y = hit.cell.y - 1; y <= hit.cell.y + 1; ++y) {
     for (std::int32_t x = hit.cell.x - 1; x <= hit.cell.x + 1; ++x) {
       const geometry::Cell cell{x, y};

@@ -21,13 +21,19 @@ class ObjectFollower {
   // slice. `car` is the vehicle's pose at end_us.
   void begin(std::uint64_t end_us, std::span<const fusion::PlacedSlice> slices,
              const pose::Pose& car, const perception::WindowFusion& window);
-  // Reads the labels of the frame's hits. The cores of the crew share this work. Call this function
-  // after the classes have been computed.
+  // Reads the labels of the frame's hits, and lets tracks claim the hits. The cores of the crew
+  // share this work. Call this function after the classes have been computed.
   void look_at_hits(const perception::WindowFusion& window, const work::Crew& crew);
   // Updates the tracks and labels the cells of moving objects. Call this function before the end of
   // the frame. The function uses only the window's labels, and reads all labels before changing any
   // of them.
   objects::FrameCounts follow(perception::WindowFusion& window);
+  // Stores the hits for later frames. Call this function after follow().
+  void remember_hits() {
+    if (is_begun_) {
+      tracker_.remember_hits();
+    }
+  }
 
   // Handles a frame without slices. `end_us` is half a slice before the end of the frame.
   void pass(std::uint64_t end_us, perception::WindowFusion& window);

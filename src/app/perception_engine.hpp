@@ -104,7 +104,12 @@ class PerceptionEngine {
   void follow_objects();
   template <typename DoBeside>
   void end(const work::Crew& crew, DoBeside&& do_beside) {
-    window_.end_frame(crew, do_beside);
+    window_.end_frame(crew, [&] {
+      do_beside();
+      if (is_following_) {
+        follower_.remember_hits();
+      }
+    });
   }
   // `describe()` fills in the engine's fields in the frame's header or in the class end message.
   // `list_objects()` lists the tracked objects.

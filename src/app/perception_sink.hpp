@@ -43,7 +43,8 @@ class PerceptionSink : private NetworkSink<P> {
 
   // `encode_tiles()`, `encode_classes()` and `send_classes()` are the three steps of sending a
   // frame. The cores share the work of the first two steps. Core 0 also runs do_beside() during
-  // encode_tiles(), and sends the tile messages during encode_classes().
+  // encode_tiles(). During encode_classes(), core 0 sends the tile messages and the first part of
+  // the classes.
   template <typename DoBeside>
   void encode_tiles(DoBeside do_beside) {
     Indexes::encode_tiles(do_beside);
@@ -61,7 +62,7 @@ class PerceptionSink : private NetworkSink<P> {
       }
     });
     if (classes_.do_wait()) {
-      classes_.encode([this] { end_indexes(); });
+      classes_.encode_in_two([this] { end_indexes(); });
     }
   }
   void send_classes() {

@@ -246,8 +246,8 @@ class FramePipeline {
   }
 
   // Core 0 tracks objects while the other cores encode tiles. Then core 0 sends the tiles while the
-  // other cores encode classes. Finally, core 0 sends the classes while the other cores update the
-  // ground memory.
+  // other cores encode the first part of the classes, and sends this part while they encode the
+  // rest. Finally, core 0 sends the rest while the other cores update the ground memory.
   [[gnu::noinline]] void publish_divided(const stream::Header& header, const work::Crew& crew) {
     take_tiles(header);
     network_.encode_tiles([this] { perception_.follow_objects(); });

@@ -99,13 +99,23 @@ class TileSender {
   // Encodes all waiting tiles. Core 0 runs do_beside() once, before or during encoding.
   template <typename DoBeside>
   void encode(DoBeside do_beside) {
-    encode_waiting(work::beside_of(do_beside));
+    encode_waiting(waiting_count_, work::beside_of(do_beside));
+  }
+
+  // Encodes all waiting tiles in two rounds. Core 0 runs do_beside() once, before or during the
+  // first round. During the second round, core 0 sends the tiles of the first one. The first round
+  // is a little longer, because sending the indexes may take longer than half of the encoding.
+  template <typename DoBeside>
+  void encode_in_two(DoBeside do_beside) {
+    encode_waiting(encoded_ + (waiting_count_ - encoded_) * 9 / 16, work::beside_of(do_beside));
+    auto send_first = [this] { send_encoded(); };
+    encode_waiting(waiting_count_, work::beside_of(send_first));
   }
 
   // Encodes any tiles that were added after encode().
   void encode_rest() {
     if (encoded_ < waiting_count_) {
-      encode_waiting({});
+      encode_waiting(waiting_count_, {});
     }
   }
 
@@ -196,9 +206,9 @@ class TileSender {
     send(added, found);
   }
 
-  // A task reads no data that another task writes. Each task writes only to the slots of its own
-  // tiles and to the encoder of its core. While a tile is being encoded into a slot, the slot's
-  // version is kNoVersion.
+  // A task reads no data that another task writes, or that core 0 writes when it sends other tiles.
+  // Each task writes only to the slots of its own tiles and to the encoder of its core. While a
+  // tile is being encoded into a slot, the slot's version is kNoVersion.
   void encode(const Added& added, Found& found, tile_coding::Encoder& encoder) const {
     const bool is_kept = kIsKept && found.version == added.version;
     if (is_kept && found.is_left_out) {
@@ -250,9 +260,10 @@ class TileSender {
     append_or_send(added, encoding, std::span(found.payload).first(bytes), found.remainder);
   }
 
-  void encode_waiting(work::Beside beside) {
+  // Encodes the waiting tiles up to `end`.
+  void encode_waiting(std::size_t end, work::Beside beside) {
     const std::size_t first = encoded_;
-    const work::Runs runs(waiting_count_ - first, kEncoded);
+    const work::Runs runs(end - first, kEncoded);
     auto encode_run = [this, first, &runs](std::size_t item, std::size_t core) {
       const work::Run run = runs[item];
       for (std::size_t i = first + run.first; i < first + run.end; ++i) {
@@ -260,17 +271,22 @@ class TileSender {
       }
     };
     platform_->share(runs.count(), work::work_of(encode_run), beside);
-    encoded_ = waiting_count_;
+    encoded_ = end;
   }
 
-  // This function is not inlined because each message takes up a kilobyte on the stack.
-  [[gnu::noinline]] void send_waiting() {
+  void send_waiting() {
     require(encoded_ == waiting_count_);
-    for (std::size_t i = 0; i < waiting_count_; ++i) {
-      send(*waiting_[i], found_[waiting_[i]->tile]);
-    }
+    send_encoded();
     waiting_count_ = 0;
     encoded_ = 0;
+    appended_ = 0;
+  }
+  // This function is not inlined because each message takes up a kilobyte on the stack.
+  [[gnu::noinline]] void send_encoded() {
+    for (; appended_ < encoded_; ++appended_) {
+      const Added& added = *waiting_[appended_];
+      send(added, found_[added.tile]);
+    }
   }
 
   void begin_frame(const stream::Header& header) {
@@ -318,7 +334,8 @@ class TileSender {
   protection::TailRemainder tail_;  // of the current message, if its last tile is raw
   bool do_wait_ = false;
   std::size_t waiting_count_ = 0;
-  std::size_t encoded_ = 0;  // of the waiting tiles
+  std::size_t encoded_ = 0;   // of the waiting tiles
+  std::size_t appended_ = 0;  // of the encoded tiles, to messages
   std::array<std::optional<Added>, geometry::kTileCount> waiting_{};
   std::array<Copy, kIsKept ? 0 : kBatch> copies_{};            // of the first waiting tiles
   std::array<Found, geometry::kTileCount> found_{};            // by tile

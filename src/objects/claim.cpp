@@ -25,24 +25,22 @@ bool is_contradicted(const Track& track, const ClaimGate& gate, Point car, Point
 
 }  // namespace
 
-std::uint32_t Claim::take(const window::Area& area, Point car, std::span<Track> tracks,
-                          std::span<FrameHit> hits) {
+std::uint32_t Claim::begin(const window::Area& area, std::span<const Track> tracks) {
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
     if (tracks[slot].is_there()) {
       gates_[slot] = claim_gate_of(tracks[slot]);
     }
   }
-  const std::uint32_t left = near_.list(tracks, gates_, area);
-  for (FrameHit& hit : hits) {
-    take(car, tracks, hit);
-  }
-  return left;
+  return near_.list(tracks, gates_, area);
 }
 
-void Claim::take(Point car, std::span<Track> tracks, FrameHit& hit) const {
+template <typename Contradict>
+std::int16_t Claim::owner_of(Point car, std::span<const Track> tracks, const FrameHit& hit,
+                             Contradict&& contradict) const {
   std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
+  std::int16_t owner = kNobody;
   for (const std::uint8_t slot : near_.near(hit.cell)) {
-    Track& track = tracks[slot];
+    const Track& track = tracks[slot];
     if (!near_.may_take(slot, hit.at()) ||
         (hit.stands && !track.moves() && !track.may_have_a_standing_face())) {
       continue;
@@ -54,11 +52,36 @@ void Claim::take(Point car, std::span<Track> tracks, FrameHit& hit) const {
       continue;
     }
     if (is_contradicted(track, gates_[slot], car, place, hit)) {
-      ++track.seen.contradicted;
+      contradict(slot);
       continue;
     }
     nearest = outside;
-    own(track, slot, hit);
+    owner = slot;
+  }
+  return owner;
+}
+
+void Claim::take(Point car, std::span<const Track> tracks, FrameHit& hit) const {
+  hit.contradicted = 0;
+  const std::int16_t owner = owner_of(car, tracks, hit, [&](std::uint8_t slot) {
+    hit.contradicted_track = hit.contradicted == 0 ? slot : hit.contradicted_track;
+    ++hit.contradicted;
+  });
+  if (owner != kNobody) {
+    const auto slot = static_cast<std::size_t>(owner);
+    own(tracks[slot], slot, hit);
+  }
+}
+
+void Claim::count_contradictions(Point car, std::span<Track> tracks,
+                                 std::span<const FrameHit> hits) const {
+  for (const FrameHit& hit : hits) {
+    const auto count = [&](std::uint8_t slot) { ++tracks[slot].seen.contradicted; };
+    if (hit.contradicted == 1) {
+      count(hit.contradicted_track);
+    } else if (hit.contradicted > 1) {
+      static_cast<void>(owner_of(car, tracks, hit, count));
+    }
   }
 }
 

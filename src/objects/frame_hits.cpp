@@ -171,6 +171,7 @@ inline void FrameHits::begin_hit(Key key, const Frame& frame, FrameHit& hit) con
   hit.stands = false;
   hit.is_old = false;
   hit.oldest_epoch = 0;
+  hit.contradicted = 0;
 }
 
 // Relies on the order: cells of one row of a tile are adjacent.

@@ -28,6 +28,8 @@ struct alignas(32) FrameHit {
   bool is_old = false;             // standing, or the place was hit long before
   std::uint8_t oldest_epoch = 0;   // number of epochs since the place was first hit; 0 if it was
                                    // not hit before
+  std::uint8_t contradicted = 0;   // number of tracks that it contradicts
+  std::uint8_t contradicted_track = 0;  // slot of the first of them
 
   // Returns the centre of the hit's cell.
   [[nodiscard]] constexpr Point at() const { return centre_of(cell); }

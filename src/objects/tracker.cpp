@@ -18,7 +18,9 @@ FrameCounts Tracker::add(const Frame& frame, const GridNames& grid) {
     return {};
   }
   look_at_hits(0, hits_.all().size(), grid);
-  return end(grid);
+  const FrameCounts counts = end(grid);
+  remember_hits();
+  return counts;
 }
 
 bool Tracker::begin(const Frame& frame) {
@@ -29,10 +31,6 @@ bool Tracker::begin(const Frame& frame) {
   area_ = frame.area;
   counts_.hits = hits_.gather(frame);
   cut_.begin(frame.ages_ms, step_);
-  return true;
-}
-
-FrameCounts Tracker::end(const GridNames& grid) {
   for (Track& track : used()) {
     if (track.is_there()) {
       track.seen = {};
@@ -40,7 +38,12 @@ FrameCounts Tracker::end(const GridNames& grid) {
       track.look_from(car_);
     }
   }
-  counts_.tiles_crowded = claim_.take(area_, car_, used(), hits_.all());
+  counts_.tiles_crowded = claim_.begin(area_, used());
+  return true;
+}
+
+FrameCounts Tracker::end(const GridNames& grid) {
+  claim_.count_contradictions(car_, used(), hits_.all());
   counts_.hits_not_clustered = clusters_.find(area_, car_, hits_);
   attach(car_, used(), clusters_, hits_.all());
   associate(used(), clusters_, hits_.all());
@@ -51,7 +54,6 @@ FrameCounts Tracker::end(const GridNames& grid) {
   leave_free_slots();
   cut_.keep(hits_.all());
   moving_.list(used());
-  recent_.add(now_us_, hits_.all());
   return counts_;
 }
 
@@ -118,6 +120,7 @@ void Tracker::look_at_hits(std::size_t first, std::size_t count, const GridNames
                  (hit.name != Name::kMoving && grid.names_around(hit.cell).has<Name::kStanding>());
     hit.oldest_epoch = static_cast<std::uint8_t>(recent_.oldest(hit.cell));
     hit.is_old = hit.stands || (hit.name != Name::kMoving && hit.oldest_epoch >= kOldEpochs);
+    claim_.take(car_, used(), hit);
   }
 }
 

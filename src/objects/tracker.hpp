@@ -52,14 +52,16 @@ class Tracker {
   // `grid` returns must already reflect this frame.
   FrameCounts add(const Frame& frame, const GridNames& grid);
 
-  // The steps of add(), for callers that split the work. `begin()` gathers the hits and needs no
-  // classes. If begin() returns false, the frame has no effect, and the other steps must not be
-  // called. `look_at_hits()` looks up the classes of a range of hits(). Any core may call
-  // look_at_hits(), even for hits that have already been looked up. `end()` performs the remaining
-  // work. While end() runs, other cores must not change classes, but may change all other data.
+  // The steps of add(), for callers that split the work. `begin()` gathers the hits, predicts the
+  // tracks, and needs no classes. If begin() returns false, the frame has no effect, and the other
+  // steps must not be called. `look_at_hits()` looks up the classes of a range of hits(), and the
+  // tracks claim these hits. Any core may call look_at_hits(), even for hits that have already been
+  // looked up. `end()` updates the tracks. While end() runs, other cores must not change classes,
+  // but may change all other data. `remember_hits()` stores the hits for later frames.
   bool begin(const Frame& frame);
   void look_at_hits(std::size_t first, std::size_t count, const GridNames& grid);
   FrameCounts end(const GridNames& grid);
+  void remember_hits() { recent_.add(now_us_, hits_.all()); }
 
   // Reports that a frame ended at `end_us` without any measurements. If the time without
   // measurements exceeds kLongestToldMs, no objects are published or labelled until the next frame

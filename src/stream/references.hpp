@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -47,14 +46,15 @@ class References {
   [[nodiscard]] std::optional<tile_coding::Reference> usable(std::size_t tile,
                                                              std::uint32_t frame_number) const;
 
-  void forget() { is_kept_.reset(); }
+  void forget() { is_kept_.fill(false); }
 
  private:
   std::array<std::array<std::byte, tile_coding::kTileBytes>, geometry::kTileCount> cells_{};
   std::array<std::uint32_t, geometry::kTileCount> frame_numbers_{};
   std::array<std::uint16_t, geometry::kTileCount> payload_bytes_{};
-  std::bitset<geometry::kTileCount> is_kept_;
-  std::bitset<geometry::kTileCount> is_spent_;
+  // Not bits, so that one core may store a tile while other cores read other tiles.
+  std::array<bool, geometry::kTileCount> is_kept_{};
+  std::array<bool, geometry::kTileCount> is_spent_{};
 };
 
 }  // namespace iog::stream

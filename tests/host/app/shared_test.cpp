@@ -225,6 +225,28 @@ TEST(FusedTogether, AreFramesOfDenseLidarsByHitsWin) {
   EXPECT_FALSE(is_fused_together(bayes));
 }
 
+// While the rest is encoded.
+TEST(Shared, PartOfTheClassesIsSentBeforeAllAreEncoded) {
+  SharingPlatform platform(2, kAnyTimeUs);
+  MessageSender<SharingPlatform> messages(platform);
+  const auto sender = std::make_unique<TileSender<SharingPlatform, stream::ClassHash>>(
+      platform, messages, Coding::kShortest);
+  testing::MadeUpTiles tiles(3);
+  sender->begin({}, stream::ClassWindow{});
+  for (std::size_t i = 0; i < testing::MadeUpTiles::kCount; ++i) {
+    tiles.change(i, 0, 71);
+    sender->add_classes(i, tiles.at(i), 0, 1);
+  }
+  std::size_t before = 1;
+  sender->encode_in_two([&] { before = platform.messages.size(); });
+  const std::size_t between = platform.messages.size();
+  static_cast<void>(sender->finish_encoded());
+  EXPECT_EQ(before, 0U);
+  EXPECT_GT(between, 4U);
+  EXPECT_NEAR(static_cast<double>(platform.messages.size()), 2.0 * static_cast<double>(between),
+              0.4 * static_cast<double>(between));
+}
+
 struct Mishap {
   Case one;
   Accident accident;
@@ -314,9 +336,9 @@ class SharedDespiteInAnyRound : public ::testing::TestWithParam<Accident> {};
 
 TEST_P(SharedDespiteInAnyRound, TheLossOfACoreGivesWhatOneGives) {
   const Rounds rounds = rounds_of_a_frame();
-  // Fuse, join; copy, note and place slices; find, update; look at hits; encode both grids; end
-  // tiles.
-  ASSERT_EQ(rounds.end - rounds.begin, 11U);
+  // Fuse, join; copy, note and place slices; find, update; look at hits; encode the indexes and
+  // both parts of the classes; end tiles.
+  ASSERT_EQ(rounds.end - rounds.begin, 12U);
   const bool hangs = GetParam() == Accident::kHangAfter;
   int lost = 0;
   for (std::size_t round = rounds.begin; round < rounds.end; round += hangs ? 3 : 1) {

@@ -60,7 +60,7 @@ FrameCounts Scene::show(Tracker& tracker) {
                     .area = window::Area::around(cell_at(car.x, car.y)),
                     .ages_ms = kAges,
                     .hits = hits};
-  return tracker.add(frame, GridNames(*this));
+  return add(tracker, frame, GridNames(*this));
 }
 
 void Scene::look(std::uint64_t end_us, std::vector<Hit>& hits) {

@@ -104,6 +104,11 @@ class Scene {
   double begins_at = 0;
   // The order in which the frame's hits are given.
   std::function<void(std::vector<Hit>&)> reorder = [](std::vector<Hit>&) {};
+  // How the tracker is given a frame.
+  std::function<FrameCounts(Tracker&, const Frame&, const GridNames&)> add =
+      [](Tracker& tracker, const Frame& frame, const GridNames& grid) {
+        return tracker.add(frame, grid);
+      };
 
  private:
   static constexpr std::size_t kSlices = 5;

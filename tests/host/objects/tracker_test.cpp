@@ -111,6 +111,45 @@ TEST_F(TrackerOf, TheOrderOfHitsDoesNotShow) {
   EXPECT_TRUE(is_any_moving);
 }
 
+// Tracks claim hits when these are looked up: in parts, in any order, and twice where a core is
+// lost. What contradicts a track is counted once.
+TEST_F(TrackerOf, HitsAreClaimedAsTheyAreLookedUp) {
+  const auto other = std::make_unique<Tracker>();
+  tests::Scene at_once = busy_scene();
+  tests::Scene in_parts = busy_scene();
+  std::ptrdiff_t claimed = 0;
+  in_parts.add = [&](Tracker& its, const Frame& frame, const GridNames& grid) {
+    EXPECT_TRUE(its.begin(frame));
+    constexpr std::size_t kPart = 8;
+    for (std::size_t end = its.hits().size(); end > 0; end -= std::min(end, kPart)) {
+      const std::size_t first = end - std::min(end, kPart);
+      its.look_at_hits(first, end - first, grid);
+      its.look_at_hits(first, (end - first + 1) / 2, grid);
+    }
+    claimed += std::ranges::count_if(its.hits(), [](auto& hit) { return hit.owner != kNobody; });
+    const FrameCounts counts = its.end(grid);
+    its.remember_hits();
+    return counts;
+  };
+  const auto contradictions = [](const Tracker& its) {
+    std::int32_t sum = 0;
+    for (const Track& track : its.tracks()) {
+      sum += track.is_there() ? track.seen.contradicted : 0;
+    }
+    return sum;
+  };
+  std::int32_t contradicted = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    at_once.show(tracker);
+    in_parts.show(*other);
+    ASSERT_EQ(hash_of(tracker), hash_of(*other)) << frame;
+    ASSERT_EQ(contradictions(tracker), contradictions(*other)) << frame;
+    contradicted += contradictions(tracker);
+  }
+  EXPECT_GT(claimed, 100);
+  EXPECT_GT(contradicted, 10);
+}
+
 TEST_F(TrackerOf, NothingSurvivesABreakInTime) {
   struct Break {
     const char* what;
