@@ -71,6 +71,10 @@ struct PoseLog {
 // its first frame: x forward, y left. UsageError with file and line.
 [[nodiscard]] PoseLog read_kitti_log(const std::string& path);
 
+// A line of times.txt, seconds since the drive began, as us since 1970: the drive begins at
+// kDriveStartUs, for clouds and poses alike. Nothing if it is no time.
+[[nodiscard]] std::optional<std::uint64_t> kitti_time_in(std::string_view line);
+
 // nav_msgs/msg/Odometry of an MCAP file or bag or, if it has none, base_link in
 // tf2_msgs/msg/TFMessage; of a topic if one is given. UsageError if several topics or parents have
 // poses.
