@@ -66,7 +66,13 @@ PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car,
     at = {mount.x_m, mount.y_m, mount.yaw_deg};
   }
   at.resize(3);
-  return {.mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
+  PoseConversion conversion{
+      .mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
+  if (!drive.poses_sigma.empty()) {
+    conversion.sigma_m = drive.poses_sigma[0] / 1000;
+    conversion.sigma_heading_rad = drive.poses_sigma[1] / 1000;
+  }
+  return conversion;
 }
 
 }  // namespace
@@ -285,7 +291,7 @@ void CarCapture::read_log(const DriveFiles& drive) {
                      "\"both\" in a car's file asks for them");
   }
   const ConvertedLog poses = log_of(drive, *car_);
-  log_words_ = words_of(poses, {});
+  log_words_ = words_of(poses);
   if (drive.finds_clock_offset) {
     const MotionOffset offset =
         offset_by_motion(motion_in(drive.captures, *car_, kEnoughMotionS), poses.samples);

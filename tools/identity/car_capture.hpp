@@ -25,6 +25,7 @@ struct DriveFiles {
   std::vector<std::string> captures{};
   std::string poses{};  // a log as of read_pose_log(); empty: they are in the captures
   std::vector<double> poses_mount{};  // x and y in metres, perhaps the yaw in degrees; empty: none
+  std::vector<double> poses_sigma{};  // mm and mrad in a second, instead of the log's; empty: none
   std::optional<double> clock_offset_s{};  // added to the clock of the poses
   bool finds_clock_offset = false;         // instead, by the motion in log and captures
   [[nodiscard]] std::string name() const;  // of the captures, for messages

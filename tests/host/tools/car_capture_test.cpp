@@ -238,7 +238,10 @@ TEST_F(BesideALog, PosesAreThoseOfItsCapture) {
   EXPECT_EQ(instead.words, "|35 poses in the captures are not used");
   DriveFiles mounted = log(rows(0));
   mounted.poses_mount = {1, 0.5, 90};
+  mounted.poses_sigma = {30, 1.5};
   const auto [fate, pose] = pose::decode(std::get<2>(read(mounted).datagrams[0]));
+  EXPECT_EQ(pose.sigma.position_mm, 30);
+  EXPECT_EQ(pose.sigma.heading_10urad, 150);
   EXPECT_EQ(pose.pose.heading, 0xC000'0000U);
   EXPECT_EQ(pose.pose.x_mm, 500);  // the mount is 0.5 m and -1 m away
   EXPECT_EQ(pose.pose.y_mm, 1'000);
