@@ -76,7 +76,8 @@ struct PoseLog {
 [[nodiscard]] std::optional<std::uint64_t> kitti_time_in(std::string_view line);
 
 // nav_msgs/msg/Odometry of an MCAP file or bag or, if it has none, base_link in
-// tf2_msgs/msg/TFMessage; of a topic if one is given. UsageError if several topics or parents have
+// tf2_msgs/msg/TFMessage, else PoseStamped or PoseWithCovarianceStamped of geometry_msgs; of a
+// topic if one is given. UsageError if several topics or parents have
 // poses.
 [[nodiscard]] PoseLog read_ros_log(const std::string& path, const std::string& topic);
 

@@ -90,6 +90,23 @@ TEST(CsvLog, TakesItsColumnsByName) {
   EXPECT_EQ(log.remarks, std::vector<std::string>{"column 'note'"});
 }
 
+// As EuRoC and others write them. A comment before a header is none.
+TEST(CsvLog, AHeaderOfOthersIsNamed) {
+  for (const std::string_view text :
+       {"#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m]\n1700000000000000000,0,0\n",
+        "#sec,nsec,x,y,z\n1,2,3,4,5\n"}) {
+    const std::string error = error_of([&] { static_cast<void>(csv_log(text)); });
+    EXPECT_NE(error.find(":1: no column time_s; the first line names the columns, at least "
+                         "time_s,x_m,y_m,heading_deg"),
+              std::string::npos)
+        << error;
+  }
+  for (const std::string_view text : {"#\n1,2,3,4\n", "1,2,3,4\n"}) {
+    EXPECT_NE(error_of([&] { static_cast<void>(csv_log(text)); }).find(":1: no column"),
+              std::string::npos);
+  }
+}
+
 TEST(CsvLog, ABadLineIsNamed) {
   const auto error = [](std::string_view text) {
     return error_of([&] { static_cast<void>(csv_log(text)); });
