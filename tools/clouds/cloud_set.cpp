@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "tools/formats/capture/made_capture.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
@@ -14,12 +13,6 @@
 
 namespace iog::tools {
 namespace {
-
-// Seconds since the drive began.
-std::optional<std::uint64_t> time_in(std::string_view text) {
-  const std::optional<std::uint64_t> time_us = seconds_in(trimmed(text));
-  return time_us ? std::optional(kDriveStartUs + *time_us) : std::nullopt;
-}
 
 // The lines of set.times that have a time, and the cloud of each.
 template <typename TimeIn, typename CloudAt>
@@ -76,13 +69,10 @@ CloudSet read_raw(const std::string& folder) {
 
 CloudSet read_odometry(const std::string& folder) {
   CloudSet set{.times = folder + "/times.txt", .is_corrected = true};
-  read_times(set, time_in,
+  read_times(set, kitti_time_in,
              [&](std::size_t i) { return folder + "/velodyne/" + zero_padded(i, 6) + ".bin"; });
   if (std::filesystem::exists(folder + "/poses.txt")) {
     set.poses = read_kitti_log(folder + "/poses.txt");
-    for (LoggedPose& pose : set.poses.poses) {
-      pose.time_us += kDriveStartUs;
-    }
   } else {
     set.remarks.emplace_back("no poses: there is no poses.txt");
   }

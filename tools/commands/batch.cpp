@@ -262,6 +262,7 @@ void add_batch(CLI::App& program) {
   for (const auto& [name, text, words] : {Handed{"--rule", "hits_win | bayes", 1},
                                           {"--map", "FILE.iogmap", 1},
                                           {"--poses-mount", "X Y YAW", 3},
+                                          {"--poses-sigma", "MM MRAD", 2},
                                           {"--clock-offset", "SECONDS | auto", 1}}) {
     command
         ->add_option_function<std::vector<std::string>>(

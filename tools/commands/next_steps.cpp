@@ -41,8 +41,9 @@ std::string rows_of_next_steps(const CLI::App& command) {
   if (isatty(STDOUT_FILENO) == 0 || isatty(STDERR_FILENO) == 0) {
     return "";
   }
-  const std::string drive = words_of(command, {"--pcap", "--poses", "--poses-mount",
-                                               "--clock-offset", "--vehicle", "--vehicle-file"});
+  const std::string drive =
+      words_of(command, {"--pcap", "--poses", "--poses-mount", "--poses-sigma", "--clock-offset",
+                         "--vehicle", "--vehicle-file"});
   const std::filesystem::path capture = command.get_option("--pcap")->results().front();
   const std::string name = capture.stem().string();
   const std::string iog = quoted(program_invocation_name);

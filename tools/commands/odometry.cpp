@@ -31,7 +31,7 @@ struct OdometryOptions {
 void compare(const OdometryOptions& options, const CatalogueEntry& car,
              const std::vector<TurnPose>& turns) {
   const ConvertedLog log = log_of(options.drive, car);
-  for (const std::string& words : words_of(log, {})) {
+  for (const std::string& words : words_of(log)) {
     std::cout << options.drive.poses << ": " << words << '\n';
   }
   const MotionOffset offset = offset_by_motion(turns, log.samples);

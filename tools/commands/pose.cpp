@@ -39,8 +39,8 @@ struct PoseLogOptions {
   std::uint16_t port = pose::kPosePort;
   double speed = 1;
   std::optional<double> clock_offset_s;
-  double sigma_mm = 50;
-  double heading_sigma_mrad = 2;
+  std::optional<double> sigma_mm;
+  std::optional<double> heading_sigma_mrad;
   std::vector<double> mount_m{0, 0};
   std::optional<std::uint32_t> run;
   std::string map;
@@ -112,6 +112,10 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
             << " refused by the system; worst delay " << pace.worst_delay_us() << " us\n";
 }
 
+std::optional<double> thousandth_of(const std::optional<double>& value) {
+  return value ? std::optional(*value / 1000) : std::nullopt;
+}
+
 void convert(const PoseLogOptions& options) {
   if (options.from.empty() == options.standing.empty()) {
     throw UsageError("give either --from, a log of poses, or --standing, a capture");
@@ -139,8 +143,8 @@ void convert(const PoseLogOptions& options) {
   }
   const PoseConversion conversion{.mount_x_m = options.mount_m[0],
                                   .mount_y_m = options.mount_m[1],
-                                  .sigma_m = options.sigma_mm / 1000,
-                                  .sigma_heading_rad = options.heading_sigma_mrad / 1000,
+                                  .sigma_m = thousandth_of(options.sigma_mm),
+                                  .sigma_heading_rad = thousandth_of(options.heading_sigma_mrad),
                                   .run = run_of(options),
                                   .map = map};
   const ConvertedLog log = converted(std::move(read), conversion);
@@ -156,7 +160,7 @@ void convert(const PoseLogOptions& options) {
     catch_interrupts();
   }
   const CommandSigner signer = signer_of(options.signing);
-  for (const std::string& words : words_of(log, conversion)) {
+  for (const std::string& words : words_of(log)) {
     std::cout << options.from << ": " << words << '\n';
   }
   options.out.empty() ? send(datagrams, options, signer) : write(datagrams, options.out);
@@ -200,11 +204,11 @@ void add_pose(CLI::App& program) {
   add_option(*command, "--mount", "X Y  (metres, default 0 0)", options->mount_m,
              "Position of the logged receiver in the vehicle frame")
       ->expected(2);
-  add_option(*command, "--sigma", "MM  (default 50)", options->sigma_mm,
-             "Standard deviation of the distance driven in one second, if the log has none")
+  add_option(*command, "--sigma", "MM  (default the log's, else 50)", options->sigma_mm,
+             "Standard deviation of the distance driven in one second")
       ->check(CLI::PositiveNumber);
-  add_option(*command, "--heading-sigma", "MRAD  (default 2)", options->heading_sigma_mrad,
-             "Standard deviation of the heading change in one second, if the log has none")
+  add_option(*command, "--heading-sigma", "MRAD  (default the log's, else 2)",
+             options->heading_sigma_mrad, "Standard deviation of the heading change in one second")
       ->check(CLI::PositiveNumber);
   add_option(*command, "--run", "N  (default 1; with --target from the clock)", options->run,
              "Run number of the pose source")
@@ -219,7 +223,8 @@ void add_pose(CLI::App& program) {
       "timestamps.txt and data. nmea: RMC, GGA, HDT, VTG. ubx: NAV-PVT. tum: timestamp tx ty tz qx "
       "qy qz qw.\n"
       "kitti: a folder with times.txt, poses.txt and calib.txt. mcap: nav_msgs/Odometry, else "
-      "base_link in /tf; FILE.mcap:/topic names one of several. Latitude and longitude become "
+      "base_link in /tf, else stamped poses; FILE.mcap:/topic names one of several. Latitude and "
+      "longitude become "
       "metres east and north of the first position. docs/drives.md says how each is read.");
   command->callback([options] { convert(*options); });
 }

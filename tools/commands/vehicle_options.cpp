@@ -61,6 +61,11 @@ CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::st
              "Position of the logged receiver or lidar in the vehicle frame")
       ->expected(2, 3)
       ->needs(poses);
+  add_option(command, "--poses-sigma", "MM MRAD  (default the log's, else 50 2)", drive.poses_sigma,
+             "Standard deviations of the motion in one second")
+      ->expected(2)
+      ->check(CLI::PositiveNumber)
+      ->needs(poses);
   return poses;
 }
 

@@ -24,13 +24,13 @@ CLI::Option* add_vehicle_file_option(CLI::App& command);
 // --clock-offset of a log of poses.
 CLI::Option* add_clock_offset_option(CLI::App& command, std::optional<double>& seconds);
 
-// --poses, of which the help says `text`, and --poses-mount.
+// --poses, of which the help says `text`, --poses-mount and --poses-sigma.
 CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::string& text);
 
 inline constexpr const char* kCapturesHelp =
     "Capture to read (.pcap, .pcapng; also .gz or .zst); several are merged by time";
 
-// --pcap, and with it --poses, --poses-mount and --clock-offset. `names` may add a place on the
+// --pcap, and with it the options of a log and --clock-offset. `names` may add a place on the
 // command line, `command` may be a group of `all`.
 CLI::Option* add_drive_options(CLI::App& all, CLI::App& command, DriveFiles& drive,
                                const std::string& text, const std::string& names = "--pcap");

@@ -8,8 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include "intake/measurement_time.hpp"
-#include "intake/packet.hpp"
 #include "pose/limits.hpp"
 #include "tools/odometry/motion_offset.hpp"
 #include "tools/poses/pose_encoder.hpp"
@@ -19,40 +17,9 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::size_t kEnough = 25;  // packets of a sensor
-// Transport takes less than this, and clocks that differ by mistake differ by more.
-constexpr std::int64_t kAgreeUs = 250'000;
 constexpr std::int64_t kSecondUs = 1'000'000;
 // For an offset by motion: two minutes have some bends.
 constexpr double kEnoughMotionS = 120;
-
-std::int64_t difference(std::uint64_t later_us, std::uint64_t earlier_us) {
-  return static_cast<std::int64_t>(later_us - earlier_us);
-}
-
-std::int64_t middle_of(std::vector<std::int64_t> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
-// Clocks that somebody set differ by whole seconds; the rest is transport.
-std::int64_t without_way(std::int64_t ahead_us) {
-  constexpr std::int64_t kOnTheWayUs = 100'000;
-  const std::int64_t whole_us = std::llround(static_cast<double>(ahead_us) / 1e6) * kSecondUs;
-  return std::abs(ahead_us - whole_us) < kOnTheWayUs ? whole_us : ahead_us;
-}
-
-std::string words_of(const std::string& who, std::int64_t measured_us) {
-  const std::int64_t ahead_us = without_way(measured_us);
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << who << " are "
-       << static_cast<double>(std::abs(ahead_us)) / 1e6 << " s "
-       << (ahead_us > 0 ? "ahead of" : "behind") << " the poses: --clock-offset "
-       << std::setprecision(ahead_us % kSecondUs == 0 ? 0 : 3)
-       << static_cast<double>(ahead_us) / 1e6 << " adds it to these";
-  return text.str();
-}
 
 // Poses of a lidar become those of the car by its mount.
 PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car, bool is_of_unit) {
@@ -66,7 +33,13 @@ PoseConversion conversion_of(const DriveFiles& drive, const CatalogueEntry& car,
     at = {mount.x_m, mount.y_m, mount.yaw_deg};
   }
   at.resize(3);
-  return {.mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
+  PoseConversion conversion{
+      .mount_x_m = at[0], .mount_y_m = at[1], .mount_yaw_rad = at[2] * kRadians};
+  if (!drive.poses_sigma.empty()) {
+    conversion.sigma_m = drive.poses_sigma[0] / 1000;
+    conversion.sigma_heading_rad = drive.poses_sigma[1] / 1000;
+  }
+  return conversion;
 }
 
 }  // namespace
@@ -80,116 +53,6 @@ ConvertedLog log_of(const DriveFiles& drive, const CatalogueEntry& car) {
 }
 
 std::string DriveFiles::name() const { return joined(captures, ", "); }
-
-void CarClocks::Span::add(std::uint64_t time_us) {
-  first_us = std::min(first_us, time_us);
-  last_us = std::max(last_us, time_us);
-}
-
-std::string CarClocks::Span::words() const {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << " (" << static_cast<double>(first_us) / 1e6
-       << " to " << static_cast<double>(last_us) / 1e6 << " s)";
-  return text.str();
-}
-
-void CarClocks::use_log(std::int64_t ahead_us) {
-  is_of_log_ = true;
-  poses_us_ = ahead_us;
-}
-
-void CarClocks::add(const CapturedDatagram& datagram) {
-  const std::size_t sensor = sensor_of_port(*car_, datagram.destination.port);
-  if (is_pose_port(*car_, datagram.destination.port)) {
-    add_pose(datagram);
-  } else if (sensor < car_->sensors.size()) {
-    packets_.add(datagram.time_us);
-    add_packet(datagram, sensor);
-  }
-}
-
-void CarClocks::add_pose(const CapturedDatagram& datagram) {
-  const auto [fate, message] = pose::decode(datagram.payload);
-  if (fate != pose::Fate::kUsed) {
-    return;
-  }
-  first_pose_us_ = poses_.first_us > poses_.last_us ? message.clock_us : first_pose_us_;
-  poses_.add(datagram.time_us);
-  last_pose_us_ = message.clock_us;
-  if (!poses_us_) {
-    poses_us_ = difference(message.clock_us + message.age_us, datagram.time_us);
-  }
-}
-
-// What counts from the hour needs a pose to say which; beside a log the capture says it.
-void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number) {
-  const vehicle::Sensor& sensor = car_->vehicle->sensors[number];
-  const intake::Packet packet =
-      intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
-  if (!packet.is_sound()) {
-    return;
-  }
-  paces_[number].add(packet.info().sweep.begin_us, datagram.time_us);
-  if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
-    return;
-  }
-  std::vector<std::int64_t>& ahead_us = sensors_us_[number];
-  if (ahead_us.size() == kEnough || !poses_us_) {
-    return;
-  }
-  const std::uint64_t about_us = is_of_log_ ? datagram.time_us : last_pose_us_;
-  ahead_us.push_back(
-      difference(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us));
-}
-
-bool CarClocks::are_known() const {
-  return poses_us_ && packets_.last_us > 0 && std::ranges::all_of(sensors_us_, [](const auto& its) {
-           return its.second.size() == kEnough;
-         });
-}
-
-std::int64_t CarClocks::sensors_us() const {
-  const auto known =
-      std::ranges::find_if(sensors_us_, [](const auto& its) { return !its.second.empty(); });
-  const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_of(known->second);
-  return std::abs(ahead_us) <= kAgreeUs ? 0 : without_way(ahead_us);
-}
-
-std::string CarClocks::words() const {
-  if (!poses_us_ || packets_.last_us == 0) {
-    return {};
-  }
-  std::string some;
-  std::int64_t some_us = 0;
-  std::size_t agreeing = 0;
-  for (const auto& [sensor, ahead_us] : sensors_us_) {
-    const std::int64_t its_us = ahead_us.empty() ? 0 : middle_of(ahead_us) - *poses_us_;
-    if (std::abs(its_us) <= kAgreeUs) {
-      ++agreeing;
-    } else {
-      some += (some.empty() ? "" : ", ") + std::string(car_->sensors[sensor].name);
-      some_us = its_us;
-    }
-  }
-  if (!some.empty()) {
-    return words_of(agreeing == 0 ? "the packets" : "the packets of " + some, some_us) +
-           (is_of_log_ ? ", and --clock-offset 0 says that the log is by the packets' clock" : "");
-  }
-  return poses_.last_us < packets_.first_us || packets_.last_us < poses_.first_us ? words_apart()
-                                                                                  : "";
-}
-
-std::string CarClocks::words_apart() const {
-  constexpr std::uint64_t kYear2100Us = 4'102'444'800'000'000;
-  if (packets_.first_us > kYear2100Us) {
-    return "the times of the packets" + packets_.words() +
-           " are beyond the year 2100, so the capture counts them in another unit: convert or "
-           "record it again";
-  }
-  return "the packets" + packets_.words() + " and the poses" + poses_.words() +
-         " have no time in common: if they begin together, " +
-         words_of("the packets", difference(packets_.first_us, first_pose_us_) + sensors_us());
-}
 
 CarCapture::CarCapture(const DriveFiles& drive, const CatalogueEntry& car)
     : car_(&car),
@@ -242,8 +105,9 @@ std::int64_t CarCapture::delay_of_poses(const DriveFiles& drive) {
     delay_us = found_us_ ? *found_us_
                : is_told ? clocks.poses_us() + offset_us_ - clocks.sensors_us()
                          : 0;
-    return !has_log_ || (difference(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
-                         difference(packets.first_us, poses_.back().time_us) - delay_us <= 0);
+    return !has_log_ ||
+           (microseconds_later(poses_.front().time_us, packets.last_us) + delay_us <= 0 &&
+            microseconds_later(packets.first_us, poses_.back().time_us) - delay_us <= 0);
   };
   std::optional<CapturedDatagram> datagram;
   while (!(clocks.are_known() && is_beside()) && (datagram = files.next())) {
@@ -285,7 +149,7 @@ void CarCapture::read_log(const DriveFiles& drive) {
                      "\"both\" in a car's file asks for them");
   }
   const ConvertedLog poses = log_of(drive, *car_);
-  log_words_ = words_of(poses, {});
+  log_words_ = words_of(poses);
   if (drive.finds_clock_offset) {
     const MotionOffset offset =
         offset_by_motion(motion_in(drive.captures, *car_, kEnoughMotionS), poses.samples);
@@ -360,8 +224,10 @@ std::string CarCapture::words_of_cover() const {
       missing.push_back(text.str());
     }
   };
-  note(difference(poses_.front().time_us, packets.first_us), "begin ", " s after the first packet");
-  note(difference(packets.last_us, poses_.back().time_us), "end ", " s before the last packet");
+  note(microseconds_later(poses_.front().time_us, packets.first_us), "begin ",
+       " s after the first packet");
+  note(microseconds_later(packets.last_us, poses_.back().time_us), "end ",
+       " s before the last packet");
   if (missing.empty()) {
     return {};
   }

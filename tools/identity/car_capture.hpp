@@ -1,19 +1,15 @@
-// Captures of a car, a log of its poses beside them, and the clocks in them: that of the poses, and
-// those of the sensors that the car's file calls synchronised with it. If they differ (TAI and UTC,
-// GPS and UTC, a wrong year) no packet has a pose. The difference is reported, and an offset
-// corrects it.
+// Captures of a car, and a log of its poses beside them. An offset corrects clocks that differ.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "pose/message.hpp"
 #include "tools/formats/capture/capture_set.hpp"
-#include "tools/formats/capture/clock_pace.hpp"
+#include "tools/identity/car_clocks.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -25,6 +21,7 @@ struct DriveFiles {
   std::vector<std::string> captures{};
   std::string poses{};  // a log as of read_pose_log(); empty: they are in the captures
   std::vector<double> poses_mount{};  // x and y in metres, perhaps the yaw in degrees; empty: none
+  std::vector<double> poses_sigma{};  // mm and mrad in a second, instead of the log's; empty: none
   std::optional<double> clock_offset_s{};  // added to the clock of the poses
   bool finds_clock_offset = false;         // instead, by the motion in log and captures
   [[nodiscard]] std::string name() const;  // of the captures, for messages
@@ -32,59 +29,6 @@ struct DriveFiles {
 
 // The log as poses of the car. UsageError as of read_pose_log(), or if no pose is left.
 [[nodiscard]] ConvertedLog log_of(const DriveFiles& drive, const CatalogueEntry& car);
-
-// How far each clock is ahead of the capture's, us, by the time stamps in the datagrams.
-class CarClocks {
- public:
-  explicit CarClocks(const CatalogueEntry& car) : car_(&car) {}
-
-  void add(const CapturedDatagram& datagram);
-
-  // Poses are those of a log, whose clock is so far ahead: nothing shows when they came.
-  void use_log(std::int64_t ahead_us);
-
-  // Whether there is a pose, and enough of each sensor that has a clock.
-  [[nodiscard]] bool are_known() const;
-  [[nodiscard]] std::int64_t poses_us() const { return poses_us_.value_or(0); }
-  // Of the first sensor that has a clock; 0 if there is none, or it is the capture's.
-  [[nodiscard]] std::int64_t sensors_us() const;
-
-  // "the packets are 37.000 s ahead of the poses; ..."; empty if poses and packets agree.
-  [[nodiscard]] std::string words() const;
-  // As of ClockPace, of the first sensor that has any.
-  [[nodiscard]] std::string words_of_pace() const {
-    std::string words;
-    for (const auto& [sensor, pace] : paces_) {
-      words = words.empty() ? pace.words(std::string(car_->sensors[sensor].name)) : words;
-    }
-    return words;
-  }
-  // That they have no time in common, with both spans.
-  [[nodiscard]] std::string words_apart() const;
-
-  struct Span {
-    std::uint64_t first_us = ~std::uint64_t{0};
-    std::uint64_t last_us = 0;
-    void add(std::uint64_t time_us);
-    [[nodiscard]] std::string words() const;
-  };
-  // Capture times.
-  [[nodiscard]] const Span& packets() const { return packets_; }
-
- private:
-  void add_pose(const CapturedDatagram& datagram);
-  void add_packet(const CapturedDatagram& datagram, std::size_t sensor);
-
-  const CatalogueEntry* car_;
-  bool is_of_log_ = false;
-  Span poses_;
-  Span packets_;
-  std::uint64_t first_pose_us_ = 0;  // by its own clock, and the last one's
-  std::uint64_t last_pose_us_ = 0;
-  std::optional<std::int64_t> poses_us_;
-  std::map<std::size_t, std::vector<std::int64_t>> sensors_us_;  // by sensor
-  std::map<std::size_t, ClockPace> paces_;
-};
 
 class CarCapture {
  public:

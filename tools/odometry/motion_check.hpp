@@ -27,7 +27,8 @@ struct MotionCheck {
   double off_rad = 0;  // differences of both turns
 };
 
-// Both by rising times. offset_us is added to the times of the poses.
+// Both by rising times. offset_us is added to the times of the poses. Stretches in which the poses
+// jump or repeat themselves count only if the car moves in no other one.
 [[nodiscard]] MotionCheck check_of(std::span<const TurnPose> turns,
                                    std::span<const PoseSample> poses, std::int64_t offset_us = 0);
 
@@ -39,23 +40,27 @@ struct MotionCheck {
 class MotionWatch {
  public:
   // The car outlives it. If it has no spinning lidar, nothing is watched.
-  explicit MotionWatch(const CatalogueEntry& car) : car_(&car) {}
+  explicit MotionWatch(const CatalogueEntry& car);
 
   // The next datagram of the capture, by whose times packets and poses belong together.
   void take(const CapturedDatagram& datagram);
   [[nodiscard]] std::string words() const { return words_of(check_of(turns_, poses_)); }
+  // How many poses are kept: a drive may last for hours.
+  [[nodiscard]] std::size_t poses() const { return poses_.size(); }
 
  private:
   void take_pose(const CapturedDatagram& datagram);
   void take_packet(const CapturedDatagram& datagram);
 
   const CatalogueEntry* car_;
+  bool is_watched_;
   std::optional<TurnPoints> points_;  // of the sample that has begun
   std::uint64_t samples_ = 0;
   std::uint64_t begin_us_ = 0;  // of that sample
   Odometry odometry_;
   std::vector<TurnPose> turns_;
-  std::vector<PoseSample> poses_;
+  std::vector<PoseSample> poses_;  // around the samples
+  std::size_t spare_ = 0;          // of these the last ones, outside of a sample
 };
 
 }  // namespace iog::tools

@@ -158,12 +158,22 @@ bool is_passed_over(std::string_view line) {
   return line.starts_with('#') || line.find_first_not_of(" \t,;\"") == std::string_view::npos;
 }
 
-// "sep=;" is for Excel; a header may stand behind a '#'.
-std::string_view header_in(std::string_view line) {
-  if (line.starts_with('#') && line.find(kNames[kTime]) != std::string_view::npos) {
-    line.remove_prefix(1);
+// A header may stand behind a '#'.
+bool is_hidden_header(std::string_view line) {
+  return line.starts_with('#') && line.find(kNames[kTime]) != std::string_view::npos;
+}
+
+// The line that names the columns. "sep=;" is for Excel. If what is no comment begins with a
+// number, the names are those of the comment before it, in whatever language.
+std::size_t header_of(const std::vector<std::string_view>& lines) {
+  std::size_t first = 0;
+  while (first < lines.size() && !is_hidden_header(lines[first]) &&
+         (is_passed_over(lines[first]) || lines[first].starts_with("sep="))) {
+    ++first;
   }
-  return is_passed_over(line) || line.starts_with("sep=") ? std::string_view() : line;
+  const bool is_row = first > 0 && first < lines.size() && lines[first - 1].starts_with('#') &&
+                      lines[first].find_first_of("0123456789") == 0;
+  return is_row ? first - 1 : first;
 }
 
 }  // namespace
@@ -172,19 +182,16 @@ PoseLog read_csv_log(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const std::vector<std::string_view> lines = lines_of(text_in(path, bytes));
   const auto place_of = [&path](std::size_t i) { return path + ':' + std::to_string(i + 1); };
-  std::size_t first = 0;
-  while (first < lines.size() && header_in(lines[first]).empty()) {
-    ++first;
-  }
+  const std::size_t first = header_of(lines);
   if (first == lines.size()) {
     throw UsageError(path + ": empty");
   }
   PoseLog log;
-  const std::string_view names = header_in(lines[first]);
+  const std::string_view names = lines[first].substr(lines[first].starts_with('#') ? 1 : 0);
   const std::size_t separator = names.find_first_of(";\t");
   const char mark = separator == std::string_view::npos ? ',' : names[separator];
   std::vector<std::string> header = fields_of(names, mark);
-  while (header.back().empty()) {
+  while (!header.empty() && header.back().empty()) {
     header.pop_back();
   }
   const Places places = places_of(place_of(first), header, log.remarks);

@@ -20,6 +20,14 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
+// Of a log that states none.
+constexpr double kAssumedM = 0.05;
+constexpr double kAssumedRad = 0.002;
+
+// Half way between two poses, a car that brakes by 3 m/s^2 is 23 mm off the straight line between
+// them, and one whose yaw rate changes by 0.3 rad/s^2 2.3 mrad: as much as is assumed above.
+constexpr std::uint64_t kMostInterpolatedUs = 250'000;
+
 double seconds_between(const LoggedPose& from, const LoggedPose& to) {
   return static_cast<double>(to.time_us - from.time_us) / 1e6;
 }
@@ -29,17 +37,17 @@ PoseSample sample_of(const LoggedPose& pose, const PoseConversion& conversion) {
   const double heading = *pose.heading_rad - conversion.mount_yaw_rad;
   const double cos = std::cos(heading);
   const double sin = std::sin(heading);
-  return {
-      .time_us = pose.time_us,
-      .run = conversion.run,
-      .x_m = pose.x_m - conversion.mount_x_m * cos + conversion.mount_y_m * sin,
-      .y_m = pose.y_m - conversion.mount_x_m * sin - conversion.mount_y_m * cos,
-      .heading_rad = heading,
-      .speed_mps = pose.speed_mps.value_or(0),
-      .yaw_rate_rps = pose.yaw_rate_rps.value_or(0),
-      .sigma_m = pose.sigma_m.value_or(conversion.sigma_m),
-      .sigma_heading_rad = std::hypot(pose.sigma_heading_rad.value_or(conversion.sigma_heading_rad),
-                                      pose.heading_doubt_rad)};
+  return {.time_us = pose.time_us,
+          .run = conversion.run,
+          .x_m = pose.x_m - conversion.mount_x_m * cos + conversion.mount_y_m * sin,
+          .y_m = pose.y_m - conversion.mount_x_m * sin - conversion.mount_y_m * cos,
+          .heading_rad = heading,
+          .speed_mps = pose.speed_mps.value_or(0),
+          .yaw_rate_rps = pose.yaw_rate_rps.value_or(0),
+          .sigma_m = conversion.sigma_m.value_or(pose.sigma_m.value_or(kAssumedM)),
+          .sigma_heading_rad = std::hypot(
+              conversion.sigma_heading_rad.value_or(pose.sigma_heading_rad.value_or(kAssumedRad)),
+              pose.heading_doubt_rad)};
 }
 
 // Coordinates of a country's grid, such as UTM, may be beyond what a message can say.
@@ -68,20 +76,19 @@ void count_from_near(PoseLog& log) {
   log.notes.push_back(text.str());
 }
 
-// A packet between two poses that are further apart than it may be from one may have no place.
+// What is not interpolated.
 void note_gaps(const std::vector<LoggedPose>& poses, std::vector<std::string>& notes) {
-  constexpr std::uint64_t kLongUs = pose::kLateUs * 3 / 2;
   std::size_t gaps = 0;
   double longest_s = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    gaps += poses[i].time_us - poses[i - 1].time_us > kLongUs ? 1U : 0U;
+    gaps += poses[i].time_us - poses[i - 1].time_us > kMostInterpolatedUs ? 1U : 0U;
     longest_s = std::max(longest_s, seconds_between(poses[i - 1], poses[i]));
   }
   if (gaps > 0) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(3) << counted(gaps, "gap|gaps between poses is|are")
-         << " longer than 0.150 s, the longest " << longest_s
-         << " s: packets that have no pose within 0.100 s have no place";
+         << " longer than 0.250 s, the longest " << longest_s
+         << " s: packets in them later than 0.100 s after a pose have no place";
     notes.push_back(text.str());
   }
 }
@@ -158,6 +165,88 @@ void add_motion(const std::vector<LoggedPose>& poses, std::vector<PoseSample>& s
   }
 }
 
+// A target predicts for pose::kLateUs after a pose, and knows the next one only when it comes.
+std::vector<PoseSample> interpolated(const std::vector<PoseSample>& samples) {
+  constexpr std::uint64_t kPeriodUs = 20'000;
+  std::vector<PoseSample> all;
+  for (const PoseSample& to : samples) {
+    const std::uint64_t gap_us = all.empty() ? 0 : to.time_us - all.back().time_us;
+    if (gap_us > pose::kLateUs && gap_us <= kMostInterpolatedUs) {
+      const PoseSample from = all.back();
+      const std::uint64_t parts = gap_us / kPeriodUs;
+      for (std::uint64_t part = 1; part < parts; ++part) {
+        all.push_back(between(from, to, from.time_us + gap_us * part / parts));
+      }
+    }
+    all.push_back(to);
+  }
+  return all;
+}
+
+// What the target places nothing by.
+void note_imprecise(const std::vector<PoseSample>& samples, std::vector<std::string>& notes) {
+  std::size_t imprecise = 0;
+  pose::Sigma most{.position_mm = 0, .heading_10urad = 0};
+  for (const PoseSample& sample : samples) {
+    const pose::Sigma sigma = wire_sigma(sample.sigma_m, sample.sigma_heading_rad);
+    imprecise +=
+        sigma.position_mm > pose::kMaxSigmaMm || sigma.heading_10urad > pose::kMaxSigmaHeading ? 1U
+                                                                                               : 0U;
+    most.position_mm = std::max(most.position_mm, sigma.position_mm);
+    most.heading_10urad = std::max(most.heading_10urad, sigma.heading_10urad);
+  }
+  if (imprecise > 0) {
+    std::ostringstream text;
+    text << counted(imprecise, "pose|poses is|are") << " too imprecise: the motion of a second has "
+         << "standard deviations of up to " << most.position_mm << " mm and "
+         << most.heading_10urad / 100.0 << " mrad, and a target uses none above "
+         << pose::kMaxSigmaMm << " mm or " << pose::kMaxSigmaHeading / 100.0
+         << " mrad; if the poses are better, --poses-sigma MM MRAD (`iog pose`: --sigma, "
+            "--heading-sigma) says so";
+    notes.push_back(text.str());
+  }
+}
+
+// The values of a slow sensor that a log repeats until the next ones would be jumps. A car that
+// stands for a second repeats itself, too.
+void drop_held(PoseLog& log) {
+  constexpr double kStepM = 0.1;  // smaller ones are those of the log's last digit
+  const std::vector<LoggedPose>& poses = log.poses;
+  std::vector<bool> is_held(poses.size());
+  std::size_t steps = 0;
+  std::size_t begin = 0;
+  Tally held;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const LoggedPose& from = poses[begin];
+    const double step_m = std::hypot(poses[i].x_m - from.x_m, poses[i].y_m - from.y_m);
+    if (step_m == 0 && poses[i].heading_rad == from.heading_rad) {
+      continue;
+    }
+    if (step_m >= kStepM && poses[i].time_us - from.time_us <= pose::kLostUs) {
+      ++steps;
+      for (std::size_t next = begin + 1; next < i; ++next) {
+        is_held[next] = true;
+        held.add(poses[next].place);
+      }
+    }
+    begin = i;
+  }
+  if (held.count > steps) {
+    std::size_t i = 0;
+    std::erase_if(log.poses, [&](const auto& /*pose*/) { return is_held[i++]; });
+    remark(held, "pose|poses that repeats|repeat the one before until the next measurement",
+           log.unit, log.remarks);
+  }
+}
+
+// A column of zeros is one that nobody fills in, or the car stands, and both say the same.
+void forget_unfilled(std::vector<LoggedPose>& poses, std::optional<double> LoggedPose::*column) {
+  if (std::ranges::all_of(poses,
+                          [&](const auto& pose) { return (pose.*column).value_or(0) == 0; })) {
+    std::ranges::for_each(poses, [&](auto& pose) { (pose.*column).reset(); });
+  }
+}
+
 // The same for all poses: both planes stay where they are.
 pose::MapTransform transform_of(const LocalPlane& plane, const PoseConversion::Map& map) {
   const LocalPlane::Frame frame = map.origin.plane().frame_of(plane);
@@ -184,12 +273,16 @@ void remark(std::size_t count, std::string_view what, std::vector<std::string>& 
 }
 
 ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
+  drop_held(log);
+  forget_unfilled(log.poses, &LoggedPose::speed_mps);
+  forget_unfilled(log.poses, &LoggedPose::yaw_rate_rps);
   const std::vector<LoggedPose> poses = usable(log, conversion);
   ConvertedLog result;
+  result.poses = poses.size();
   for (const LoggedPose& pose : poses) {
     result.samples.push_back(sample_of(pose, conversion));
-    result.taken_sigmas += pose.sigma_m ? 0U : 1U;
-    result.taken_sigma_headings += pose.sigma_heading_rad ? 0U : 1U;
+    result.taken_sigmas += pose.sigma_m || conversion.sigma_m ? 0U : 1U;
+    result.taken_sigma_headings += pose.sigma_heading_rad || conversion.sigma_heading_rad ? 0U : 1U;
   }
   add_motion(poses, result.samples);
   if (conversion.map && log.plane) {
@@ -210,6 +303,8 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   if (std::string words = words_of_misfit(poses, result.samples); !words.empty()) {
     result.notes.push_back(std::move(words));
   }
+  note_imprecise(result.samples, result.notes);
+  result.samples = interpolated(result.samples);
   return result;
 }
 
@@ -225,7 +320,7 @@ void demand_poses(const ConvertedLog& log, const std::string& path) {
                    why);
 }
 
-std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion& conversion) {
+std::vector<std::string> words_of(const ConvertedLog& log) {
   std::vector<std::string> words;
   for (const std::string& remark : log.remarks) {
     words.push_back("not used: " + remark);
@@ -236,22 +331,22 @@ std::vector<std::string> words_of(const ConvertedLog& log, const PoseConversion&
     if (count > 0) {
       std::ostringstream text;
       text << "the log states no standard deviation of the " << of << " for "
-           << counted(count, "pose|poses: ") << value * 1000 << unit << " is assumed (`iog pose "
-           << option << "` sets another)";
+           << counted(count, "pose|poses: ") << value * 1000 << unit
+           << " is assumed (--poses-sigma, or `iog pose " << option << "`, sets another)";
       words.push_back(text.str());
     }
   };
-  if (log.taken_sigmas == log.samples.size() && log.taken_sigma_headings == log.samples.size()) {
+  if (log.taken_sigmas == log.poses && log.taken_sigma_headings == log.poses) {
     std::ostringstream text;
-    text << "the log states no standard deviations: " << conversion.sigma_m * 1000 << " mm and "
-         << conversion.sigma_heading_rad * 1000
-         << " mrad are assumed (`iog pose --sigma` and `--heading-sigma` set others)";
+    text << "the log states no standard deviations: " << kAssumedM * 1000 << " mm and "
+         << kAssumedRad * 1000
+         << " mrad are assumed (--poses-sigma, or `iog pose --sigma` and `--heading-sigma`, set "
+            "others)";
     words.push_back(text.str());
     return words;
   }
-  add_taken(log.taken_sigmas, "position", conversion.sigma_m, " mm", "--sigma");
-  add_taken(log.taken_sigma_headings, "heading", conversion.sigma_heading_rad, " mrad",
-            "--heading-sigma");
+  add_taken(log.taken_sigmas, "position", kAssumedM, " mm", "--sigma");
+  add_taken(log.taken_sigma_headings, "heading", kAssumedRad, " mrad", "--heading-sigma");
   return words;
 }
 

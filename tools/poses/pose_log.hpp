@@ -71,8 +71,13 @@ struct PoseLog {
 // its first frame: x forward, y left. UsageError with file and line.
 [[nodiscard]] PoseLog read_kitti_log(const std::string& path);
 
+// A line of times.txt, seconds since the drive began, as us since 1970: the drive begins at
+// kDriveStartUs, for clouds and poses alike. Nothing if it is no time.
+[[nodiscard]] std::optional<std::uint64_t> kitti_time_in(std::string_view line);
+
 // nav_msgs/msg/Odometry of an MCAP file or bag or, if it has none, base_link in
-// tf2_msgs/msg/TFMessage; of a topic if one is given. UsageError if several topics or parents have
+// tf2_msgs/msg/TFMessage, else PoseStamped or PoseWithCovarianceStamped of geometry_msgs; of a
+// topic if one is given. UsageError if several topics or parents have
 // poses.
 [[nodiscard]] PoseLog read_ros_log(const std::string& path, const std::string& topic);
 
@@ -103,9 +108,10 @@ struct PoseConversion {
   double mount_x_m = 0;
   double mount_y_m = 0;
   double mount_yaw_rad = 0;
-  // For a log that does not say them.
-  double sigma_m = 0.05;
-  double sigma_heading_rad = 0.002;
+  // The user's word, which goes before the log's; empty: the log's or, if it has none, 50 mm and
+  // 2 mrad.
+  std::optional<double> sigma_m{};
+  std::optional<double> sigma_heading_rad{};
   std::uint32_t run = 1;
   // What each pose is to say of the map, if the log has a plane.
   struct Map {
@@ -119,12 +125,15 @@ struct ConvertedLog {
   std::vector<PoseSample> samples;   // by rising times, as far apart as the target wants
   std::vector<std::string> remarks;  // those of the log, and what else was left out
   std::vector<std::string> notes;    // those of the log, and what contradicts its positions
-  // Samples for which a standard deviation was taken that the log does not say.
+  // Poses of the log that are used, and those for which a standard deviation was assumed.
+  std::size_t poses = 0;
   std::size_t taken_sigmas = 0;
   std::size_t taken_sigma_headings = 0;
 };
 
-// Speed and yaw rate that the log does not say are those between the poses before and after. Left
+// Speed and yaw rate that the log does not say, or says to be 0 throughout, are those between the
+// poses before and after. Between poses that are further apart than a target predicts, up to 0.25
+// s, others are interpolated. Notes poses that are less precise than a target accepts. Left
 // out and remarked with their place in the log: poses without a heading, poses that are not newer
 // than the one before or less than 8 ms after it, poses that a message cannot say (pose/limits.hpp)
 // and poses that no car reaches from those around them (outliers.hpp).
@@ -135,9 +144,8 @@ struct ConvertedLog {
 // source.
 void demand_poses(const ConvertedLog& log, const std::string& path);
 
-// A line for each remark and note, and for standard deviations that were taken.
-[[nodiscard]] std::vector<std::string> words_of(const ConvertedLog& log,
-                                                const PoseConversion& conversion);
+// A line for each remark and note, and for standard deviations that were assumed.
+[[nodiscard]] std::vector<std::string> words_of(const ConvertedLog& log);
 
 // How many were left out, and where the first one is.
 struct Tally {

@@ -15,8 +15,10 @@ namespace {
 
 using ros::CdrReader;
 
-constexpr std::array<std::string_view, 2> kTypes{"nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"};
-constexpr auto kOdometry = std::span(kTypes).first<1>();
+constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
+constexpr std::string_view kTransforms = "tf2_msgs/msg/TFMessage";
+constexpr std::array<std::string_view, 3> kPoses{kOdometry, "geometry_msgs/msg/PoseStamped",
+                                                 "geometry_msgs/msg/PoseWithCovarianceStamped"};
 
 // Of the vehicle (REP 105), as a child of `odom` or whatever does not jump.
 constexpr std::string_view kVehicleFrame = "base_link";
@@ -50,20 +52,24 @@ std::optional<double> sigma_of(double variance) {
                                                  : std::nullopt;
 }
 
-LoggedPose pose_of_odometry(const ros::RecordedMessage& message, std::string& frame) {
+// A stamped pose does not say of which frame it is.
+LoggedPose pose_of(const ros::RecordedMessage& message, std::string& frame) {
   CdrReader in(message.data, message.where);
   LoggedPose pose{.time_us = in.stamp_us()};
   static_cast<void>(in.text());  // in which it is
-  frame = in.text();
+  const bool is_odometry = message.type == kOdometry;
+  frame = is_odometry ? in.text() : "";
   read_place(in, pose);
+  if (!is_odometry) {
+    in.must_be_whole();
+    return pose;
+  }
   std::array<double, 36> covariance{};  // x, y, z, about x, about y, about z
   std::ranges::generate(covariance, [&in] { return in.f64(); });  // of the place: it drifts
   std::array<double, 6> twist{};
   std::ranges::generate(twist, [&in] { return in.f64(); });
-  if (twist != std::array<double, 6>{}) {  // many drivers leave it at zero
-    pose.speed_mps = twist[0];
-    pose.yaw_rate_rps = twist[5];
-  }
+  pose.speed_mps = twist[0];
+  pose.yaw_rate_rps = twist[5];
   std::ranges::generate(covariance, [&in] { return in.f64(); });
   in.must_be_whole();
   // The error of a rate is that of the way in a second.
@@ -138,24 +144,38 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
   std::string frame;
-  log.remarks = ros::for_each_message(path, kOdometry, topic, [&](const auto& message) {
-    its = its.empty() ? std::string(message.topic) : its;
-    if (message.topic != its) {
-      throw UsageError(path + ": " + printable(its) + " and " +
-                       printable(std::string(message.topic)) + " have poses: choose one by " +
-                       path + ':' + printable(its));
-    }
-    add(pose_of_odometry(message, frame), message.where, log);
-  });
+  const auto read = [&](std::span<const std::string_view> types) {
+    log.notes = ros::for_each_message(path, types, topic, [&](const auto& message) {
+      its = its.empty() ? std::string(message.topic) : its;
+      if (message.topic != its) {
+        throw UsageError(path + ": " + printable(its) + " and " +
+                         printable(std::string(message.topic)) + " have poses: choose one by " +
+                         path + ':' + printable(its));
+      }
+      add(pose_of(message, frame), message.where, log);
+    });
+  };
+  read(std::span(&kOdometry, 1));
+  Transforms transforms;
+  bool is_assumed = false;
   if (log.poses.empty()) {
-    Transforms transforms;
-    log.remarks = ros::for_each_message(path, kTypes, topic,
-                                        [&](const auto& message) { transforms.add(message, log); });
-    if (log.poses.empty() || !transforms.is_one) {
-      throw UsageError(path + ": it has no nav_msgs/Odometry, and " + transforms.words() +
-                       (topic.empty() ? "" : ", on " + topic) +
-                       (log.remarks.empty() ? "" : "; " + joined(log.remarks, "; ")));
-    }
+    log.notes = ros::for_each_message(path, std::span(&kTransforms, 1), topic,
+                                      [&](const auto& message) { transforms.add(message, log); });
+  }
+  if (log.poses.empty()) {
+    read(kPoses);
+    is_assumed = true;
+  }
+  if (log.poses.empty() || !transforms.is_one) {
+    throw UsageError(path + ": it has no nav_msgs/Odometry, no stamped poses, and " +
+                     transforms.words() + (topic.empty() ? "" : ", on " + topic) +
+                     (log.notes.empty() ? "" : "; " + joined(log.notes, "; ")) +
+                     "; `iog odometry` estimates poses from a spinning lidar");
+  }
+  if (is_assumed) {
+    log.notes.emplace_back(
+        "its stamped poses do not say of which frame they are: base_link is assumed, and "
+        "--poses-mount says where in the car another one is");
   }
   if (!frame.empty() && !robot_of(frame)) {
     log.notes.push_back("the poses are of " + printable(frame) + ", not of " +

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/rigid.hpp"
 #include "tools/poses/text_fields.hpp"
@@ -77,8 +78,8 @@ std::string place_of(const std::string& path, std::size_t line) {
   return path + ':' + std::to_string(line + 1);
 }
 
-std::uint64_t time_in(std::string_view text, const std::string& where) {
-  const std::optional<std::uint64_t> time_us = seconds_in(text);
+std::uint64_t demanded(std::optional<std::uint64_t> time_us, std::string_view text,
+                       const std::string& where) {
   if (!time_us) {
     throw UsageError(where + ": the time is '" + printable(std::string(text)) +
                      "': give seconds, 0 or more");
@@ -115,14 +116,20 @@ PoseLog read_tum_log(const std::string& path) {
     if (!heading) {
       throw UsageError(where + ": qx qy qz qw are no rotation, which has the length 1");
     }
-    log.poses.push_back({.time_us = time_in(words_of(line)[0], where),
-                         .x_m = numbers[1],
-                         .y_m = numbers[2],
-                         .heading_rad = heading,
-                         .is_tilted = is_tilted(turn),
-                         .place = i + 1});
+    log.poses.push_back(
+        {.time_us = demanded(seconds_in(words_of(line)[0]), words_of(line)[0], where),
+         .x_m = numbers[1],
+         .y_m = numbers[2],
+         .heading_rad = heading,
+         .is_tilted = is_tilted(turn),
+         .place = i + 1});
   }
   return log;
+}
+
+std::optional<std::uint64_t> kitti_time_in(std::string_view line) {
+  const std::optional<std::uint64_t> time_us = seconds_in(trimmed(line));
+  return time_us ? std::optional(kDriveStartUs + *time_us) : std::nullopt;
 }
 
 PoseLog read_kitti_log(const std::string& path) {
@@ -142,7 +149,8 @@ PoseLog read_kitti_log(const std::string& path) {
     }
     const Rigid pose = product(camera, product(rigid_in(lines[i], place_of(path, i)), unit));
     log.in_space.push_back(pose);
-    log.poses.push_back({.time_us = time_in(trimmed(times[i]), place_of(folder + "/times.txt", i)),
+    log.poses.push_back({.time_us = demanded(kitti_time_in(times[i]), trimmed(times[i]),
+                                             place_of(folder + "/times.txt", i)),
                          .x_m = pose[3],
                          .y_m = pose[7],
                          .heading_rad = std::atan2(pose[4], pose[0]),

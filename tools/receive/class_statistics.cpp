@@ -30,6 +30,13 @@ std::array<std::uint32_t, pose::kCauseCount> spells_of(const stream::ClassEnd& e
   return spells;
 }
 
+// Of more than 5 % of the slices.
+std::string row_of_lost(std::uint64_t lost, std::uint64_t all, const std::string& why) {
+  return row_if(
+      20 * lost > all, "POSES?",
+      percent(lost, std::max<std::uint64_t>(all, 1)) + " % of the slices are lost " + why);
+}
+
 }  // namespace
 
 void ClassStatistics::add(const GridFrame& frame) {
@@ -113,6 +120,7 @@ std::string ClassStatistics::table() const {
   const auto slices = slices_of(last_);
   const std::uint64_t all = std::accumulate(slices.begin(), slices.end(), std::uint64_t{0});
   const std::uint64_t jumped = slices[static_cast<std::size_t>(pose::Cause::kJump)];
+  const std::uint64_t imprecise = slices[static_cast<std::size_t>(pose::Cause::kImprecise)];
   const bool had_poses =
       std::ranges::any_of(last_.pose_fates, [](auto poses) { return poses > 0; });
   return row("class frames", std::to_string(frames_)) +
@@ -126,10 +134,15 @@ std::string ClassStatistics::table() const {
          row("packets placed", std::to_string(packets_placed_) + ", and " +
                                    std::to_string(packets_not_placed_) + " without a place") +
          row("slices", list_of(slices, kPoseCauseNames)) +
-         row_if(20 * jumped > all, "POSES?",
-                percent(jumped, std::max<std::uint64_t>(all, 1)) +
-                    " % of the slices are lost by jumps: are the poses' headings in degrees, "
-                    "counter-clockwise from x, and the car's?") +
+         row_of_lost(
+             jumped, all,
+             "by jumps: from pose to pose, the motion departs from the speeds and yaw rates "
+             "by more than 300 mm or 6 mrad in a second. Check units, signs (headings count "
+             "counter-clockwise from x) and noise; `iog odometry` makes smooth poses") +
+         row_of_lost(imprecise, all,
+                     "because the poses state standard deviations above 150 mm or 3 mrad in a "
+                     "second; for a log that is better than it states, --poses-sigma MM MRAD says "
+                     "so") +
          row_if(slices_over_budget_ + groups_left_ > 0, "over budget",
                 std::to_string(slices_over_budget_) + " slices, " + std::to_string(groups_left_) +
                     " groups of cells") +

@@ -126,6 +126,26 @@ TEST(CarCapture, ClocksThatDifferAreToldAndMended) {
   }
 }
 
+// Frames whose capture begins 30 s before the scanners' clocks are set by PTP, and one packet with
+// a damaged time.
+TEST(CarCapture, AClockThatIsSetInBetweenIsTold) {
+  constexpr std::uint64_t kSetUs = 1'714'564'770'000'000;
+  Datagrams datagrams = drive(0, false);
+  Datagrams later = sample_drive(car(), 1, 80);
+  std::erase_if(later, [&](const auto& its) { return its.time_us <= datagrams.back().time_us; });
+  for (CapturedDatagram& datagram : datagrams) {
+    datagram.time_us -= kSetUs;
+  }
+  for (CapturedDatagram& datagram : later) {
+    datagram.time_us -= kSetUs - 3'600'000'000;
+  }
+  EXPECT_EQ(read(datagrams, 0).words.find("steps"), std::string::npos);
+  datagrams.insert(datagrams.end(), later.begin(), later.end());
+  const std::string words = read(datagrams, 0).words;
+  EXPECT_TRUE(words.starts_with("the clock of front_left steps by -3600.000 s at 3630.")) << words;
+  EXPECT_NE(words.find("no one offset fits. Cut the capture there"), std::string::npos) << words;
+}
+
 // A Velodyne's clock counts from the full hour.
 TEST(ClockPace, BeginsWithTheFirstPacket) {
   ClockPace pace;
@@ -238,7 +258,10 @@ TEST_F(BesideALog, PosesAreThoseOfItsCapture) {
   EXPECT_EQ(instead.words, "|35 poses in the captures are not used");
   DriveFiles mounted = log(rows(0));
   mounted.poses_mount = {1, 0.5, 90};
+  mounted.poses_sigma = {30, 1.5};
   const auto [fate, pose] = pose::decode(std::get<2>(read(mounted).datagrams[0]));
+  EXPECT_EQ(pose.sigma.position_mm, 30);
+  EXPECT_EQ(pose.sigma.heading_10urad, 150);
   EXPECT_EQ(pose.pose.heading, 0xC000'0000U);
   EXPECT_EQ(pose.pose.x_mm, 500);  // the mount is 0.5 m and -1 m away
   EXPECT_EQ(pose.pose.y_mm, 1'000);

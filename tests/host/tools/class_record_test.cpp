@@ -126,6 +126,32 @@ GridFrame frame_of(bool has_evidence, std::uint64_t stamp_us) {
   return frame;
 }
 
+TEST(ClassStatistics, SlicesLostByPosesAreToldWithWhatToDo) {
+  const auto rows_of = [](std::uint32_t jumps, std::uint32_t imprecise) {
+    GridFrame frame = frame_of(true, 20);
+    frame.classes->has_end = true;
+    auto& causes = frame.classes->end.causes;
+    causes[0].slices = 100 - jumps - imprecise;
+    causes[static_cast<std::size_t>(pose::Cause::kJump)].slices = jumps;
+    causes[static_cast<std::size_t>(pose::Cause::kImprecise)].slices = imprecise;
+    ClassStatistics statistics;
+    statistics.add(frame);
+    return statistics.table();
+  };
+  EXPECT_EQ(rows_of(5, 5).find("POSES?"), std::string::npos);
+  const std::string jumps = rows_of(83, 0);
+  for (const char* const cause : {"83 % of the slices are lost by jumps", "speeds", "yaw rates",
+                                  "units", "noise", "counter-clockwise"}) {
+    EXPECT_NE(jumps.find(cause), std::string::npos) << jumps;
+  }
+  const std::string imprecise = rows_of(0, 100);
+  EXPECT_NE(imprecise.find("POSES?                100 % of the slices are lost because the poses "
+                           "state standard deviations above 150 mm or 3 mrad in a second; for a "
+                           "log that is better than it states, --poses-sigma MM MRAD says so"),
+            std::string::npos)
+      << imprecise;
+}
+
 TEST(ClassRecord, CountsFramesInWhichOnlyTimeWentOn) {
   ClassStatistics statistics;
   statistics.add(frame_of(false, 10));  // nothing has been seen yet

@@ -1,4 +1,4 @@
-// Logs of poses as text, and what becomes of a log. KITTI's fields are written by their numbers.
+// Logs of poses as text. KITTI's fields are written by their numbers.
 #include "tools/poses/pose_log.hpp"
 
 #include <cmath>
@@ -7,11 +7,9 @@
 
 #include "gtest/gtest.h"
 
-#include "tools/poses/local_plane.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
-#include "tools/simulate/random.hpp"
 
 namespace iog::tools {
 namespace {
@@ -88,6 +86,23 @@ TEST(CsvLog, TakesItsColumnsByName) {
   EXPECT_FALSE(log.poses[1].speed_mps);
   EXPECT_FALSE(log.poses[1].sigma_m);
   EXPECT_EQ(log.remarks, std::vector<std::string>{"column 'note'"});
+}
+
+// As EuRoC and others write them. A comment before a header is none.
+TEST(CsvLog, AHeaderOfOthersIsNamed) {
+  for (const std::string_view text :
+       {"#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m]\n1700000000000000000,0,0\n",
+        "#sec,nsec,x,y,z\n1,2,3,4,5\n"}) {
+    const std::string error = error_of([&] { static_cast<void>(csv_log(text)); });
+    EXPECT_NE(error.find(":1: no column time_s; the first line names the columns, at least "
+                         "time_s,x_m,y_m,heading_deg"),
+              std::string::npos)
+        << error;
+  }
+  for (const std::string_view text : {"#\n1,2,3,4\n", "1,2,3,4\n"}) {
+    EXPECT_NE(error_of([&] { static_cast<void>(csv_log(text)); }).find(":1: no column"),
+              std::string::npos);
+  }
 }
 
 TEST(CsvLog, ABadLineIsNamed) {
@@ -185,187 +200,6 @@ TEST(OxtsLog, TakesTheFieldsByTheirNumbers) {
   EXPECT_NE(error_of([&] { static_cast<void>(read_oxts_log(folder)); }).find("timestamps.txt:1:"),
             std::string::npos);
   std::filesystem::remove_all(folder);
-}
-
-LoggedPose logged(std::uint64_t time_us, double x_m, double y_m, double heading_rad) {
-  return {.time_us = time_us, .x_m = x_m, .y_m = y_m, .heading_rad = heading_rad};
-}
-
-TEST(ConvertedLog, TheMountIsTakenOff) {
-  PoseLog log;
-  log.poses = {logged(0, 10, 20, 0), logged(1'000'000, 10, 20, 90 * kDegree)};
-  const ConvertedLog result = converted(log, {.mount_x_m = 1, .mount_y_m = 0.5});
-  EXPECT_NEAR(result.samples[0].x_m, 9, 1e-12);
-  EXPECT_NEAR(result.samples[0].y_m, 19.5, 1e-12);
-  EXPECT_NEAR(result.samples[1].x_m, 10.5, 1e-12);
-  EXPECT_NEAR(result.samples[1].y_m, 19, 1e-12);
-}
-
-TEST(ConvertedLog, MotionIsThatBetweenTheNeighbours) {
-  PoseLog log;
-  // Backwards along a heading that passes half a turn.
-  log.poses = {logged(0, 0, 0, 179 * kDegree), logged(100'000, 1, 0, -180 * kDegree),
-               logged(200'000, 2, 0, -179 * kDegree)};
-  log.poses[2].speed_mps = 7;
-  const ConvertedLog result = converted(log, {.sigma_m = 0.04, .sigma_heading_rad = 0.003});
-  ASSERT_EQ(result.samples.size(), 3U);
-  EXPECT_NEAR(result.samples[1].speed_mps, -10, 1e-9);
-  EXPECT_NEAR(result.samples[1].yaw_rate_rps, 10 * kDegree, 1e-9);
-  EXPECT_EQ(result.samples[2].speed_mps, 7);
-  EXPECT_EQ(result.samples[1].sigma_m, 0.04);
-  EXPECT_EQ(result.samples[1].sigma_heading_rad, 0.003);
-  EXPECT_EQ(result.taken_sigmas, 3U);
-  EXPECT_EQ(result.taken_sigma_headings, 3U);
-}
-
-TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
-  PoseLog log;
-  log.poses = {logged(100'000, 0, 0, 0), logged(100'000, 0, 0, 0), logged(90'000, 0, 0, 0),
-               logged(107'999, 0, 0, 0), logged(108'000, 0, 0, 0), logged(200'000, 0, 0, 0)};
-  log.poses.back().heading_rad.reset();
-  const ConvertedLog result = converted(log, {});
-  EXPECT_EQ(result.samples.size(), 2U);
-  EXPECT_EQ(result.remarks,
-            (std::vector<std::string>{"1 pose without a heading",
-                                      "2 poses that are not newer than the one before",
-                                      "1 pose less than 8 ms after the one before"}));
-}
-
-// UTM zone 32 in Karlsruhe; a northing is beyond 1000 km.
-TEST(ConvertedLog, PositionsOfACountrysGridAreCountedFromTheFirst) {
-  PoseLog log;
-  log.poses = {logged(100'000, 456'789, 5'428'765, 0), logged(200'000, 456'790.5, 5'428'766, 0)};
-  const ConvertedLog result = converted(log, {});
-  ASSERT_EQ(result.samples.size(), 2U);
-  EXPECT_NEAR(result.samples[1].x_m - result.samples[0].x_m, 1.5, 1e-6);
-  EXPECT_NEAR(result.samples[1].y_m - result.samples[0].y_m, 1, 1e-6);
-  EXPECT_LT(std::abs(result.samples[0].y_m), 10);
-  EXPECT_EQ(result.notes,
-            std::vector<std::string>{"positions are counted from x 456791 m, y 5428766 m, as a "
-                                     "target takes none beyond 1000 km"});
-}
-
-// A car at 10 m/s whose pose is written 10 times a second from line 2 on.
-PoseLog even_log() {
-  PoseLog log;
-  for (std::size_t i = 0; i < 100; ++i) {
-    log.poses.push_back(logged(1'000'000'000 + 100'000 * i, static_cast<double>(i), 0, 0));
-    log.poses.back().place = i + 2;
-  }
-  return log;
-}
-
-TEST(ConvertedLog, AnOutlierIsLeftOutWithItsLine) {
-  using Poses = std::vector<LoggedPose>;
-  struct Case {
-    std::function<void(Poses&)> spoil;
-    std::size_t first_line;
-    std::size_t lines;
-  };
-  const auto off = [](std::size_t row, double metres, std::size_t rows = 1) {
-    return [=](Poses& poses) {
-      for (std::size_t i = row; i < row + rows; ++i) {
-        poses[i].x_m += metres;
-      }
-    };
-  };
-  const std::vector<Case> cases{
-      {off(50, 25), 52, 1},
-      {off(50, -1.5), 52, 1},
-      {off(50, 5, 2), 52, 2},
-      {off(20, 300, 7), 22, 7},
-      {off(0, 25), 2, 1},
-      {off(0, 400, 2), 2, 2},
-      {off(99, 25), 101, 1},
-      {off(98, 25, 2), 100, 2},
-      {off(50, 6e6), 52, 1},
-      {[](Poses& poses) { poses[50].heading_rad = 180 * kDegree; }, 52, 1},
-      {[](Poses& poses) { poses[50].speed_mps = 500; }, 52, 1},
-      {[](Poses& poses) { poses[50].time_us += 3'600'000'000; }, 52, 1},
-      {[](Poses& poses) { poses[50].time_us = 7; }, 52, 1}};
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    PoseLog log = even_log();
-    cases[i].spoil(log.poses);
-    const ConvertedLog result = converted(log, {});
-    EXPECT_EQ(result.samples.size(), 100 - cases[i].lines) << i;
-    for (const PoseSample& sample : result.samples) {
-      EXPECT_NEAR(sample.x_m, static_cast<double>(sample.time_us) / 1e5 - 10'000, 1e-6) << i;
-      EXPECT_NEAR(sample.speed_mps, 10, 1e-6) << i;
-    }
-    ASSERT_EQ(result.remarks.size(), 1U) << i;
-    EXPECT_TRUE(result.remarks[0].starts_with(std::to_string(cases[i].lines) + " pose")) << i;
-    EXPECT_NE(result.remarks[0].find("line " + std::to_string(cases[i].first_line) + ')'),
-              std::string::npos)
-        << result.remarks[0];
-  }
-}
-
-// A noisy receiver, hard braking, a clock that steps back, a silence: no outliers.
-TEST(ConvertedLog, WhatIsNoOutlierStays) {
-  PoseLog noisy = even_log();
-  Random random(3);
-  for (LoggedPose& pose : noisy.poses) {
-    pose.x_m += random.between(-1, 1);
-  }
-  EXPECT_GE(converted(noisy, {}).samples.size(), 97U);
-  PoseLog braking = even_log();
-  for (std::size_t i = 0; i < 10; ++i) {  // from 10 m/s to rest within a second
-    const double time_s = 0.1 * static_cast<double>(i + 1);
-    braking.poses[90 + i].x_m = 89 + 10 * time_s - 5 * time_s * time_s;
-  }
-  EXPECT_EQ(converted(braking, {}).samples.size(), 100U);
-  PoseLog silent = even_log();
-  for (std::size_t i = 50; i < 100; ++i) {
-    silent.poses[i].time_us += 2'000'000;
-    silent.poses[i].x_m -= 400;
-  }
-  EXPECT_EQ(converted(silent, {}).samples.size(), 100U);
-  PoseLog stepped = even_log();
-  for (std::size_t i = 50; i < 100; ++i) {
-    stepped.poses[i].time_us -= 3'000'000;
-  }
-  EXPECT_GE(converted(stepped, {}).samples.size(), 50U);
-  EXPECT_NE(converted(stepped, {}).remarks.at(0).find("not newer"), std::string::npos);
-}
-
-// A log in the plane of its first position, and a map whose plane is 5 km away: by the transform of
-// the messages every pose is where the map's own plane has it.
-TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
-  const MapOrigin origin = map_origin_in("", "49.03,8.46");
-  const LocalPlane plane(49, 8.4);
-  PoseLog log;
-  log.plane = plane;
-  std::vector<LocalPlane::Place> on_map;
-  for (int i = 0; i < 10; ++i) {
-    const double latitude = 49 + 3e-4 * i;
-    const double longitude = 8.4 - 4e-4 * i;
-    const LocalPlane::Place at = plane.place_of(latitude, longitude);
-    log.poses.push_back(
-        logged(std::uint64_t{1'000'000} * static_cast<unsigned>(i), at.east_m, at.north_m, 0));
-    on_map.push_back(origin.plane().place_of(latitude, longitude));
-  }
-  EXPECT_FALSE(converted(log, {}).samples.front().map);
-  const pose::Sigma sigma{.position_mm = 80, .heading_10urad = 120};
-  const ConvertedLog result = converted(log, {.map = PoseConversion::Map{origin, sigma}});
-  for (std::size_t i = 0; i < on_map.size(); ++i) {
-    ASSERT_TRUE(result.samples[i].map);
-    const pose::MapTransform map = *result.samples[i].map;
-    EXPECT_EQ(map.origin, origin.name());
-    EXPECT_EQ(map.sigma, sigma);
-    const double turn = map.local_frame.heading / 0x1p32 * 360 * kDegree;
-    const double x = result.samples[i].x_m;
-    const double y = result.samples[i].y_m;
-    EXPECT_NEAR(map.local_frame.x_mm / 1e3 + x * std::cos(turn) - y * std::sin(turn),
-                on_map[i].east_m, 0.01);
-    EXPECT_NEAR(map.local_frame.y_mm / 1e3 + x * std::sin(turn) + y * std::cos(turn),
-                on_map[i].north_m, 0.01);
-  }
-}
-
-TEST(ConvertedLog, WithoutLatitudesThereIsNoPlaceOnAMap) {
-  PoseLog log;
-  log.poses = {logged(0, 10, 20, 0)};
-  EXPECT_FALSE(converted(log, {.map = PoseConversion::Map{}}).samples.front().map);
 }
 
 }  // namespace

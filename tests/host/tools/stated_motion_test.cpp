@@ -110,8 +110,8 @@ TEST(StatedMotion, OfAShortDriveIsNotJudged) {
 // Poses of 1 Hz, and a pause of 3 s in a log of 10 Hz.
 TEST(StatedMotion, GapsBetweenPosesAreTold) {
   const auto told = [](const std::string& gaps, const std::string& longest) {
-    return std::vector{gaps + " longer than 0.150 s, the longest " + longest +
-                       " s: packets that have no pose within 0.100 s have no place"};
+    return std::vector{gaps + " longer than 0.250 s, the longest " + longest +
+                       " s: packets in them later than 0.100 s after a pose have no place"};
   };
   const auto later = [](std::uint64_t times, std::uint64_t pause_us) {
     return notes_of([=](LoggedPose& pose) {

@@ -1,5 +1,6 @@
 // Trajectories as SLAM programs and ROS write them, and which format a log has. The quaternion is
 // that of numpy's product of the matrices of heading 30, pitch 10 and roll 5 degrees.
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "gtest/gtest.h"
 
 #include "fakes/temporary_folder.hpp"
+#include "tools/formats/capture/made_capture.hpp"
 #include "tools/formats/mcap/writer.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 #include "tools/poses/pose_log.hpp"
@@ -91,6 +93,21 @@ Message odometry(double speed, const Turn& turn = kTurn, std::string_view of = "
   return out.take();
 }
 
+// geometry_msgs/msg/PoseStamped, or with covariances behind it.
+Message stamped(bool has_covariance) {
+  ros::CdrWriter out;
+  out.put(std::uint32_t{1'700'000'000});
+  out.put(std::uint32_t{500'000'999});
+  out.put(std::string_view("map"));
+  for (const double value : {1.0, 2.0, 0.5, kTurn[0], kTurn[1], kTurn[2], kTurn[3]}) {
+    out.put(value);
+  }
+  for (int i = 0; has_covariance && i < 36; ++i) {
+    out.put(0.5);
+  }
+  return out.take();
+}
+
 Message transforms(std::string_view parent, std::string_view vehicle = "base_link") {
   ros::CdrWriter out;
   out.put(std::uint32_t{3});
@@ -150,7 +167,7 @@ TEST_F(Trajectories, OfKittiAreThoseOfTheUnit) {
     const PoseLog log = read_pose_log(input);
     ASSERT_EQ(log.poses.size(), 2U);
     EXPECT_TRUE(log.is_of_unit);
-    EXPECT_EQ(log.poses[1].time_us, 103'598U);
+    EXPECT_EQ(log.poses[1].time_us, kDriveStartUs + 103'598);  // as the clouds' packets have it
     EXPECT_NEAR(log.poses[1].x_m, 5 + 0.3, 1e-9);
     EXPECT_NEAR(log.poses[1].y_m, 2 - 0.3, 1e-9);
     EXPECT_NEAR(log.poses[1].heading_rad.value_or(0), 90 * kRadians, 1e-9);
@@ -169,10 +186,10 @@ TEST_F(Trajectories, OfOdometryHaveTheErrorsOfTheirTwist) {
   EXPECT_EQ(log.poses[0].yaw_rate_rps, 0.1);
   EXPECT_NEAR(log.poses[0].sigma_m.value_or(0), 0.02, 1e-12);
   EXPECT_NEAR(log.poses[0].sigma_heading_rad.value_or(0), 0.001, 1e-12);
-  // Of a twist that nobody fills in, and before there is a heading, which converted() counts.
+  // Of a variance that nobody fills in, and before there is a heading, which converted() counts.
   const PoseLog empty = read_pose_log(bag(kOdometry, {odometry(0), odometry(0, {})}));
   ASSERT_EQ(empty.poses.size(), 2U);
-  EXPECT_FALSE(empty.poses[0].speed_mps || empty.poses[0].sigma_heading_rad);
+  EXPECT_FALSE(empty.poses[0].sigma_heading_rad);
   EXPECT_FALSE(empty.poses[1].heading_rad);
   // A pose of what is somewhere else in the car, and one that does not say.
   EXPECT_TRUE(log.notes.empty());
@@ -211,6 +228,35 @@ TEST_F(Trajectories, OfTransformsMayHaveANamespace) {
   EXPECT_EQ(read_pose_log(bag(kTransforms, {one, transforms("odom"), two})).poses.size(), 1U);
   expect_error(bag(kTransforms, {transforms("odom", "base")}),
                "no /tf of base_link or base_footprint, only of base, odom");
+}
+
+TEST_F(Trajectories, OfStampedPosesAreTakenAsTheCars) {
+  for (const std::string_view type :
+       {"geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/PoseWithCovarianceStamped"}) {
+    const bool has_covariance = type.ends_with("CovarianceStamped");
+    const PoseLog log = read_pose_log(bag(type, {stamped(has_covariance)}, {"/pose"}));
+    expect_pose(log);
+    EXPECT_FALSE(log.poses[0].speed_mps || log.poses[0].sigma_m);
+    EXPECT_EQ(log.notes, std::vector<std::string>{
+                             "its stamped poses do not say of which frame they are: base_link is "
+                             "assumed, and --poses-mount says where in the car another one is"});
+    expect_error(bag(type, {stamped(has_covariance)}, {"/pose", "/goal_pose"}),
+                 "/pose and /goal_pose have poses: choose one by");
+  }
+  expect_error(bag("nav_msgs/msg/Path", {stamped(false)}, {"/path"}),
+               "its topics are /path (nav_msgs/msg/Path); `iog odometry` estimates poses from a "
+               "spinning lidar");
+}
+
+// A logger that lost its power.
+TEST_F(Trajectories, OfAFileWithoutItsEndAreUsed) {
+  const std::string path = bag(kOdometry, std::vector<Message>(9, odometry(10)));
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 8);
+  const PoseLog log = read_pose_log(path);
+  EXPECT_EQ(log.poses.size(), 9U);
+  EXPECT_TRUE(log.remarks.empty());
+  EXPECT_EQ(log.notes, std::vector<std::string>{path + ": its end is missing; it was read up to "
+                                                       "there"});
 }
 
 TEST_F(Trajectories, OneOfSeveralTopicsIsChosen) {

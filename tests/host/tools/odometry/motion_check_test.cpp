@@ -5,10 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gtest/gtest.h"
+
+#include "lidar/formats.hpp"
+#include "tools/poses/pose_encoder.hpp"
 
 namespace iog::tools {
 namespace {
@@ -72,6 +76,62 @@ TEST(MotionCheck, IsSilentAboutNoise) {
                        .heading_rad = side * 0.2 * kRadians});
     }
     EXPECT_EQ(words_of(check_of(turns, poses)), "") << speed_mps;
+  }
+}
+
+// A jump to the side or of the heading, and a source that repeats a pose for 3 s.
+TEST(MotionCheck, LeavesOutJumpsAndRepeatedPoses) {
+  const auto from = [](double second, const std::function<void(PoseSample&)>& change) {
+    return told([=](PoseSample& pose) {
+      if (pose.time_us >= kDriveUs + static_cast<std::uint64_t>(second * 1e6)) {
+        change(pose);
+      }
+    });
+  };
+  EXPECT_EQ(from(6.5, [](PoseSample& pose) { pose.x_m += 50; }), "");
+  EXPECT_EQ(from(6.5, [](PoseSample& pose) { pose.heading_rad += 3; }), "");
+  std::optional<PoseSample> first;
+  const auto freeze = [&](PoseSample& pose) {
+    if (pose.time_us >= kDriveUs + 3'050'000 && pose.time_us < kDriveUs + 6'050'000) {
+      first = first ? first : pose;
+      const std::uint64_t time_us = pose.time_us;
+      pose = *first;
+      pose.time_us = time_us;
+    }
+  };
+  EXPECT_EQ(told(freeze), "");
+  // Wrong ones are told in spite of it, and a source that always stands.
+  EXPECT_EQ(told([&](PoseSample& pose) {
+              freeze(pose);
+              pose.heading_rad += std::numbers::pi / 2;
+            }),
+            "the lidar moves 90 degrees to the left of where the poses do");
+  EXPECT_EQ(told([](PoseSample& pose) { pose = {.time_us = pose.time_us}; }),
+            "the lidar moves 99 m and the poses 0 m");
+}
+
+CapturedDatagram pose_at(std::uint64_t time_us, PoseEncoder& encoder) {
+  return encoder.datagram_of({.time_us = time_us, .sigma_m = 0.01, .sigma_heading_rad = 1e-4});
+}
+
+// An hour of 10 poses a second, and of a lidar none or one packet.
+TEST(MotionWatch, KeepsPosesAroundSamples) {
+  for (const char* const name : {"reference_car", "roof_vlp16"}) {
+    const CatalogueEntry& car = find_vehicle(name);
+    MotionWatch watch(car);
+    PoseEncoder encoder;
+    for (std::uint64_t i = 0; i < 36'000; ++i) {
+      CapturedDatagram pose = pose_at(kDriveUs + 100'000 * i, encoder);
+      pose.destination.port = car.vehicle->poses.udp_port;
+      watch.take(pose);
+      if (i % 10 == 5) {  // a packet without points
+        CapturedDatagram packet = pose;
+        packet.destination.port = car.sensors[0].udp_port;
+        watch.take(packet);
+      }
+    }
+    EXPECT_LE(watch.poses(), lidar::turns(car.sensors[0].format) ? 20 * 25 + 2 : 0) << name;
+    EXPECT_GE(watch.poses(), lidar::turns(car.sensors[0].format) ? 20 * 14 : 0) << name;
   }
 }
 
