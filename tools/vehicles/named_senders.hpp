@@ -57,19 +57,32 @@ class NamedSenders {
     }
     const bool is_stranger = !is_named && heard_.contains(sensor);
     strangers_ += is_stranger ? 1U : 0U;
+    used_[sensor] += is_named || is_stranger ? 0U : 1U;
     return is_stranger;
   }
 
-  // How many packets of theirs have come; empty if none.
+  // How many packets of theirs have come, also before the named sender was heard; empty if none, or
+  // if no named sender was heard.
   [[nodiscard]] std::string words() const {
-    constexpr std::string_view kNoun =
+    std::size_t before = 0;
+    for (const auto& [sensor, packets] : used_) {
+      before += heard_.contains(sensor) ? packets : 0;
+    }
+    constexpr std::string_view kLeftOut =
         "packet|packets of another sender than `source_ipv4` is|are not used";
-    return strangers_ == 0 ? std::string{} : counted(strangers_, kNoun);
+    constexpr std::string_view kUsed =
+        "packet|packets of another sender came before its first one and was|were used";
+    std::string text = strangers_ == 0 ? std::string{} : counted(strangers_, kLeftOut);
+    if (before > 0) {
+      text.append(text.empty() ? "" : "; ").append(counted(before, kUsed));
+    }
+    return text;
   }
 
  private:
   const CatalogueEntry* car_;
-  std::set<std::size_t> heard_;  // sensors of the car
+  std::set<std::size_t> heard_;              // sensors of the car
+  std::map<std::size_t, std::size_t> used_;  // packets of a sensor's other senders
   std::size_t strangers_ = 0;
 };
 

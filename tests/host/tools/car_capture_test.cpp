@@ -97,6 +97,13 @@ TEST(CarCapture, StrangersOnAPortOfANamedSenderAreLeftOut) {
   EXPECT_EQ(both.datagrams, alone.datagrams);
   EXPECT_EQ(both.words,
             std::to_string(own) + " packets of another sender than `source_ipv4` are not used");
+  // Who is heard first is used until the named sender is heard, and told.
+  std::rotate(datagrams.begin(), datagrams.begin() + 1, datagrams.begin() + 2);
+  ASSERT_EQ(datagrams[0].source.ipv4, 0x0A0002FAU);
+  EXPECT_EQ(read(datagrams, 0).words,
+            std::to_string(own - 1) +
+                " packets of another sender than `source_ipv4` are not used; 1 packet of another "
+                "sender came before its first one and was used");
   // Of a drive that was recorded elsewhere nothing is lost.
   std::erase_if(datagrams, [](const auto& datagram) { return datagram.source.ipv4 != 0x0A0002FA; });
   EXPECT_EQ(read(datagrams, 0).datagrams, alone.datagrams);
