@@ -258,9 +258,9 @@ TEST(RunTable, SaysTheGridIfItIsNotTheUsualOne) {
   EXPECT_FALSE(contains(usual, "\ngrid ") || contains(usual, "class window")) << usual;
 }
 
-// The frame that a target closes behind the last scan of a capture has no packets. Silence is
+// The frames that a target closes behind the last scan of a capture have no packets. Silence is
 // longer.
-TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {
+TEST(Statistics, EmptyFramesAtTheEndAreNoBlindness) {
   GridFrame frame;
   frame.has_end = true;
   RunStatistics statistics;
@@ -271,8 +271,14 @@ TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {
   };
   constexpr std::uint64_t kAhead = 0xF000'0000'0000'000F;
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  EXPECT_NE(add(kAll).find("unwatched at the end  all around\n"), std::string::npos);
+  frame.header.complete_sensors = 1;
   EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
   EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
+  frame.header.complete_sensors = 0;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(add(kAll).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos) << i;
+  }
   EXPECT_NE(add(kAll).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
   EXPECT_NE(add(kAll).find("unwatched at the end  all around\n"), std::string::npos);
 }
