@@ -76,13 +76,20 @@ TEST(VehicleFit, NamesNoVehicleWhereNothingIsKnown) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   const std::string empty = folder / "empty.pcap";
   PcapWriter(empty).finish();
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({empty}, car); }), "no UDP packet at all"));
+  EXPECT_TRUE(
+      contains(complaint_of([&] { demand_fit({empty}, car); }), "it holds no whole UDP packet"));
   const std::string strange = folder / "strange.pcap";
   PcapWriter capture(strange);
   capture.write({.time_us = 1, .source = {1, 1}, .destination = {2, 5000}, .payload = {}});
   capture.finish();
   EXPECT_TRUE(contains(complaint_of([&] { demand_fit({strange}, car); }),
                        "its packets go to port 5000, of no lidar that iog knows"));
+  const std::string poses = folder / "poses.pcap";
+  PcapWriter of_poses(poses);
+  of_poses.write({.time_us = 1, .source = {1, 1}, .destination = {2, 15010}, .payload = {}});
+  of_poses.finish();
+  EXPECT_TRUE(
+      contains(complaint_of([&] { demand_fit({poses}, car); }), "all its whole packets are poses"));
 }
 
 TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
