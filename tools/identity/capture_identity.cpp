@@ -20,8 +20,7 @@ constexpr std::uint64_t kLookedAt = 400;
 // So many of each port of a car, or so many of all, are enough to know them.
 constexpr std::uint64_t kEnoughOfPort = 50;
 constexpr std::uint64_t kEnoughOfAll = 20'000;
-constexpr std::size_t kMostSenders = 64;  // to a port, each of which has a watch
-constexpr std::size_t kNamedPorts = 8;    // more would hide what matters
+constexpr std::size_t kNamedPorts = 8;  // more would hide what matters
 
 // The sensors that any vehicle has on the port.
 std::vector<const vehicle::Sensor*> sensors_on(std::uint16_t udp_port) {
@@ -242,16 +241,10 @@ std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
       continue;
     }
     const auto& sources = port->second.its_senders.at(&car.vehicle->sensors[i]);
-    std::vector<std::string> addresses = senders_at_once(sources);
-    if (addresses.empty() || sources.contains(sensor.source_ipv4)) {
-      continue;
+    std::string words = tools::words_of_crowd(sensor, sources, port->second.of_others > 0);
+    if (!words.empty()) {
+      return words;
     }
-    const std::size_t count = addresses.size();
-    addresses.resize(std::min(count, kNamedPorts));
-    return std::to_string(count) + " units send to " + port_words(sensor.udp_port) + " (" +
-           joined(addresses, ", ") +
-           (port->second.of_others > 0 ? ", and packets of further senders" : "") +
-           "): set source_ipv4 of sensor " + std::string(sensor.name) + " in the car file";
   }
   return {};
 }

@@ -130,6 +130,7 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
     return;
   }
   paces_[number].add(packet.info().sweep.begin_us, datagram.time_us);
+  note(datagram.source.ipv4, datagram.time_us, heard_[number]);
   if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
     return;
   }
@@ -370,8 +371,8 @@ std::string CarCapture::words_of_cover() const {
 }
 
 std::string CarCapture::clock_words() const {
-  std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
-                               words_of_cover(), senders_.words()};
+  std::vector<std::string> all{files_.words(),           clocks_.words(),  clocks_.words_of_pace(),
+                               clocks_.words_of_crowd(), words_of_cover(), senders_.words()};
   std::erase(all, "");
   return joined(all, "; ");
 }

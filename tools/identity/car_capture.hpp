@@ -59,6 +59,15 @@ class CarClocks {
     }
     return words;
   }
+  // That several units send to the port of a sensor whose address the car's file does not name;
+  // how CaptureIdentity refuses those that do so from the begin.
+  [[nodiscard]] std::string words_of_crowd() const {
+    std::string words;
+    for (const auto& [sensor, senders] : heard_) {
+      words = words.empty() ? tools::words_of_crowd(car_->sensors[sensor], senders, false) : words;
+    }
+    return words;
+  }
   // That they have no time in common, with both spans.
   [[nodiscard]] std::string words_apart() const;
 
@@ -84,6 +93,7 @@ class CarClocks {
   std::optional<std::int64_t> poses_us_;
   std::map<std::size_t, std::vector<std::int64_t>> sensors_us_;  // by sensor
   std::map<std::size_t, ClockPace> paces_;
+  std::map<std::size_t, std::map<std::uint32_t, Heard>> heard_;  // by sensor, by source
 };
 
 class CarCapture {

@@ -8,6 +8,7 @@
 
 #include "pose/message.hpp"
 #include "tools/receive/stream_census.hpp"
+#include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
@@ -110,7 +111,6 @@ std::uint64_t PortCensus::scans() const {
 }
 
 void CaptureCensus::add(const CapturedDatagram& datagram) {
-  constexpr std::size_t kMostSenders = 64;  // each of which has a watch
   PortCensus& port = ports_[datagram.destination.port];
   ++port.datagrams;
   port.bytes += datagram.payload.size();

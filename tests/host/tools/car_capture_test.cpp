@@ -109,6 +109,27 @@ TEST(CarCapture, StrangersOnAPortOfANamedSenderAreLeftOut) {
   EXPECT_EQ(read(datagrams, 0).datagrams, alone.datagrams);
 }
 
+// If the car's file names no address, all are used, and the user must know.
+TEST(CarCapture, ASecondUnitThatStartsLaterIsTold) {
+  const CatalogueEntry& roof = find_vehicle("roof_vlp16");
+  Datagrams datagrams = sample_drive(roof, 1, 6);
+  const std::size_t own = datagrams.size();
+  for (std::size_t i = own / 2; i < own; ++i) {
+    datagrams.push_back(datagrams[i]);
+    datagrams.back().source.ipv4 = 0x0A0002FA;
+  }
+  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  const tests::TemporaryFolder folder;
+  CarCapture capture({.captures = {write(datagrams, folder / "drive.pcap")}}, roof);
+  while (capture.next()) {
+  }
+  EXPECT_NE(
+      capture.clock_words().find("2 units send to UDP port 2368 (10.0.2.100, 10.0.2.250): set "
+                                 "source_ipv4 of sensor roof in the car file"),
+      std::string::npos)
+      << capture.clock_words();
+}
+
 struct Offset {
   std::int64_t seconds;
   std::string words;
