@@ -58,8 +58,9 @@ def laser_scan(time_ns: int, ranges: numpy.ndarray, first: float, step: float, s
     return "sensor_msgs/msg/LaserScan", out.message()
 
 
-def odometry(time_ns: int, x_m: float, y_m: float, heading: float, speed: float) -> tuple[str, bytes]:
-    out = Cdr().header(time_ns, "odom").text("base_link")
+def odometry(time_ns: int, x_m: float, y_m: float, heading: float, speed: float,
+             child: str = "base_link") -> tuple[str, bytes]:
+    out = Cdr().header(time_ns, "odom").text(child)
     out.put("d", x_m, y_m, 0, 0, 0, math.sin(heading / 2), math.cos(heading / 2), *[0] * 36, speed, *[0] * 5, *[0] * 36)
     return "nav_msgs/msg/Odometry", out.message()
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -100,34 +101,88 @@ TimeUnit unit_of(double span, std::size_t points, CloudField::Kind kind) {
   return points >= kEnoughPoints || unit == usual ? unit : TimeUnit::kFound;
 }
 
+// Times of points, of which a few may be none: 0 among times since 1970, or no number.
+class PointTimes {
+ public:
+  explicit PointTimes(std::vector<double> times) : times_(std::move(times)) {
+    std::ranges::copy_if(times_, std::back_inserter(sorted_),
+                         [](double time) { return std::isfinite(time); });
+    std::ranges::sort(sorted_);
+  }
+
+  [[nodiscard]] double at(std::size_t point) const { return times_[point]; }
+  [[nodiscard]] double first() const { return sorted_.front(); }
+  [[nodiscard]] bool has_most() const {
+    return !sorted_.empty() && 2 * sorted_.size() > times_.size();
+  }
+
+  // From the first one to the last one.
+  [[nodiscard]] double span() const { return sorted_.back() - sorted_.front(); }
+  // That of all but the outer tenths, if the others are that far away from it.
+  [[nodiscard]] std::optional<double> inner_span() const {
+    constexpr double kFar = 100;
+    const std::size_t outer = sorted_.size() / 10;
+    const double inner = sorted_[sorted_.size() - 1 - outer] - sorted_[outer];
+    return inner > 0 && span() > kFar * inner ? std::optional(inner) : std::nullopt;
+  }
+
+  // Takes those for none that are farther from the one in the middle, if few are.
+  void drop_beyond(double distance) {
+    constexpr std::size_t kFew = 10;  // one in ten
+    const double middle = sorted_[sorted_.size() / 2];
+    const auto is_beyond = [&](double time) { return !(std::abs(time - middle) <= distance); };
+    if (kFew * static_cast<std::size_t>(std::ranges::count_if(sorted_, is_beyond)) <=
+        sorted_.size()) {
+      std::ranges::replace_if(times_, is_beyond, std::numeric_limits<double>::quiet_NaN());
+      std::erase_if(sorted_, is_beyond);
+    }
+  }
+
+  // Leaves out points without a time.
+  void remove_untimed(SeenCloud& cloud) {
+    std::size_t point = 0;
+    std::erase_if(cloud.points, [&](const WirePoint&) { return !std::isfinite(times_[point++]); });
+    std::erase_if(times_, [](double time) { return !std::isfinite(time); });
+    cloud.untimed = point - cloud.points.size();
+  }
+
+ private:
+  std::vector<double> times_;
+  std::vector<double> sorted_;  // the finite ones
+};
+
 // When each of the points that are kept was seen; the earliest is the cloud's time, if it is one
 // that counts from 1970, or from the scan's stamp.
 void add_times(const CloudRecords& records, const CloudField& field,
                const std::vector<std::size_t>& kept, TimeUnit& unit, const std::string& what,
                SeenCloud& cloud) {
-  std::vector<double> times;
-  for (const std::size_t point : kept) {
-    times.push_back(number_at(records, field, point));
-    if (!std::isfinite(times.back())) {
-      throw UsageError(what + ": the time of a point is no number");
-    }
-  }
-  const auto [first, last] = std::ranges::minmax(times);
-  if (first == last) {
+  std::vector<double> all;
+  std::ranges::transform(kept, std::back_inserter(all),
+                         [&](std::size_t point) { return number_at(records, field, point); });
+  PointTimes times(std::move(all));
+  if (!times.has_most()) {  // of a driver that has no times
     return;
   }
-  cloud.time_span = last - first;
-  unit = unit == TimeUnit::kFound ? unit_of(last - first, times.size(), field.kind) : unit;
+  const double span = times.inner_span().value_or(times.span());
+  if (span == 0) {
+    times.remove_untimed(cloud);
+    return;
+  }
+  cloud.time_span = span;
+  unit = unit == TimeUnit::kFound ? unit_of(span, kept.size(), field.kind) : unit;
   if (unit == TimeUnit::kFound) {
     cloud.has_unknown_times = true;
     return;
   }
   const double us = kUnits.at(static_cast<std::size_t>(unit) - 1);
-  if (!((last - first) * us <= 1e6)) {
+  times.drop_beyond(1e6 / us);
+  times.remove_untimed(cloud);
+  if (!(times.span() * us <= 1e6)) {
     throw UsageError(what + ": its points are more than a second apart");
   }
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    cloud.points[i].after_us = static_cast<std::uint32_t>(std::lround((times[i] - first) * us));
+  const double first = times.first();
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    cloud.points[i].after_us = static_cast<std::uint32_t>(std::lround((times.at(i) - first) * us));
   }
   const auto stamp_us = static_cast<double>(records.stamp_us);
   const double first_us = first * us;

@@ -27,6 +27,7 @@ struct SeenCloud {
   std::uint64_t not_finite = 0;  // left out: a coordinate is no number
   std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
   std::uint64_t outside = 0;     // left out: outside of the car file's field of view
+  std::uint64_t untimed = 0;     // left out: their time is no number, or 0 among others since 1970
 };
 
 // A unit with a wider view spins, even with a small gap in it.

@@ -131,7 +131,7 @@ CloudPoint seen_at(const CloudSet& set, std::size_t cloud, const CloudPoint& poi
 }
 
 SeenCloud read_kitti_cloud(const std::string& path, std::uint64_t stamp_us) {
-  const PointCloud cloud = read_cloud(path);
+  const PointCloud cloud = read_cloud(path, path.ends_with(".pcd.bin") ? 5 : 4);
   SeenCloud seen{.time_us = stamp_us, .not_finite = cloud.not_finite};
   std::ranges::for_each(cloud.points, [&](const CloudPoint& point) { add(point, 0, seen); });
   return seen;

@@ -37,7 +37,7 @@ struct CloudSet {
 [[nodiscard]] CloudPoint seen_at(const CloudSet& set, std::size_t cloud, const CloudPoint& point,
                                  double time_us);
 
-// One of the clouds, without times. UsageError as read_cloud().
+// One of the clouds, or of nuScenes (.pcd.bin), without times. UsageError as read_cloud().
 [[nodiscard]] SeenCloud read_kitti_cloud(const std::string& path, std::uint64_t stamp_us);
 
 // As read_cloud_set(), with the time of each point by its azimuth; calls take(cloud) with each.

@@ -13,8 +13,6 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::size_t kPointBytes = 16;
-
 double float_at(std::span<const std::byte, 4> bytes) {
   return static_cast<double>(std::bit_cast<float>(wire::load_le32(bytes)));
 }
@@ -32,24 +30,25 @@ std::vector<std::byte> read_cloud_file(const std::string& path) {
   return read_file(path);
 }
 
-PointCloud read_cloud(const std::string& path) {
+PointCloud read_cloud(const std::string& path, std::size_t numbers) {
+  const std::size_t point_bytes = 4 * numbers;
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-  if (!unknown && size > kMostCloudPoints * kPointBytes) {
-    throw UsageError(path + ": " + std::to_string(size / kPointBytes) +
+  if (!unknown && size > kMostCloudPoints * point_bytes) {
+    throw UsageError(path + ": " + std::to_string(size / point_bytes) +
                      " points; no unit sees more than " + std::to_string(kMostCloudPoints) +
                      " in a turn");
   }
   const std::vector<std::byte> bytes = read_file(path);
-  if (bytes.size() % kPointBytes != 0) {
+  if (bytes.size() % point_bytes != 0) {
     throw UsageError(path + ": " + std::to_string(bytes.size()) +
-                     " bytes are no number of points of 16 bytes");
+                     " bytes are no number of points of " + std::to_string(point_bytes) + " bytes");
   }
   PointCloud cloud;
-  cloud.points.reserve(bytes.size() / kPointBytes);
+  cloud.points.reserve(bytes.size() / point_bytes);
   std::size_t negative = 0;  // reflectances
   for (auto rest = std::span<const std::byte>(bytes); !rest.empty();
-       rest = rest.subspan(kPointBytes)) {
+       rest = rest.subspan(point_bytes)) {
     const CloudPoint point{float_at(rest.subspan<0, 4>()), float_at(rest.subspan<4, 4>()),
                            float_at(rest.subspan<8, 4>())};
     if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) {
@@ -59,7 +58,7 @@ PointCloud read_cloud(const std::string& path) {
     }
     negative += float_at(rest.subspan<12, 4>()) < 0 ? 1U : 0U;
   }
-  if (negative > bytes.size() / kPointBytes / 8) {
+  if (numbers == 4 && negative > bytes.size() / point_bytes / 8) {
     throw UsageError(path + ": " + std::to_string(negative) +
                      " points have a reflectance below 0, so its points are not of four numbers "
                      "as KITTI's; convert files of three or five numbers a point to PCD");

@@ -26,7 +26,8 @@ inline constexpr std::size_t kMostCloudPoints = 1'000'000;
 // 128 bytes each.
 [[nodiscard]] std::vector<std::byte> read_cloud_file(const std::string& path);
 
-// UsageError if the file cannot be read, is no multiple of 16 bytes, or has more points than that.
-[[nodiscard]] PointCloud read_cloud(const std::string& path);
+// Of four numbers a point or, as nuScenes keeps clouds, of five. UsageError if the file cannot be
+// read, has no whole number of points, or more points than that.
+[[nodiscard]] PointCloud read_cloud(const std::string& path, std::size_t numbers = 4);
 
 }  // namespace iog::tools

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "tools/clouds/foxglove_clouds.hpp"
 #include "tools/clouds/laser_ranges.hpp"
@@ -22,16 +23,17 @@ namespace {
 
 using ros::CdrReader;
 
-constexpr std::array<std::string_view, 9> kTypes{"tf2_msgs/msg/TFMessage",
-                                                 "sensor_msgs/msg/PointCloud2",
-                                                 "sensor_msgs/msg/LaserScan",
-                                                 "foxglove.PointCloud",
-                                                 "foxglove.LaserScan",
-                                                 "foxglove_msgs/msg/PointCloud",
-                                                 "foxglove_msgs/msg/LaserScan",
-                                                 "livox_ros_driver2/msg/CustomMsg",
-                                                 "livox_ros_driver/msg/CustomMsg"};
-constexpr auto kCloudTypes = std::span(kTypes).subspan<1>();
+constexpr std::array<std::string_view, 10> kTypes{"nav_msgs/msg/Odometry",
+                                                  "tf2_msgs/msg/TFMessage",
+                                                  "sensor_msgs/msg/PointCloud2",
+                                                  "sensor_msgs/msg/LaserScan",
+                                                  "foxglove.PointCloud",
+                                                  "foxglove.LaserScan",
+                                                  "foxglove_msgs/msg/PointCloud",
+                                                  "foxglove_msgs/msg/LaserScan",
+                                                  "livox_ros_driver2/msg/CustomMsg",
+                                                  "livox_ros_driver/msg/CustomMsg"};
+constexpr auto kCloudTypes = std::span(kTypes).subspan<2>();
 
 // sensor_msgs/PointField.
 CloudField field_in(CdrReader& in, const std::string& what) {
@@ -43,6 +45,23 @@ CloudField field_in(CdrReader& in, const std::string& what) {
   CloudField field = field_of_type(name, type, what);
   field.at = at;
   return field;
+}
+
+// Rows that have bytes behind their points, without these; empty if they have none, or if the bytes
+// are not those of so many rows. Of the last row the gap may be missing.
+std::vector<std::byte> without_gaps(std::span<const std::byte> bytes, std::size_t rows,
+                                    std::size_t row, std::size_t used) {
+  std::vector<std::byte> packed;
+  if (rows < 2 || row <= used || bytes.size() > rows * row ||
+      bytes.size() < (rows - 1) * row + used) {
+    return packed;
+  }
+  packed.reserve(rows * used);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto its = bytes.subspan(i * row, used);
+    packed.insert(packed.end(), its.begin(), its.end());
+  }
+  return packed;
 }
 
 }  // namespace
@@ -63,10 +82,10 @@ SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& un
   const std::size_t row = in.u32();
   records.bytes = in.sequence(1);
   in.must_be_whole();
-  if (height > 1 && row != width * stride) {
-    throw UsageError(what + ": its rows have gaps between them, which is not read");
-  }
   records.count = height * width;
+  check_count(records, what);
+  const std::vector<std::byte> packed = without_gaps(records.bytes, height, row, width * stride);
+  records.bytes = packed.empty() ? records.bytes : packed;
   set_stride(records, stride, what);
   return cloud_of(records, unit, what);
 }
@@ -147,7 +166,7 @@ bool is_cloud_type(std::string_view type) {
   return std::ranges::find(kCloudTypes, type) != kCloudTypes.end();
 }
 
-std::vector<std::string> for_each_cloud_or_transform(
+std::vector<std::string> for_each_cloud_or_frame(
     const std::string& path, const std::function<void(const ros::RecordedMessage&)>& take) {
   return ros::for_each_message(path, kTypes, "", take);
 }

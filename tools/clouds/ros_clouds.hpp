@@ -28,9 +28,9 @@ namespace iog::tools {
 // Whether messages of this type are clouds or scans.
 [[nodiscard]] bool is_cloud_type(std::string_view type);
 
-// Calls take(message) with each message of these types and of tf2_msgs/TFMessage, as
-// ros::for_each_message().
-std::vector<std::string> for_each_cloud_or_transform(
+// Calls take(message) with each message of these types, of tf2_msgs/TFMessage and of
+// nav_msgs/Odometry, as ros::for_each_message().
+std::vector<std::string> for_each_cloud_or_frame(
     const std::string& path, const std::function<void(const ros::RecordedMessage&)>& take);
 
 // A message of one of these types as a cloud. Sets unit as cloud_of() does. UsageError as the

@@ -9,14 +9,13 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "lidar/scanner_facts.hpp"
+#include "tools/clouds/cloud_files.hpp"
+#include "tools/clouds/cloud_frames.hpp"
 #include "tools/clouds/cloud_set.hpp"
-#include "tools/clouds/pcd_file.hpp"
-#include "tools/clouds/ply_file.hpp"
 #include "tools/clouds/points_sender.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/commands/subcommands.hpp"
@@ -28,7 +27,6 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
@@ -148,44 +146,47 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
   }
 }
 
-// Of a file that says no time.
-SeenCloud cloud_in(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us) {
-  if (path.ends_with(".pcd")) {
-    return read_pcd(path, unit, stamp_us);
+// The files of clouds, also those of folders of such files alone, at the place of the first one.
+struct Inputs {
+  std::vector<std::string> before{};  // recordings and folders of KITTI
+  CloudFiles clouds{};
+  std::vector<std::string> behind{};
+};
+
+Inputs inputs_of(const PointsOptions& options) {
+  Inputs all;
+  std::vector<std::string> files;
+  for (const std::string& input : options.inputs) {
+    const bool is_folder = std::filesystem::is_directory(input);
+    std::vector<std::string> its = ros::is_recording(input) ? std::vector<std::string>{}
+                                   : is_folder              ? cloud_files_in(input)
+                                                            : std::vector<std::string>{input};
+    if (its.empty()) {
+      (files.empty() ? all.before : all.behind).push_back(input);
+    }
+    std::ranges::move(its, std::back_inserter(files));
   }
-  if (path.ends_with(".ply")) {
-    return read_ply(path, unit, stamp_us);
+  if (!files.empty()) {
+    all.clouds = timed(files, options.clouds_per_second);
   }
-  if (path.ends_with(".bin")) {
-    return read_kitti_cloud(path, stamp_us);
-  }
-  if (!std::filesystem::exists(path)) {
-    throw UsageError(path + ": there is no such file");
-  }
-  throw UsageError(
-      path + ": read are .mcap, .db3, .pcd, .ply, KITTI's .bin, and folders of a bag or of KITTI");
+  return all;
 }
 
 // Calls take(cloud) with each cloud of all inputs. Returns remarks.
 std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take) {
-  std::vector<std::string> remarks;
-  std::uint64_t clouds = 0;
-  const auto count = [&](SeenCloud&& cloud) {
-    ++clouds;
-    take(std::move(cloud));
+  const Inputs inputs = inputs_of(options);
+  std::vector<std::string> remarks = inputs.clouds.remarks;
+  const auto read = [&](const std::string& input) {
+    std::ranges::move(ros::is_recording(input) ? for_each_cloud(input, options.topic, unit, take)
+                                               : for_each_of_set(input, take),
+                      std::back_inserter(remarks));
   };
-  for (const std::string& input : options.inputs) {
-    if (ros::is_recording(input)) {
-      std::ranges::move(for_each_cloud(input, options.topic, unit, count),
-                        std::back_inserter(remarks));
-    } else if (std::filesystem::is_directory(input)) {
-      std::ranges::move(for_each_of_set(input, count), std::back_inserter(remarks));
-    } else {
-      const double us = 1e6 * static_cast<double>(clouds) / options.clouds_per_second;
-      count(cloud_in(input, unit, kDriveStartUs + static_cast<std::uint64_t>(us)));
-    }
+  std::ranges::for_each(inputs.before, read);
+  for (const CloudFile& file : inputs.clouds.files) {
+    take(read_cloud_of(file, unit));
   }
+  std::ranges::for_each(inputs.behind, read);
   return remarks;
 }
 
@@ -196,8 +197,9 @@ TimeUnit unit_of(PointsOptions options) {
   constexpr int kMost = 100;
   struct Enough {};
   std::erase_if(options.inputs, [](const std::string& input) {  // KITTI's have no unit
-    return !ros::is_recording(input) &&
-           (input.ends_with(".bin") || std::filesystem::is_directory(input));
+    const bool is_folder = !ros::is_recording(input) && std::filesystem::is_directory(input);
+    const std::vector<std::string> its = is_folder ? cloud_files_in(input) : std::vector{input};
+    return its.empty() || its.front().ends_with(".bin");
   });
   TimeUnit shown = TimeUnit::kFound;
   TimeUnit unit = TimeUnit::kFound;
@@ -225,12 +227,6 @@ TimeUnit unit_of(PointsOptions options) {
   return unit;
 }
 
-// Frames of the world (REP 105), and the one in which LOAM and FAST-LIO leave registered clouds.
-bool is_of_world(std::string_view frame) {
-  const std::string_view name = frame.substr(frame.rfind('/') + 1);  // all of it without a slash
-  return name == "odom" || name == "map" || name == "world" || name == "camera_init";
-}
-
 void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
@@ -241,16 +237,20 @@ void send_clouds(PointsOptions options) {
   const auto take_all = [&](const std::vector<CapturedDatagram>& datagrams) {
     std::ranges::for_each(datagrams, [&](const auto& datagram) { destination.take(datagram); });
   };
+  std::uint64_t untimed = 0;
+  const auto recording = std::ranges::find_if(options.inputs, ros::is_recording);
+  const FrameNames of_odometry =
+      recording == options.inputs.end() ? FrameNames{} : frames_of_odometry(*recording);
   std::vector<std::string> remarks = for_each_input(options, options.unit, [&](SeenCloud&& cloud) {
     if (cloud.has_unknown_times) {
       throw UsageError("cloud " + std::to_string(sender.sent().given) +
                        " does not show the unit of its points' times: give --time-unit");
     }
-    if (sender.sent().given == 0 && is_of_world(cloud.frame)) {
-      std::cerr << "iog: warning: the clouds are in frame " << printable(cloud.frame)
-                << ", but points must be in the sensor's frame: use the topic of the lidar's "
-                   "driver\n";
+    const std::string words = words_of_wrong_frame(cloud.frame, of_odometry);
+    if (sender.sent().given == 0 && !words.empty()) {
+      std::cerr << "iog: warning: the clouds are " << words << '\n';
     }
+    untimed += cloud.untimed;
     take_all(sender.send(std::move(cloud)));
     progress.show(sender.sent().given);
   });
@@ -259,6 +259,7 @@ void send_clouds(PointsOptions options) {
     throw UsageError("there is no cloud in what is given");
   }
   sender.demand_order();
+  remark(untimed, "point|points whose time is no number or 0 was|were not sent", remarks);
   const std::string where = destination.finish(remarks);
   report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
   if (sender.sent().points == 0) {
@@ -274,7 +275,7 @@ void add_points(CLI::App& program) {
   const auto options = std::make_shared<PointsOptions>();
   add_option(*command, "FILE", "...", options->inputs,
              "Recordings of ROS 2 with clouds or scans (.mcap, .db3, folders), point clouds (.pcd, "
-             ".ply, KITTI's .bin), or folders of KITTI")
+             ".ply, .bin of KITTI or nuScenes), or folders of these")
       ->required();
   add_option(*command, "--out", "FILE", options->out, "Capture to write (.pcap)");
   add_option(*command, "--target", "ADDRESS", options->target,
@@ -299,7 +300,7 @@ void add_points(CLI::App& program) {
       ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
       ->check(is_unit);
   add_option(*command, "--rate", "HZ  (default 10)", options->clouds_per_second,
-             "Files of clouds per second")
+             "Files of clouds per second, if their names have no times")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
   command->footer(

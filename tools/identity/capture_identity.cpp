@@ -1,17 +1,14 @@
 #include "tools/identity/capture_identity.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
 #include "lidar/scanner_facts.hpp"
-#include "tools/formats/capture/capture_set.hpp"
+#include "pose/message.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
-#include "tools/program/exit_status.hpp"
 #include "tools/program/joined.hpp"
 #include "tools/vehicles/network_words.hpp"
 
@@ -85,6 +82,15 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
   ++datagrams_;
   Port& port = ports_[datagram.destination.port];
   ++port.datagrams;
+  for (auto& [sensor, senders] : port.its_senders) {
+    if (const auto its = senders.find(datagram.source.ipv4); its != senders.end()) {
+      its->second.last_us = datagram.time_us;
+    }
+  }
+  if (port.senders.size() >= kMostSenders && !port.senders.contains(datagram.source.ipv4)) {
+    ++port.of_others;
+    return;
+  }
   Sender& sender = port.senders[datagram.source.ipv4];
   if (sender.datagrams++ >= kLookedAt) {
     return;
@@ -106,8 +112,7 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
     if (seen.formats.has(sensor->format) &&
         intake::Packet::decode(sensor->format, datagram.payload, sensor->unit()).is_sound()) {
       const Heard now{.first_us = datagram.time_us, .last_us = datagram.time_us};
-      port.its_senders[sensor].try_emplace(datagram.source.ipv4, now).first->second.last_us =
-          datagram.time_us;
+      port.its_senders[sensor].try_emplace(datagram.source.ipv4, now);
     }
   }
   if (seen.formats.has(lidar::kFormat<lidar::IbeoLux>)) {
@@ -236,15 +241,10 @@ std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
       continue;
     }
     const auto& sources = port->second.its_senders.at(&car.vehicle->sensors[i]);
-    std::vector<std::string> addresses = senders_at_once(sources);
-    if (addresses.empty() || sources.contains(sensor.source_ipv4)) {
-      continue;
+    std::string words = tools::words_of_crowd(sensor, sources, port->second.of_others > 0);
+    if (!words.empty()) {
+      return words;
     }
-    const std::size_t count = addresses.size();
-    addresses.resize(std::min(count, kNamedPorts));
-    return std::to_string(count) + " units send to " + port_words(sensor.udp_port) + " (" +
-           joined(addresses, ", ") + "): set source_ipv4 of sensor " + std::string(sensor.name) +
-           " in the car file";
   }
   return {};
 }
@@ -322,19 +322,26 @@ std::string CaptureIdentity::words_without_packet_for(const CatalogueEntry& car)
   std::string text = "no packet is for a sensor of " + std::string(car.vehicle->name) +
                      " (UDP port " + joined(own, ", ") + "); ";
   if (ports_.empty()) {
-    return text + "it holds no UDP packet at all";
+    return text + "it holds no whole UDP packet";
   }
   if (const std::string of_ports = words_of_ports(); !of_ports.empty()) {
     return text + of_ports + advice(car);
   }
   std::vector<std::string> others;
+  std::size_t count = 0;
   for (const auto& [number, port] : ports_) {
-    if (others.size() < kNamedPorts) {
+    if (is_pose_port(car, number) || number == pose::kPosePort) {
+      continue;
+    }
+    if (++count <= kNamedPorts) {
       others.push_back(std::to_string(number));
     }
   }
+  if (count == 0) {
+    return text + "all its whole packets are poses";
+  }
   return text + "its packets go to port " + joined(others, ", ") +
-         (others.size() < ports_.size() ? " and others" : "") + ", of no lidar that iog knows";
+         (others.size() < count ? " and others" : "") + ", of no lidar that iog knows";
 }
 
 std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
@@ -360,39 +367,6 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
   const bool is_finer = first_of(Kind::kFiner) != all.end() && !is_of_file(car);
   const CatalogueEntry* const better = is_finer ? better_than(car) : nullptr;
   return better == nullptr ? "" : words(car) + advice(car);
-}
-
-void demand_fit(const std::vector<std::string>& paths, const CatalogueEntry& car) {
-  for (const std::string& path : paths) {
-    std::error_code ignored;
-    if (path == "-" || (std::filesystem::exists(path, ignored) &&
-                        !std::filesystem::is_regular_file(path, ignored))) {
-      return;
-    }
-  }
-  CaptureSet capture(paths);
-  CaptureIdentity identity;
-  while (!identity.is_settled(car)) {
-    const std::optional<CapturedDatagram> datagram = capture.next();
-    if (!datagram) {
-      break;
-    }
-    identity.add(*datagram);
-  }
-  const std::string refusal = identity.refusal(car);
-  if (!refusal.empty()) {
-    std::vector<std::string> skipped;
-    for (const CaptureSet::File& file : capture.files()) {
-      if (const std::string words = describe_skipped(file.reader->counts()); !words.empty()) {
-        skipped.push_back(words);
-      }
-      if (!file.reader->trouble().empty()) {
-        skipped.push_back("the file " + file.reader->trouble());
-      }
-    }
-    throw UsageError(joined(paths, ", ") + ": " + refusal +
-                     (skipped.empty() ? "" : " (" + joined(skipped, "; ") + ")"));
-  }
 }
 
 }  // namespace iog::tools

@@ -59,7 +59,8 @@ class CaptureIdentity {
   // What has come to a port.
   struct Port {
     std::uint64_t datagrams = 0;
-    std::map<std::uint32_t, Sender> senders;  // by source
+    std::map<std::uint32_t, Sender> senders;  // by source, the first 64
+    std::uint64_t of_others = 0;              // datagrams of further sources
     std::set<std::string> names;              // of the units that are certain
     std::string doubted;                      // of the last one that is in doubt
     lidar::FormatSet doubted_formats;

@@ -236,8 +236,8 @@ std::string CarCapture::words_of_cover() const {
 }
 
 std::string CarCapture::clock_words() const {
-  std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
-                               words_of_cover(), senders_.words()};
+  std::vector<std::string> all{files_.words(),           clocks_.words(),  clocks_.words_of_pace(),
+                               clocks_.words_of_crowd(), words_of_cover(), senders_.words()};
   std::erase(all, "");
   return joined(all, "; ");
 }

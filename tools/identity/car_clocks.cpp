@@ -92,6 +92,7 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
     return;
   }
   paces_[number].add(packet.info().sweep.begin_us, datagram.time_us);
+  note(datagram.source.ipv4, datagram.time_us, heard_[number]);
   if (!sensor.is_synchronised || !vehicle::have_classes(car_->vehicle->grids)) {
     return;
   }

@@ -12,6 +12,7 @@
 
 #include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -45,6 +46,15 @@ class CarClocks {
     std::string words;
     for (const auto& [sensor, pace] : paces_) {
       words = words.empty() ? pace.words(std::string(car_->sensors[sensor].name)) : words;
+    }
+    return words;
+  }
+  // That several units send to the port of a sensor whose address the car's file does not name;
+  // how CaptureIdentity refuses those that do so from the begin.
+  [[nodiscard]] std::string words_of_crowd() const {
+    std::string words;
+    for (const auto& [sensor, senders] : heard_) {
+      words = words.empty() ? tools::words_of_crowd(car_->sensors[sensor], senders, false) : words;
     }
     return words;
   }
@@ -84,6 +94,7 @@ class CarClocks {
   std::map<std::size_t, std::vector<std::int64_t>> sensors_us_;  // by sensor
   std::map<std::size_t, Step> steps_;
   std::map<std::size_t, ClockPace> paces_;
+  std::map<std::size_t, std::map<std::uint32_t, Heard>> heard_;  // by sensor, by source
 };
 
 }  // namespace iog::tools

@@ -1,12 +1,14 @@
 #include "tools/info/capture_census.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
 
 #include "pose/message.hpp"
 #include "tools/receive/stream_census.hpp"
+#include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/network_words.hpp"
 
 namespace iog::tools {
@@ -45,7 +47,7 @@ std::string sources_of(const PortCensus& port) {
   for (const auto& [source, sender] : port.senders) {
     text += (text.empty() ? "" : ", ") + dotted(source);
   }
-  return text;
+  return text + (port.has_others ? ", others" : "");
 }
 
 }  // namespace
@@ -90,6 +92,16 @@ double SenderCensus::hertz() const {
              : static_cast<double>(gained_ticks) / ticks_per_turn / seconds;
 }
 
+int SenderCensus::missing_percent() const {
+  constexpr int kNoise = 3;
+  if (ticks_per_turn == 0 || gained_ticks < ticks_per_turn) {
+    return 0;
+  }
+  const auto seen = static_cast<double>(swept_ticks) / static_cast<double>(gained_ticks);
+  const auto percent = static_cast<int>(std::lround(100 * (1 - seen)));
+  return percent < kNoise ? 0 : percent;
+}
+
 std::uint64_t PortCensus::scans() const {
   std::uint64_t all = 0;
   for (const auto& [source, sender] : senders) {
@@ -102,6 +114,10 @@ void CaptureCensus::add(const CapturedDatagram& datagram) {
   PortCensus& port = ports_[datagram.destination.port];
   ++port.datagrams;
   port.bytes += datagram.payload.size();
+  if (port.senders.size() >= kMostSenders && !port.senders.contains(datagram.source.ipv4)) {
+    port.has_others = true;
+    return;
+  }
   if (pose::decode(datagram.payload).fate == pose::Fate::kUsed) {
     ++port.kinds["poses"];
   } else if (StreamCensus::is_message(datagram.payload)) {
@@ -151,6 +167,11 @@ std::string CaptureCensus::table() const {
     for (const auto& [source, sender] : port.senders) {
       const std::string words = sender.pace.words(dotted(source));
       text << words << (words.empty() ? "" : "\n");
+      if (const int missing = sender.missing_percent(); missing > 0) {
+        text << dotted(source) << ": about " << missing
+             << " % of the directions are missing: packets were lost, or the unit is set to a "
+                "narrower field of view\n";
+      }
     }
   }
   return text.str();

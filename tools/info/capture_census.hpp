@@ -26,6 +26,8 @@ struct SenderCensus {
   std::uint32_t ticks_per_turn = 0;  // 0: it does not turn
 
   void add(const SeenUnit& seen, std::uint64_t time_us);
+  // The share of directions that no packet of a unit that turns has, in percent; 0: hardly any.
+  [[nodiscard]] int missing_percent() const;
   // Scans or turns a second, by what lies between the first and the last; 0: too little came.
   [[nodiscard]] double hertz() const;
 };
@@ -37,7 +39,8 @@ struct PortCensus {
   std::uint64_t in_doubt = 0;  // Velodyne packets of which it is not known which unit's they are
   std::string doubted;         // those that they may be of
   std::uint64_t points = 0;
-  std::map<std::uint32_t, SenderCensus> senders;
+  std::map<std::uint32_t, SenderCensus> senders;  // the first 64
+  bool has_others = false;                        // further senders
 
   [[nodiscard]] std::uint64_t scans() const;
 };

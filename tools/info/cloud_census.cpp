@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lidar/points.hpp"
+#include "tools/clouds/cloud_frames.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/info/static_frames.hpp"
@@ -59,7 +60,8 @@ struct CloudTopic {
 
 void CloudTopic::look_into(const SeenCloud& cloud) {
   has_times = has_times && cloud.has_times;
-  most_points = std::max(most_points, cloud.points.size() + cloud.not_finite + cloud.nowhere);
+  most_points =
+      std::max(most_points, cloud.points.size() + cloud.not_finite + cloud.nowhere + cloud.untimed);
   first_us = std::min(first_us, cloud.time_us);
   last_us = std::max(last_us, cloud.time_us);
   for (std::size_t i = 0; messages < kLookedInto && i < cloud.points.size(); ++i) {
@@ -210,19 +212,28 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   return text.str();
 }
 
-std::string words_of_frames(const std::vector<std::string>& frames) {
+struct Census {
+  std::map<std::string, CloudTopic> topics{};
+  StaticFrames frames{};
+  FrameNames of_odometry{};
+};
+
+std::string words_of_frames(const std::vector<std::string>& frames, const FrameNames& of_odometry) {
   if (frames.size() < 2) {
-    return frames.empty() ? "" : row("frame", printable(frames.front()));
+    const std::string wrong =
+        frames.empty() ? "" : words_of_wrong_frame(frames.front(), of_odometry);
+    return (frames.empty() ? "" : row("frame", printable(frames.front()))) +
+           row_if(!wrong.empty(), "FRAME?", "the clouds are " + wrong);
   }
   return row("frames",
              printable(joined(frames, ", ")) +
                  ": all clouds of a sensor are in one frame; record each lidar on its own topic");
 }
 
-std::string words_of(const std::string& name, const CloudTopic& topic, const StaticFrames& frames) {
+std::string words_of(const std::string& name, const CloudTopic& topic, const Census& census) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  text << row("clouds on", printable(name)) << words_of_frames(topic.frames);
+  text << row("clouds on", printable(name)) << words_of_frames(topic.frames, census.of_odometry);
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
                             (topic.has_times ? "with times" : "without times"));
   if (topic.elevations.empty()) {
@@ -249,20 +260,17 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Sta
   }
   return text.str() + "  for a car file (docs/first_ros_bag.md):\n" +
          draft_of(topic, rings, low_deg, high_deg) +
-         (topic.frames.size() == 1 ? frames.mount_of(topic.frames.front()) : "");
+         (topic.frames.size() == 1 ? census.frames.mount_of(topic.frames.front()) : "");
 }
-
-struct Census {
-  std::map<std::string, CloudTopic> topics{};
-  StaticFrames frames{};
-};
 
 // Returns why reading ended, or nothing at the end of the recording.
 std::string add_messages(const std::string& path, Census& census) {
   try {
-    static_cast<void>(for_each_cloud_or_transform(path, [&](const ros::RecordedMessage& message) {
+    static_cast<void>(for_each_cloud_or_frame(path, [&](const ros::RecordedMessage& message) {
       if (message.topic.ends_with("/tf_static")) {
         census.frames.add(message);
+      } else if (message.type == kOdometryType) {
+        census.of_odometry.insert(frame_of_odometry(message));
       } else if (is_cloud_type(message.type)) {
         census.topics[std::string(message.topic)].add(message);
       }
@@ -279,7 +287,7 @@ std::string describe_clouds(const std::string& path) {
   Census census;
   std::string text = add_messages(path, census);
   for (const auto& [name, topic] : census.topics) {
-    text += topic.most_points > 0 ? words_of(name, topic, census.frames) : "";
+    text += topic.most_points > 0 ? words_of(name, topic, census) : "";
   }
   return text;
 }

@@ -134,6 +134,32 @@ std::string condition_of(const mcap::Reader& file) {
          count_row("behind its end", counts.behind_end, " bytes, not read");
 }
 
+// Sets has_clouds if it has clouds that iog did not write; describes them itself if it is alone.
+std::string words_of_mcap(const std::string& path, bool is_alone, bool& has_clouds) {
+  std::ifstream stream(path, std::ios::binary);
+  mcap::Reader file(stream);
+  const auto census = std::make_unique<McapCensus>();
+  Progress progress("messages");
+  while (const std::optional<mcap::Message> message = file.next()) {
+    census->add(*message, file.channels().at(message->channel_id).topic == kMessagesTopic);
+    progress.show(file.counts().messages, file.part_read());
+  }
+  census->stream.finish();
+  const std::uint64_t duration_us = census->duration_us();
+  const bool is_of_ros = std::ranges::any_of(
+      file.schemas(), [](const auto& schema) { return is_cloud_type(schema.second.name); });
+  const bool is_ours = file.metadata().contains(std::string(kRunMetadata));
+  has_clouds = has_clouds || (is_of_ros && !is_ours);
+  const std::string clouds = has_clouds && is_alone ? describe_clouds(path) : "";
+  const std::string compression =
+      file.compression().empty() ? "none" : printable(file.compression());
+  return row("kind", "MCAP, " + seconds(duration_us)) +
+         row("written by", printable(file.library())) + row("profile", printable(file.profile())) +
+         row("chunks", std::to_string(file.counts().chunks) + ", compression " + compression) +
+         condition_of(file) + row("topics", std::to_string(file.channels().size())) +
+         topics_of(file, census->topics) + clouds + stream_of(file, *census);
+}
+
 }  // namespace
 
 std::string seconds(std::uint64_t micros) {
@@ -143,7 +169,7 @@ std::string seconds(std::uint64_t micros) {
 }
 
 std::string summary_of_file(const std::string& path) {
-  if (ros::is_recording(path) && !path.ends_with(".mcap")) {
+  if (ros::is_recording(path) && !path.ends_with(".mcap") && !is_mcap_file(path)) {
     return summary_of_bag(path);
   }
   if (std::filesystem::is_directory(path)) {
@@ -206,38 +232,20 @@ std::string summary_of_capture(const std::string& path) {
 }
 
 std::string summary_of_mcap(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  mcap::Reader file(stream);
-  const auto census = std::make_unique<McapCensus>();
-  Progress progress("messages");
-  while (const std::optional<mcap::Message> message = file.next()) {
-    census->add(*message, file.channels().at(message->channel_id).topic == kMessagesTopic);
-    progress.show(file.counts().messages, file.part_read());
-  }
-  census->stream.finish();
-  const std::uint64_t duration_us = census->duration_us();
-  const bool is_of_ros = std::ranges::any_of(
-      file.schemas(), [](const auto& schema) { return is_cloud_type(schema.second.name); });
-  const bool is_ours = file.metadata().contains(std::string(kRunMetadata));
-  const std::string clouds = is_of_ros && !is_ours ? describe_clouds(path) : "";
-  const std::string compression =
-      file.compression().empty() ? "none" : printable(file.compression());
-  return row("kind", "MCAP, " + seconds(duration_us)) +
-         row("written by", printable(file.library())) + row("profile", printable(file.profile())) +
-         row("chunks", std::to_string(file.counts().chunks) + ", compression " + compression) +
-         condition_of(file) + row("topics", std::to_string(file.channels().size())) +
-         topics_of(file, census->topics) + clouds + stream_of(file, *census);
+  bool has_clouds = false;
+  return words_of_mcap(path, true, has_clouds);
 }
 
-// Its files one by one.
+// Its files one by one, and the clouds of all of them.
 std::string summary_of_bag(const std::string& path) {
   const std::vector<std::string> names = ros::files_of_recording(path);
   std::string text = row("kind", "bag of ROS 2, " + counted(names.size(), "file|files"));
+  bool has_clouds = false;
   for (const std::string& name : names) {
     text += name + '\n';
     const ros::PlainFile plain(name);
     if (is_mcap_file(plain.path())) {
-      text += summary_of_mcap(plain.path());
+      text += words_of_mcap(plain.path(), false, has_clouds);
       continue;
     }
     for (const ros::BagTopic& topic : ros::topics_in_sqlite(plain.path(), name)) {
@@ -245,9 +253,10 @@ std::string summary_of_bag(const std::string& path) {
       text += "  " + printable(topic.name) + ' ' + counted(topic.messages, "message|messages") +
               rate_of(topic.messages, duration_s) + ", " + printable(topic.type) + ", " +
               printable(topic.encoding) + '\n';
+      has_clouds = has_clouds || is_cloud_type(topic.type);
     }
-    text += describe_clouds(plain.path());
   }
+  text += has_clouds ? describe_clouds(path) : "";
   for (const std::string& words : ros::words_of_unlisted(path)) {
     text += words + '\n';
   }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace iog::tools {
@@ -232,6 +233,23 @@ Vertex vertex_at(Comparison all, const LogTable& log, double peak_s) {
   return {peak_s + (bend > 0 ? std::clamp(off_s, -kAroundS, kAroundS) : 0), bend};
 }
 
+// Why so many offsets may be meant that they cannot be tried; empty: they can.
+std::string words_of_long(const std::vector<Observation>& turns) {
+  const auto [first, last] = std::ranges::minmax(turns, {}, &Observation::to_s);
+  if (last.to_s - first.to_s <= static_cast<double>(kMostLogUs) / 1e6) {
+    return {};
+  }
+  double step_s = 0;
+  for (std::size_t i = 1; i < turns.size(); ++i) {
+    const double its_s = turns[i].to_s - turns[i - 1].to_s;
+    step_s = std::abs(its_s) > std::abs(step_s) ? its_s : step_s;
+  }
+  std::ostringstream text;
+  text << "the capture spans more than 6 hours: a clock in it steps by " << std::fixed
+       << std::setprecision(0) << step_s << " s, so cut the capture there";
+  return text.str();
+}
+
 }  // namespace
 
 MotionOffset offset_by_motion(std::span<const TurnPose> turns, std::span<const PoseSample> poses) {
@@ -242,6 +260,9 @@ MotionOffset offset_by_motion(std::span<const TurnPose> turns, std::span<const P
   const LogTable log(poses);
   if (all.turns.size() < kFewestTurns) {
     return {.refusal = "too few turns of the lidar determine the motion"};
+  }
+  if (std::string words = words_of_long(all.turns); !words.empty()) {
+    return {.refusal = std::move(words)};
   }
   const double first_s = all.turns.front().from_s - log.end_s();
   const double last_s = all.turns.back().to_s - log.begin_s();

@@ -54,10 +54,14 @@ void RunStatistics::add(const GridFrame& frame) {
     commands_ = stream::counts_of<CommandCounts>(frame.end);
     loop_times_ = stream::counts_of<LoopTimes>(frame.end);
     hottest_dc_ = std::max(hottest_dc_, frame.end.temperature_dc);
-    // Two frames are combined, because a capture may end within a scan, and a target closes one
-    // more frame without a scan after the last scan.
-    unwatched_ = frame.end.unwatched & newest_unwatched_;
-    newest_unwatched_ = frame.end.unwatched;
+    // Two frames are combined, because a capture may end within a scan. After the last scan, a
+    // target closes some more frames without one; silence is longer.
+    constexpr std::uint64_t kFramesAfterScan = 4;
+    frames_without_scan_ = frame.header.has_evidence() ? 0 : frames_without_scan_ + 1;
+    if (frames_without_scan_ == 0 || frames_without_scan_ > kFramesAfterScan || records_.empty()) {
+      unwatched_ = frame.end.unwatched & newest_unwatched_;
+      newest_unwatched_ = frame.end.unwatched;
+    }
     blocked_ = frame.end.blocked;
     sensor_count_ = std::min<std::uint8_t>(frame.header.sensor_count, vehicle::kMaxSensors);
     add_times(frame);

@@ -87,7 +87,8 @@ class RunStatistics {
   std::optional<LoopTimes> loop_times_;
   std::int16_t hottest_dc_ = hal::kTemperatureNotKnown;  // of the chip
   std::optional<std::uint64_t> unwatched_;               // in both of the newest two frames
-  std::uint64_t newest_unwatched_ = ~std::uint64_t{0};   // in the newest frame that says it
+  std::uint64_t newest_unwatched_ = ~std::uint64_t{0};   // in the newest frame that counts
+  std::uint64_t frames_without_scan_ = 0;                // in a row, up to the newest
   std::optional<std::uint64_t> blocked_;
   std::array<std::uint32_t, vehicle::kMaxSensors> blocked_frames_{};  // in some sectors or all
   std::optional<work::TeamCounts> core_shares_;                       // since the target's start

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/program/joined.hpp"
 #include "tools/program/table.hpp"
 #include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -40,6 +41,37 @@ struct Heard {
   return addresses;
 }
 
+// Of a map by sender, with room for so many: each has a watch or a span of times.
+inline constexpr std::size_t kMostSenders = 64;
+
+// Packets of further senders are not noted.
+inline void note(std::uint32_t source_ipv4, std::uint64_t time_us,
+                 std::map<std::uint32_t, Heard>& senders) {
+  if (const auto known = senders.find(source_ipv4); known != senders.end()) {
+    known->second.last_us = time_us;
+  } else if (senders.size() < kMostSenders) {
+    senders.emplace(source_ipv4, Heard{.first_us = time_us, .last_us = time_us});
+  }
+}
+
+// "2 units send to UDP port 2368 (10.0.2.100, 10.0.2.101)…": the senders of what a sensor sends,
+// and whether there were further ones. Empty if not several send at once, or if the car's file
+// names one of them.
+[[nodiscard]] inline std::string words_of_crowd(const description::SensorConfig& sensor,
+                                                const std::map<std::uint32_t, Heard>& senders,
+                                                bool has_others) {
+  constexpr std::size_t kNamed = 8;  // more would hide what matters
+  std::vector<std::string> addresses = senders_at_once(senders);
+  if (addresses.empty() || senders.contains(sensor.source_ipv4)) {
+    return {};
+  }
+  const std::size_t count = addresses.size();
+  addresses.resize(std::min(count, kNamed));
+  return std::to_string(count) + " units send to UDP port " + std::to_string(sensor.udp_port) +
+         " (" + joined(addresses, ", ") + (has_others ? ", and packets of further senders" : "") +
+         "): set source_ipv4 of sensor " + std::string(sensor.name) + " in the car file";
+}
+
 // Knows the strangers on the ports of a car whose file names the senders (`source_ipv4`). What was
 // recorded elsewhere has other addresses, so nobody is a stranger until the named sender was heard.
 class NamedSenders {
@@ -57,19 +89,32 @@ class NamedSenders {
     }
     const bool is_stranger = !is_named && heard_.contains(sensor);
     strangers_ += is_stranger ? 1U : 0U;
+    used_[sensor] += is_named || is_stranger ? 0U : 1U;
     return is_stranger;
   }
 
-  // How many packets of theirs have come; empty if none.
+  // How many packets of theirs have come, also before the named sender was heard; empty if none, or
+  // if no named sender was heard.
   [[nodiscard]] std::string words() const {
-    constexpr std::string_view kNoun =
+    std::size_t before = 0;
+    for (const auto& [sensor, packets] : used_) {
+      before += heard_.contains(sensor) ? packets : 0;
+    }
+    constexpr std::string_view kLeftOut =
         "packet|packets of another sender than `source_ipv4` is|are not used";
-    return strangers_ == 0 ? std::string{} : counted(strangers_, kNoun);
+    constexpr std::string_view kUsed =
+        "packet|packets of another sender came before its first one and was|were used";
+    std::string text = strangers_ == 0 ? std::string{} : counted(strangers_, kLeftOut);
+    if (before > 0) {
+      text.append(text.empty() ? "" : "; ").append(counted(before, kUsed));
+    }
+    return text;
   }
 
  private:
   const CatalogueEntry* car_;
-  std::set<std::size_t> heard_;  // sensors of the car
+  std::set<std::size_t> heard_;              // sensors of the car
+  std::map<std::size_t, std::size_t> used_;  // packets of a sensor's other senders
   std::size_t strangers_ = 0;
 };
 

@@ -173,7 +173,8 @@ class Captures(unittest.TestCase):
         self.assertEqual(receiver.dropped, {"packet that the capture cuts short": 5,
                                             "packet of a link type that is not read": len(self.packets) + 1})
         count = len(self.packets)
-        skipped = (f"{count + 7} packets skipped: 1 not UDP over IPv4, 5 cut short by the capture, "
+        skipped = (f"{count + 7} packets skipped: 1 not UDP over IPv4, "
+                   "5 cut short by the capture (record whole packets: `tcpdump -s 0`), "
                    f"{count} of link type PPP, which is not read, 1 of an interface that the file does not describe\n")
         said = streams.iog("info", self.path)
         self.assertIn(skipped, said)

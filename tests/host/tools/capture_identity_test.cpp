@@ -210,6 +210,48 @@ TEST(CaptureIdentity, TwoUnitsOnAPortThatNamesNoneAreTold) {
   EXPECT_EQ(capture.refusal_by("roof_vlp16_radar"), "");  // names 10.0.2.101
 }
 
+// Three of ten packets, each of which sweeps a little more than it lies behind the one before.
+TEST(CaptureIdentity, LostPacketsOfATurningUnitAreTold) {
+  for (const int kept_of_ten : {10, 7}) {
+    Capture capture;
+    for (int i = 0; i < 800; ++i) {
+      if (i * 7 % 10 < kept_of_ten) {
+        capture.add(2368, static_cast<std::uint64_t>(i) * 1'327, vlp16_packet(i));
+      }
+    }
+    EXPECT_EQ(contains(capture.info(), "192.168.1.201: about 28 % of the directions are missing"),
+              kept_of_ten == 7)
+        << capture.info();
+  }
+}
+
+// The first one has then sent more packets than are looked at.
+TEST(CaptureIdentity, ASecondUnitThatStartsLaterIsTold) {
+  Capture capture;
+  for (int i = 0; i < 1'000; ++i) {
+    const auto time_us = static_cast<std::uint64_t>(i) * 1'327;
+    capture.add(2368, time_us, vlp16_packet(i), 0x0A000264);
+    if (i > 600) {
+      capture.add(2368, time_us, vlp16_packet(i + 37), 0x0A000265);
+    }
+  }
+  EXPECT_TRUE(contains(capture.info(), "2 units send to UDP port 2368 (10.0.2.100, 10.0.2.101)"))
+      << capture.info();
+}
+
+TEST(CaptureIdentity, SendersWithoutNumberAreBounded) {
+  Capture capture;
+  for (int round = 0; round < 2; ++round) {
+    for (std::uint32_t i = 0; i < 100; ++i) {
+      capture.add(2368, (100U * static_cast<std::uint64_t>(round) + i) * 1'327,
+                  vlp16_packet(static_cast<int>(i)), 0x0A000264 + i);
+    }
+  }
+  EXPECT_TRUE(contains(capture.info(), "64 units send to UDP port 2368 (10.0.2.100, "))
+      << capture.info();
+  EXPECT_TRUE(contains(capture.info(), ", and packets of further senders): set source_ipv4"));
+}
+
 TEST(CaptureIdentity, AUnitWhoseAddressChangesIsOne) {
   Capture capture;
   for (int i = 0; i < 80; ++i) {

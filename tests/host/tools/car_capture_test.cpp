@@ -97,9 +97,37 @@ TEST(CarCapture, StrangersOnAPortOfANamedSenderAreLeftOut) {
   EXPECT_EQ(both.datagrams, alone.datagrams);
   EXPECT_EQ(both.words,
             std::to_string(own) + " packets of another sender than `source_ipv4` are not used");
+  // Who is heard first is used until the named sender is heard, and told.
+  std::rotate(datagrams.begin(), datagrams.begin() + 1, datagrams.begin() + 2);
+  ASSERT_EQ(datagrams[0].source.ipv4, 0x0A0002FAU);
+  EXPECT_EQ(read(datagrams, 0).words,
+            std::to_string(own - 1) +
+                " packets of another sender than `source_ipv4` are not used; 1 packet of another "
+                "sender came before its first one and was used");
   // Of a drive that was recorded elsewhere nothing is lost.
   std::erase_if(datagrams, [](const auto& datagram) { return datagram.source.ipv4 != 0x0A0002FA; });
   EXPECT_EQ(read(datagrams, 0).datagrams, alone.datagrams);
+}
+
+// If the car's file names no address, all are used, and the user must know.
+TEST(CarCapture, ASecondUnitThatStartsLaterIsTold) {
+  const CatalogueEntry& roof = find_vehicle("roof_vlp16");
+  Datagrams datagrams = sample_drive(roof, 1, 6);
+  const std::size_t own = datagrams.size();
+  for (std::size_t i = own / 2; i < own; ++i) {
+    datagrams.push_back(datagrams[i]);
+    datagrams.back().source.ipv4 = 0x0A0002FA;
+  }
+  std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
+  const tests::TemporaryFolder folder;
+  CarCapture capture({.captures = {write(datagrams, folder / "drive.pcap")}}, roof);
+  while (capture.next()) {
+  }
+  EXPECT_NE(
+      capture.clock_words().find("2 units send to UDP port 2368 (10.0.2.100, 10.0.2.250): set "
+                                 "source_ipv4 of sensor roof in the car file"),
+      std::string::npos)
+      << capture.clock_words();
 }
 
 struct Offset {

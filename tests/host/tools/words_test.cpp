@@ -76,13 +76,20 @@ TEST(VehicleFit, NamesNoVehicleWhereNothingIsKnown) {
   const CatalogueEntry& car = find_vehicle("reference_car");
   const std::string empty = folder / "empty.pcap";
   PcapWriter(empty).finish();
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({empty}, car); }), "no UDP packet at all"));
+  EXPECT_TRUE(
+      contains(complaint_of([&] { demand_fit({empty}, car); }), "it holds no whole UDP packet"));
   const std::string strange = folder / "strange.pcap";
   PcapWriter capture(strange);
   capture.write({.time_us = 1, .source = {1, 1}, .destination = {2, 5000}, .payload = {}});
   capture.finish();
   EXPECT_TRUE(contains(complaint_of([&] { demand_fit({strange}, car); }),
                        "its packets go to port 5000, of no lidar that iog knows"));
+  const std::string poses = folder / "poses.pcap";
+  PcapWriter of_poses(poses);
+  of_poses.write({.time_us = 1, .source = {1, 1}, .destination = {2, 15010}, .payload = {}});
+  of_poses.finish();
+  EXPECT_TRUE(
+      contains(complaint_of([&] { demand_fit({poses}, car); }), "all its whole packets are poses"));
 }
 
 TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
@@ -258,9 +265,9 @@ TEST(RunTable, SaysTheGridIfItIsNotTheUsualOne) {
   EXPECT_FALSE(contains(usual, "\ngrid ") || contains(usual, "class window")) << usual;
 }
 
-// The frame that a target closes behind the last scan of a capture has no packets. Silence is
+// The frames that a target closes behind the last scan of a capture have no packets. Silence is
 // longer.
-TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {
+TEST(Statistics, EmptyFramesAtTheEndAreNoBlindness) {
   GridFrame frame;
   frame.has_end = true;
   RunStatistics statistics;
@@ -271,8 +278,14 @@ TEST(Statistics, OneEmptyFrameAtTheEndIsNoBlindness) {
   };
   constexpr std::uint64_t kAhead = 0xF000'0000'0000'000F;
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  EXPECT_NE(add(kAll).find("unwatched at the end  all around\n"), std::string::npos);
+  frame.header.complete_sensors = 1;
   EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
   EXPECT_NE(add(kAhead).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
+  frame.header.complete_sensors = 0;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(add(kAll).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos) << i;
+  }
   EXPECT_NE(add(kAll).find("unwatched at the end  -23 to 23 degrees\n"), std::string::npos);
   EXPECT_NE(add(kAll).find("unwatched at the end  all around\n"), std::string::npos);
 }

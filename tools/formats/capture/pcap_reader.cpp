@@ -134,12 +134,14 @@ std::optional<net::Ipv4Packet> PcapReader::whole_packet(Bytes packet) {
     return ip.packet;
   }
   ++counts_.fragments;
+  counts_.first_fragments += ip.packet.fragment_offset == 0 ? 1U : 0U;
   net::FragmentCounters ignored;
   const net::Reassembly::Result result = reassembly_->add(ip.packet, newest_us_, ignored);
   if (result.fate != net::Reassembly::Fate::kCompleted) {
     return std::nullopt;
   }
   counts_.fragments -= result.pieces;
+  --counts_.first_fragments;
   return result.packet;
 }
 
@@ -178,11 +180,26 @@ void warn_of(const std::string& path, const PcapReader& capture) {
   }
 }
 
+namespace {
+
+// A filter such as `udp port 7502` passes first fragments only, which alone have the ports.
+const char* words_of_fragments(const CaptureCounts& counts) {
+  return counts.first_fragments == counts.fragments
+             ? "first fragments without the others of their datagrams (a filter by port passes no "
+               "others: record with `host ADDRESS`)"
+         : counts.first_fragments == 0
+             ? "fragments without the first ones of their datagrams (record all packets of "
+               "`host ADDRESS`)"
+             : "fragments of incomplete datagrams";
+}
+
+}  // namespace
+
 std::string describe_skipped(const CaptureCounts& counts) {
   const std::array<std::pair<std::uint64_t, const char*>, 5> causes{{
       {counts.not_udp, "not UDP over IPv4"},
-      {counts.cut_short, "cut short by the capture"},
-      {counts.fragments, "fragments"},
+      {counts.cut_short, "cut short by the capture (record whole packets: `tcpdump -s 0`)"},
+      {counts.fragments, words_of_fragments(counts)},
       {counts.malformed, "malformed"},
       {counts.bad_checksum, "with a wrong checksum"},
   }};

@@ -23,10 +23,11 @@ struct CaptureCounts {
   std::uint64_t datagrams = 0;
   std::uint64_t not_udp = 0;                           // another protocol
   std::map<std::uint16_t, std::uint64_t> other_links;  // of interfaces of a link that is not read
-  std::uint64_t cut_short = 0;     // the capture holds only the packet's beginning
-  std::uint64_t fragments = 0;     // of a datagram that they do not make whole
-  std::uint64_t malformed = 0;     // lengths that contradict each other
-  std::uint64_t bad_checksum = 0;  // of IPv4 or UDP
+  std::uint64_t cut_short = 0;        // the capture holds only the packet's beginning
+  std::uint64_t fragments = 0;        // of a datagram that they do not make whole
+  std::uint64_t first_fragments = 0;  // of these the first ones of their datagrams
+  std::uint64_t malformed = 0;        // lengths that contradict each other
+  std::uint64_t bad_checksum = 0;     // of IPv4 or UDP
 
   [[nodiscard]] std::uint64_t skipped() const;
 };

@@ -4,12 +4,14 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <unistd.h>
 
 #include "tools/formats/capture/unpacked_file.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/natural_order.hpp"
 #include "tools/program/printable.hpp"
 
 namespace iog::tools::ros {
@@ -17,13 +19,21 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr std::array<std::string_view, 4> kEndings{".mcap", ".db3", ".mcap.zstd", ".db3.zstd"};
+constexpr std::array<std::string_view, 6> kEndings{".mcap",     ".db3",      ".mcap.zstd",
+                                                   ".db3.zstd", ".mcap.zst", ".db3.zst"};
 
 bool is_file_of_bag(const std::string& path) {
   return std::ranges::any_of(kEndings, [&](auto ending) { return path.ends_with(ending); });
 }
 
-// Numbers of splits have no leading zeros: the shorter name is earlier.
+bool begins_as_mcap(const std::string& path) {
+  std::error_code ignored;
+  std::array<char, 8> magic{};
+  return files::is_regular_file(path, ignored) &&  // a pipe can be read only once
+         std::ifstream(path, std::ios::binary).read(magic.data(), magic.size()) &&
+         std::string_view(magic.data(), magic.size()) == "\x89MCAP0\r\n";
+}
+
 std::vector<std::string> all_in(const std::string& folder) {
   std::vector<std::string> found;
   for (const files::directory_entry& entry : files::directory_iterator(folder)) {
@@ -31,8 +41,7 @@ std::vector<std::string> all_in(const std::string& folder) {
       found.push_back(entry.path());
     }
   }
-  std::ranges::sort(found, {},
-                    [](const std::string& path) { return std::pair(path.size(), path); });
+  std::ranges::sort(found, {}, natural_key);
   return found;
 }
 
@@ -80,7 +89,7 @@ std::vector<std::string> of_metadata(const std::string& folder) {
 
 bool is_recording(const std::string& path) {
   if (!files::is_directory(path)) {
-    return is_file_of_bag(path);
+    return is_file_of_bag(path) || begins_as_mcap(path);
   }
   return files::exists(path + "/metadata.yaml") || !all_in(path).empty();
 }

@@ -9,7 +9,8 @@
 
 namespace iog::tools::ros {
 
-// Whether it is a file or folder whose messages for_each_message() reads, by its name.
+// Whether it is a file or folder whose messages for_each_message() reads, by its name, or
+// by its first bytes if it is MCAP.
 [[nodiscard]] bool is_recording(const std::string& path);
 
 // The files of a bag in their order: those of its metadata.yaml, or without one all in the folder.

@@ -121,5 +121,17 @@ TEST(MotionOffset, OfALogOfDaysIsRefused) {
             "the log of poses spans more than 6 hours");
 }
 
+// A recorder whose clock was set while it recorded.
+TEST(MotionOffset, OfACaptureWhoseClockStepsIsRefused) {
+  const Rates rates{brakes, bends};
+  std::vector<TurnPose> turns = seen(rates, 16);
+  for (std::size_t i = 0; i < 40; ++i) {
+    turns[i].time_us -= 1'699'999'000'000'000ULL;
+  }
+  EXPECT_EQ(offset_by_motion(turns, logged(rates, 16, 0, 100)).refusal,
+            "the capture spans more than 6 hours: a clock in it steps by 1699999000 s, so cut the "
+            "capture there");
+}
+
 }  // namespace
 }  // namespace iog::tools

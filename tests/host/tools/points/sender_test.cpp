@@ -18,6 +18,7 @@
 #include "tools/clouds/points_sender.hpp"
 #include "tools/clouds/ros_clouds.hpp"
 #include "tools/formats/mcap/writer.hpp"
+#include "tools/formats/ros/bag_files.hpp"
 #include "tools/formats/ros/cdr_writer.hpp"
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/program/exit_status.hpp"
@@ -140,6 +141,14 @@ TEST_F(PointsOfBag, EachScanIsAFrameThatSeesTheWall) {
       EXPECT_EQ(row[140], 0) << y;
     }
   }
+}
+
+TEST_F(PointsOfBag, OneWithoutAnEndingIsKnownByItsFirstBytes) {
+  path_ = folder_ / "recording";
+  EXPECT_FALSE(ros::is_recording(path_));
+  static_cast<void>(sent());
+  EXPECT_TRUE(ros::is_recording(path_));
+  EXPECT_EQ(sender_.sent().clouds, kScans);
 }
 
 TEST_F(PointsOfBag, ATopicIsChosenIfSeveralHaveScans) {

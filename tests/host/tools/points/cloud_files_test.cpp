@@ -1,0 +1,113 @@
+// Files of clouds: their order, and the times that their names have or that are assumed.
+#include "tools/clouds/cloud_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "cloud_bytes.hpp"
+#include "fakes/temporary_folder.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+#include "tools/program/file.hpp"
+
+namespace iog::tools {
+namespace {
+
+std::vector<std::string> paths_of(const CloudFiles& all) {
+  std::vector<std::string> paths;
+  std::ranges::transform(all.files, std::back_inserter(paths), &CloudFile::path);
+  return paths;
+}
+
+TEST(CloudFiles, AShellsOrderIsNotThatOfTheDrive) {
+  const CloudFiles all = timed({"a/1.bin", "a/10.bin", "a/11.bin", "a/2.bin", "a/02.bin"}, 20);
+  EXPECT_EQ(paths_of(all),
+            (std::vector<std::string>{"a/1.bin", "a/02.bin", "a/2.bin", "a/10.bin", "a/11.bin"}));
+  EXPECT_EQ(all.files[4].time_us, kDriveStartUs + 200'000);
+  EXPECT_EQ(all.remarks,
+            (std::vector<std::string>{"files were put in the order of the numbers in their names",
+                                      "files have no times: 20 per second assumed (--rate), from "
+                                      "2024-05-01 12:00:00 UTC"}));
+  EXPECT_EQ(timed({"1.bin", "2.bin"}, 10).remarks.size(), 1U);
+}
+
+TEST(CloudFiles, ATimeInANameCounts) {
+  constexpr std::uint64_t kUs = 1'532'402'927'647'951;
+  EXPECT_EQ(time_in_name("1532402927647951123.pcd"), kUs);
+  EXPECT_EQ(time_in_name("n015-2018-07-24__LIDAR_TOP__1532402927647951.pcd.bin"), kUs);
+  EXPECT_EQ(time_in_name("a/1532402927.647951.bin"), kUs);
+  EXPECT_EQ(time_in_name("cloud_1532402927.647951123.ply"), kUs);
+  EXPECT_EQ(time_in_name("1532402927.5.bin"), 1'532'402'927'500'000);
+  EXPECT_EQ(time_in_name("1532402927647.bin"), kUs / 1000 * 1000);
+  EXPECT_EQ(time_in_name("1532402927.bin"), kUs / 1'000'000 * 1'000'000);
+  for (const char* name : {"000012.bin", "0000000012.bin", "scan12.5.pcd", "2018-07-24.pcd", ".pcd",
+                           "cloud.pcd", "9532402927.bin", "1532402927647951/3.bin"}) {
+    EXPECT_EQ(time_in_name(name), std::nullopt) << name;
+  }
+  const CloudFiles all = timed({"1532402927.10.pcd", "1532402927.9.pcd", "1532402926.pcd"}, 10);
+  EXPECT_EQ(paths_of(all),
+            (std::vector<std::string>{"1532402926.pcd", "1532402927.10.pcd", "1532402927.9.pcd"}));
+  EXPECT_EQ(all.files[2].time_us, 1'532'402'927'900'000U);
+  EXPECT_EQ(all.remarks,
+            std::vector<std::string>{"files were put in the order of the times in their names"});
+  EXPECT_EQ(timed({"1532402927.1.pcd", "map.pcd"}, 10).files[0].time_us, kDriveStartUs);
+}
+
+class CloudFolder : public ::testing::Test {
+ protected:
+  void write(const std::string& name, std::span<const float> numbers) const {
+    OutputFile file(folder_ / name);
+    file.write(std::as_bytes(numbers));
+    file.finish();
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(CloudFolder, ItsFilesComeInTheOrderOfTheirNumbers) {
+  constexpr std::array kPoint{1.F, 2.F, 3.F, 0.F};
+  for (const char* name : {"10.bin", "9.bin", "notes.txt"}) {
+    write(name, kPoint);
+  }
+  EXPECT_EQ(cloud_files_in(folder_ / ""),
+            (std::vector<std::string>{folder_ / "9.bin", folder_ / "10.bin"}));
+  write("9.pcd", kPoint);
+  EXPECT_NE(told_by([this] {
+              static_cast<void>(cloud_files_in(folder_ / ""));
+            }).find("it has files .bin and .pcd; give those of one drive"),
+            std::string::npos);
+}
+
+// x, y, z, intensity and ring of each point.
+TEST_F(CloudFolder, FilesOfNuscenesHaveFiveNumbersAPoint) {
+  constexpr std::array kPoints{0.F, 10.F, 0.F, -5.F, 31.F, 1.F, 0.F, 1.F, 7.F, 0.F};
+  write("a.pcd.bin", kPoints);
+  TimeUnit unit = TimeUnit::kFound;
+  expect_two(read_cloud_of({.path = folder_ / "a.pcd.bin", .time_us = 5}, unit));
+  write("b.pcd.bin", std::span(kPoints).first<8>());
+  EXPECT_NE(told_by([&] {
+              static_cast<void>(read_cloud_of({.path = folder_ / "b.pcd.bin"}, unit));
+            }).find("32 bytes are no number of points of 20 bytes"),
+            std::string::npos);
+}
+
+TEST_F(CloudFolder, WhatIsNoCloudIsToldWithWhatToDo) {
+  const auto told = [&](const std::string& name, std::string_view text) {
+    if (!text.empty()) {
+      OutputFile file(folder_ / name);
+      file.write(std::string(text));
+      file.finish();
+    }
+    TimeUnit unit = TimeUnit::kFound;
+    return told_by([&] { static_cast<void>(read_cloud_of({.path = folder_ / name}, unit)); });
+  };
+  EXPECT_NE(told("drive.bag", "#ROSBAG V2.0\n").find("bag of ROS 1: convert it to one of ROS 2"),
+            std::string::npos);
+  EXPECT_NE(told("metadata.yaml", "rosbag2:").find("give the folder of the bag"),
+            std::string::npos);
+  EXPECT_NE(told("x.laz", "LASF").find(": read are .mcap, .db3, .pcd"), std::string::npos);
+  EXPECT_NE(told("none", "").find("there is no such file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace iog::tools

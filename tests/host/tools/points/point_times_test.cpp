@@ -1,0 +1,62 @@
+// Times of points, of which a few are none.
+#include <array>
+#include <limits>
+
+#include "cloud_bytes.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint32_t kPoints = 200;
+
+// Points at 1 m, 2 m and so on within a tenth of a second; every so manieth has a strange time.
+SeenCloud cloud_with(double strange, double base, std::uint32_t every, TimeUnit& unit) {
+  Bytes bytes;
+  for (std::uint32_t i = 0; i < kPoints; ++i) {
+    add(bytes, 1.0 + i);
+    add(bytes, 0.0);
+    add(bytes, i % every == 1 ? strange : base + 0.1 * i / kPoints);
+  }
+  CloudRecords records{.count = kPoints, .bytes = bytes, .stamp_us = 1'700'000'000'500'000};
+  for (const char* name : {"x", "y", "timestamp"}) {
+    records.fields.push_back(
+        {.name = name, .bytes = 8, .at = 8 * records.fields.size(), .stride = 24});
+  }
+  return cloud_of(records, unit, "it");
+}
+
+// When such a point was seen is not known, so it is left out, as one whose place is no number.
+TEST(PointTimes, AFewPointsWithoutATimeAreLeftOut) {
+  for (const double base : {1'700'000'000.5, 100.0, 0.0}) {
+    for (const double strange : {kNever, 0.0, 1e300, -1e18}) {
+      for (const TimeUnit given : {TimeUnit::kFound, TimeUnit::kSeconds}) {
+        TimeUnit unit = given;
+        const SeenCloud cloud = cloud_with(strange, base, 50, unit);
+        const std::size_t bad = base == 0 && strange == 0 ? 0 : 4;  // 0 may be the scan's begin
+        EXPECT_EQ(unit, TimeUnit::kSeconds);
+        EXPECT_TRUE(cloud.has_times) << base << ' ' << strange;
+        EXPECT_EQ(cloud.untimed, bad) << base << ' ' << strange;
+        ASSERT_EQ(cloud.points.size(), kPoints - bad);
+        EXPECT_EQ(cloud.points[100].third, bad == 0 ? 101'000 : 104'000);
+        EXPECT_NEAR(cloud.points[100].after_us, bad == 0 ? 50'000 : 51'500, 1);
+      }
+    }
+  }
+}
+
+TEST(PointTimes, ManyWithoutATimeAreTold) {
+  TimeUnit unit = TimeUnit::kSeconds;
+  EXPECT_EQ(told_by([&] { static_cast<void>(cloud_with(0, 100, 5, unit)); }),
+            "it: its points are more than a second apart");
+}
+
+TEST(PointTimes, IfMostHaveNoneAllPointsAreKept) {
+  TimeUnit unit = TimeUnit::kFound;
+  const SeenCloud cloud = cloud_with(0, kNever, kPoints + 1, unit);
+  EXPECT_FALSE(cloud.has_times);
+  EXPECT_EQ(cloud.points.size(), kPoints);
+}
+
+}  // namespace
+}  // namespace iog::tools

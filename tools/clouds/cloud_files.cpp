@@ -1,0 +1,171 @@
+#include "tools/clouds/cloud_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string_view>
+
+#include "tools/clouds/cloud_set.hpp"
+#include "tools/clouds/pcd_file.hpp"
+#include "tools/clouds/ply_file.hpp"
+#include "tools/formats/capture/file_hint.hpp"
+#include "tools/formats/capture/made_capture.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/natural_order.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::array<std::string_view, 3> kEndings{".bin", ".pcd", ".ply"};
+constexpr std::string_view kDigits = "0123456789";
+
+std::string_view ending_of(std::string_view path) {
+  const auto found =
+      std::ranges::find_if(kEndings, [&](auto ending) { return path.ends_with(ending); });
+  return found == kEndings.end() ? std::string_view{} : *found;
+}
+
+// "1532402927647951" of a file of nuScenes, n015-2018-07-24__LIDAR_TOP__1532402927647951.pcd.bin.
+std::string_view without_ending(std::string_view path) {
+  for (std::string_view ending = ending_of(path); !ending.empty(); ending = ending_of(path)) {
+    path.remove_suffix(ending.size());
+  }
+  return path;
+}
+
+std::uint64_t digits_as_number(std::string_view digits) {
+  std::uint64_t number = 0;
+  for (const char digit : digits) {
+    number = 10 * number + static_cast<std::uint64_t>(digit - '0');
+  }
+  return number;
+}
+
+// Why a file is not read.
+std::string words_of_other(const std::string& path) {
+  const std::filesystem::path its(path);
+  if (!std::filesystem::exists(its)) {
+    return "there is no such file";
+  }
+  if (its.filename() == "metadata.yaml") {
+    return "give the folder of the bag instead";
+  }
+  std::array<char, 1208> begin{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), begin.size());
+  const auto bytes = std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(file.gcount()));
+  const std::string hint = hint_of(bytes);
+  return (hint.empty() ? "" : hint + "; ") +
+         "read are .mcap, .db3, .pcd, .ply, KITTI's .bin, nuScenes' .pcd.bin, and folders of a "
+         "bag, "
+         "of such files or of KITTI";
+}
+
+}  // namespace
+
+bool is_cloud_file(const std::string& path) { return !ending_of(path).empty(); }
+
+std::vector<std::string> cloud_files_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::set<std::string_view> endings;
+  for (const std::filesystem::directory_entry& entry :
+       std::filesystem::directory_iterator(folder)) {
+    const std::string path = entry.path();
+    if (is_cloud_file(path) && !entry.is_directory()) {
+      endings.insert(ending_of(path));
+      paths.push_back(path);
+    }
+  }
+  if (endings.size() > 1) {
+    throw UsageError(folder + ": it has files " + std::string(*endings.begin()) + " and " +
+                     std::string(*endings.rbegin()) + "; give those of one drive, FOLDER/*" +
+                     std::string(*endings.begin()));
+  }
+  std::ranges::sort(paths, {}, natural_key);
+  return paths;
+}
+
+std::optional<std::uint64_t> time_in_name(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename();
+  const std::string_view stem = without_ending(name);
+  const std::size_t begin_of_last = stem.find_last_not_of(kDigits) + 1;  // 0 if all are digits
+  std::string_view whole = stem.substr(begin_of_last);
+  std::uint64_t fraction_us = 0;
+  if (begin_of_last > 1 && stem[begin_of_last - 1] == '.' && !whole.empty()) {
+    std::string digits(whole.substr(0, 6));
+    digits.resize(6, '0');
+    fraction_us = digits_as_number(digits);
+    const std::string_view before = stem.substr(0, begin_of_last - 1);
+    whole = before.substr(before.find_last_not_of(kDigits) + 1);
+    if (whole.size() != 10) {
+      return std::nullopt;
+    }
+  }
+  const bool is_of_our_days = !whole.empty() && whole.front() >= '1' && whole.front() <= '3';
+  if (!is_of_our_days) {
+    return std::nullopt;
+  }
+  switch (whole.size()) {
+    case 10:
+      return digits_as_number(whole) * 1'000'000 + fraction_us;
+    case 13:
+      return digits_as_number(whole) * 1'000;
+    case 16:
+      return digits_as_number(whole);
+    case 19:
+      return digits_as_number(whole) / 1'000;
+    default:
+      return std::nullopt;
+  }
+}
+
+CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second) {
+  CloudFiles all;
+  bool have_times = true;
+  for (const std::string& path : paths) {
+    const std::optional<std::uint64_t> time_us = time_in_name(path);
+    have_times = have_times && time_us.has_value();
+    all.files.push_back({.path = path, .time_us = time_us.value_or(0)});
+  }
+  if (have_times) {
+    std::ranges::stable_sort(all.files, {}, &CloudFile::time_us);
+  } else {
+    std::ranges::stable_sort(all.files, {},
+                             [](const CloudFile& file) { return natural_key(file.path); });
+  }
+  if (!std::ranges::equal(all.files, paths, {}, &CloudFile::path)) {
+    all.remarks.push_back(std::string("files were put in the order of the ") +
+                          (have_times ? "times" : "numbers") + " in their names");
+  }
+  if (!have_times) {
+    std::ostringstream words;
+    words << "files have no times: " << clouds_per_second
+          << " per second assumed (--rate), from 2024-05-01 12:00:00 UTC";
+    all.remarks.push_back(words.str());
+    for (std::size_t i = 0; i < all.files.size(); ++i) {
+      const double us = 1e6 * static_cast<double>(i) / clouds_per_second;
+      all.files[i].time_us = kDriveStartUs + static_cast<std::uint64_t>(us);
+    }
+  }
+  return all;
+}
+
+SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit) {
+  const std::string_view ending = ending_of(file.path);
+  if (ending == ".pcd") {
+    return read_pcd(file.path, unit, file.time_us);
+  }
+  if (ending == ".ply") {
+    return read_ply(file.path, unit, file.time_us);
+  }
+  if (ending == ".bin") {
+    return read_kitti_cloud(file.path, file.time_us);
+  }
+  throw UsageError(file.path + ": " + words_of_other(file.path));
+}
+
+}  // namespace iog::tools

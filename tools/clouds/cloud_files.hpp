@@ -1,0 +1,41 @@
+// Files of one cloud each (.pcd, .ply, .bin) as a drive: their order and their times.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/clouds/cloud_fields.hpp"
+
+namespace iog::tools {
+
+struct CloudFile {
+  std::string path;
+  std::uint64_t time_us = 0;  // since 1970
+};
+
+struct CloudFiles {
+  std::vector<CloudFile> files{};
+  std::vector<std::string> remarks{};  // what was assumed or changed
+};
+
+// By its name.
+[[nodiscard]] bool is_cloud_file(const std::string& path);
+
+// The clouds of a folder, in the order of their numbers. Empty if it has none. UsageError if they
+// are of several formats.
+[[nodiscard]] std::vector<std::string> cloud_files_in(const std::string& folder);
+
+// Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a
+// decimal point, milliseconds, microseconds or nanoseconds, of 2001 to 2096.
+[[nodiscard]] std::optional<std::uint64_t> time_in_name(const std::string& path);
+
+// In the order of the times in their names or, if one has none, in the order of their numbers, at
+// so many clouds per second from kDriveStartUs.
+[[nodiscard]] CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second);
+
+// A file of a cloud. UsageError if it cannot be read, or is none.
+[[nodiscard]] SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit);
+
+}  // namespace iog::tools
