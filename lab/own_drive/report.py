@@ -120,7 +120,7 @@ def page_of(options: argparse.Namespace, work: pathlib.Path) -> str:
     environment.globals.update(sections=sections, drawings=drawings, said=said, directions_of=directions_of)
     return environment.get_template("page.html.j2").render(
         car=car, fused=fused, remarks=list(iog.remarks), drive=drive,
-        recordings=[(path.name, iog.said("info", path)) for path in options.recording],
+        recordings=[(path.name, iog.said("info", path, "--vehicle-file", options.vehicle_file)) for path in options.recording],
         fates=said.fates_by_sensor(iog, words, text, car, work),
         budget=iog.said("budget", "--vehicle-file", options.vehicle_file),
         cores=said.cores_of(iog.told("budget", "--all", "--vehicle-file", options.vehicle_file), car["name"]),

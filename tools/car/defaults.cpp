@@ -29,6 +29,11 @@ constexpr std::array<std::pair<std::string_view, std::uint16_t>, 6> kUsualPorts{
 // A turn of so many layers hits more cells than the tracker has room for.
 constexpr std::size_t kDenseLayers = 40;
 
+// The farthest with cells of 50 mm; a tilted mirror's beams are longer than its range.
+constexpr std::uint16_t kFineCellMm = 50;
+constexpr std::uint32_t kFineRangeMm = 72'407;
+constexpr std::uint32_t kFineTiltedRangeMm = 71'293;
+
 // Below that a unit sees little of the ground.
 constexpr double kLowestOverGroundM = 0.5;
 
@@ -57,6 +62,13 @@ std::uint16_t usual_port(std::string_view type) {
 }
 
 double top_m_over(double mount_z_m) { return std::max(2.20, std::min(mount_z_m + 0.20, 10.0)); }
+
+std::uint32_t usual_range_max_mm(const SensorConfig& sensor, std::uint16_t cell_mm) {
+  const bool is_tilted = facts_of(sensor.format).has_beam_tilt;
+  return cell_mm > kFineCellMm
+             ? sensor.range_max_mm
+             : std::min(sensor.range_max_mm, is_tilted ? kFineTiltedRangeMm : kFineRangeMm);
+}
 
 std::optional<GroundConfig> usual_ground(const SensorConfig& sensor) {
   if (!turns(sensor) || !(sensor.mount.z_m >= kLowestOverGroundM)) {

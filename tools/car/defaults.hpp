@@ -16,6 +16,10 @@ namespace iog::description {
 // Where obstacles end: a car is as high as what is mounted on it.
 [[nodiscard]] double top_m_over(double mount_z_m);
 
+// Of a unit that reaches so far: as far as its beams may be in the cells of the car's grid
+// (car_block/limits.hpp).
+[[nodiscard]] std::uint32_t usual_range_max_mm(const SensorConfig& sensor, std::uint16_t cell_mm);
+
 // A unit that turns follows the ground, unless it is too low to see much of it.
 [[nodiscard]] std::optional<GroundConfig> usual_ground(const SensorConfig& sensor);
 

@@ -20,6 +20,7 @@
 #include "tools/fuse/stream_recorder.hpp"
 #include "tools/identity/capture_identity.hpp"
 #include "tools/identity/car_capture.hpp"
+#include "tools/identity/sensor_watch.hpp"
 #include "tools/map/block_file.hpp"
 #include "tools/mount/mount_watch.hpp"
 #include "tools/odometry/motion_check.hpp"
@@ -91,25 +92,29 @@ const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t
 // What the packets of a drive say of the car's file.
 class Signs {
  public:
-  explicit Signs(const CatalogueEntry& car) : car_(&car), mount_(car), motion_(car) {}
+  explicit Signs(const CatalogueEntry& car)
+      : car_(&car), sensors_(car), mount_(car), motion_(car) {}
 
   void take(const CapturedDatagram& datagram) {
     identity_.add(datagram);
+    sensors_.take(datagram);
     mount_.take(datagram);
     motion_.take(datagram);
   }
 
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
-  [[nodiscard]] std::string rows() {
+  [[nodiscard]] std::string rows(const RunStatistics& statistics) {
     const std::string motion = motion_.words();
     const std::string crowd = identity_.words_of_crowd(*car_);
-    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) +
+    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + sensors_.rows_of_silence() +
+           sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
 
  private:
   const CatalogueEntry* car_;
   CaptureIdentity identity_;
+  SensorWatch sensors_;
   MountWatch mount_;
   MotionWatch motion_;
 };
@@ -274,7 +279,7 @@ void fuse(const FuseOptions& options) {
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
-            << signs.rows();
+            << signs.rows(statistics);
   write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +

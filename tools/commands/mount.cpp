@@ -84,7 +84,7 @@ void fit_mounts(const MountOptions& options) {
   std::string lines;
   std::string refused;
   for (const TurningUnit& unit : units) {
-    const MountFit fit = fit_of(unit.turns.mounts(), unit.turns.turns(), motion);
+    const MountFit fit = fit_of(unit.turns, motion);
     std::cout << words_of(fit, unit.turns, *unit.sensor) << '\n';
     const std::string name(unit.sensor->name);
     if (fit.refusal.empty()) {

@@ -100,7 +100,7 @@ class DriveRecording {
   void write(const std::vector<CapturedDatagram>& datagrams) {
     for (const CapturedDatagram& datagram : datagrams) {
       capture_.write(datagram);
-      if (is_pose_port(*car_, datagram.destination.port)) {
+      if (sensor_of_port(*car_, datagram.destination.port) == car_->sensors.size()) {
         ++poses_;
       } else {
         ++packets_;

@@ -130,4 +130,13 @@ MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns, const Mo
   return fit;
 }
 
+MountFit fit_of(const UnitTurns& unit, const MotionLog& motion, std::size_t fewest) {
+  MountFit fit = fit_of(unit.mounts(), unit.turns(), motion, fewest);
+  if (unit.is_other_way_up()) {
+    fit.refusal = "the unit ";
+    fit.refusal += kOtherWayUp;
+  }
+  return fit;
+}
+
 }  // namespace iog::tools

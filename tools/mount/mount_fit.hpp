@@ -45,8 +45,14 @@ struct MountFit {
   [[nodiscard]] bool has_roll() const { return roll_deg.difference() < kMostDifferenceDeg; }
 };
 
+// Also why a unit has no mount.
+inline constexpr const char* kOtherWayUp = "is the other way up: its roll_deg differs by 180";
+
 // mounts: of the turns that show the ground, of `turns` in all. Refused if they are too few.
 [[nodiscard]] MountFit fit_of(std::span<const TurnMount> mounts, std::uint64_t turns,
                               const MotionLog& motion, std::size_t fewest = kFewestTurns);
+// The capture is over. Also refused if the unit is the other way up.
+[[nodiscard]] MountFit fit_of(const UnitTurns& unit, const MotionLog& motion,
+                              std::size_t fewest = kFewestTurns);
 
 }  // namespace iog::tools

@@ -1,6 +1,5 @@
 #include "tools/mount/mount_watch.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
@@ -22,17 +21,24 @@ bool is_off(const FittedValue& road, double by_file, double most) {
   return std::abs(road.value - by_file) > most + road.difference();
 }
 
+// Only what is off; empty: nothing is.
 std::string words_of(const MountFit& fit, const description::MountConfig& mount) {
-  if (fit.taken < kFewestSeen || !(is_off(fit.pitch_deg, mount.pitch_deg, kMostOffDeg) ||
-                                   is_off(fit.roll_deg, mount.roll_deg, kMostRolledDeg) ||
-                                   is_off(fit.z_m, mount.z_m, kMostOffM))) {
+  if (fit.taken < kFewestSeen) {
     return {};
   }
   std::ostringstream words;
-  words << std::fixed << std::setprecision(1) << "is off by "
-        << mount.pitch_deg - fit.pitch_deg.value << " degrees in pitch and "
-        << mount.roll_deg - fit.roll_deg.value << " in roll, and its height by "
-        << std::setprecision(2) << mount.z_m - fit.z_m.value << " m; `iog mount` finds it";
+  words << std::fixed;
+  const auto add = [&](const char* name, const FittedValue& road, double by_file, double most,
+                       int places, const char* unit) {
+    if (is_off(road, by_file, most)) {
+      words << (words.view().empty() ? "is off: its " : ", its ") << name << " by "
+            << std::setprecision(places) << by_file - road.value << unit;
+    }
+  };
+  add("pitch", fit.pitch_deg, mount.pitch_deg, kMostOffDeg, 1, " degrees");
+  add("roll", fit.roll_deg, mount.roll_deg, kMostRolledDeg, 1, " degrees");
+  add("height", fit.z_m, mount.z_m, kMostOffM, 2, " m");
+  words << (words.view().empty() ? "" : "; `iog mount` finds it");
   return words.str();
 }
 
@@ -56,12 +62,9 @@ std::string MountWatch::rows() {
   std::string text;
   for (auto& [sensor, turns] : units_) {
     turns.finish();
-    const MountFit fit = fit_of(turns.mounts(), turns.turns(), {}, kFewestSeen);
-    const bool is_other_way_up =
-        turns.turned_over() >= std::max(kFewestSeen, 5 * turns.mounts().size()) ||
-        fit.z_m.value < 0;
-    const std::string words = is_other_way_up ? "is the other way up: its roll_deg differs by 180"
-                                              : words_of(fit, sensor->mount);
+    const std::string words = turns.is_other_way_up()
+                                  ? kOtherWayUp
+                                  : words_of(fit_of(turns, {}, kFewestSeen), sensor->mount);
     text += row_if(!words.empty(), "MOUNT?",
                    "judging by the road, the mount of " + std::string(sensor->name) + " " + words);
   }

@@ -36,11 +36,15 @@ std::string words_of(const FittedValue& fitted, double by_file) {
   return words + ", single turns differ by " + fixed(fitted.scatter, 3);
 }
 
-// An angle that is the file's but for its sign. Small ones may be so by chance.
+// An angle that is the file's but for its sign. Those near 0 or half a turn may be so by chance.
 std::string words_of_sign(const std::string& key, double found, double by_file) {
   constexpr double kLeastDeg = 2;
+  const auto from_multiple_of = [](double of_deg, double angle_deg) {
+    return std::abs(std::remainder(angle_deg, of_deg));
+  };
   const bool is_turned =
-      std::abs(by_file) >= kLeastDeg && 4 * std::abs(found + by_file) < std::abs(found - by_file);
+      from_multiple_of(180, by_file) >= kLeastDeg &&
+      4 * from_multiple_of(360, found + by_file) < from_multiple_of(360, found - by_file);
   return is_turned ? row("SIGN?", key +
                                       " of the car's file has the wrong sign; pitch_deg is "
                                       "positive down, roll_deg to the right")
@@ -93,10 +97,15 @@ std::string words_of(const MountFit& fit, const UnitTurns& unit,
 }
 
 std::string toml_of(const MountFit& fit, const description::MountConfig& by_file) {
+  // More than a turn would be refused.
+  const double roll_deg = std::abs(fit.roll_deg.value) > 360
+                              ? std::remainder(fit.roll_deg.value, 360)
+                              : fit.roll_deg.value;
   return "mount = { x_m = " + shortest(by_file.x_m) + ", y_m = " + shortest(by_file.y_m) +
          ", z_m = " + thousandths(fit.z_m.value) + ", yaw_deg = " + shortest(by_file.yaw_deg) +
-         ", pitch_deg = " + thousandths(fit.pitch_deg.value) + ", roll_deg = " +
-         (fit.has_roll() ? thousandths(fit.roll_deg.value) : shortest(by_file.roll_deg)) + " }\n";
+         ", pitch_deg = " + thousandths(fit.pitch_deg.value) +
+         ", roll_deg = " + (fit.has_roll() ? thousandths(roll_deg) : shortest(by_file.roll_deg)) +
+         " }\n";
 }
 
 }  // namespace iog::tools

@@ -1,5 +1,6 @@
 #include "tools/mount/unit_turns.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -20,6 +21,10 @@ namespace {
 constexpr double kLaneHalfWidthM = 2;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kTurnDeg = 360;
+
+// Fewer turns may be wrong.
+constexpr std::uint64_t kFewestTurnedOver = 10;
 
 // By half a turn about the unit's x.
 std::vector<RoadReturn> turned_over(std::vector<RoadReturn> returns,
@@ -42,8 +47,9 @@ TurnMount mount_of(const GroundPlane& plane, const description::MountConfig& by_
   const auto upward = [&](const std::array<double, 3>& axis) {
     return (axis[2] - plane.along * axis[0] - plane.across * axis[1]) / length;
   };
+  const double roll_deg = std::atan2(upward(turn.left), upward(turn.up)) * kDegrees;
   return {.pitch_deg = std::asin(-upward(turn.forward)) * kDegrees,
-          .roll_deg = std::atan2(upward(turn.left), upward(turn.up)) * kDegrees,
+          .roll_deg = by_file.roll_deg + std::remainder(roll_deg - by_file.roll_deg, kTurnDeg),
           .z_m = plane.below_m / length,
           .residual_m = plane.residual_m};
 }
@@ -103,6 +109,13 @@ void UnitTurns::end_turn() {
     ++turned_over_;
   }
   returns_.clear();
+}
+
+// The ground is above a unit whose file has it the wrong way up.
+bool UnitTurns::is_other_way_up() const {
+  const auto above = static_cast<std::uint64_t>(
+      std::ranges::count_if(mounts_, [](const TurnMount& turn) { return turn.z_m < 0; }));
+  return turned_over_ + above >= std::max(kFewestTurnedOver, 5 * (mounts_.size() - above));
 }
 
 void UnitTurns::finish() {

@@ -14,7 +14,8 @@
 
 namespace iog::tools {
 
-// Angles and height as description::MountConfig has them, with the yaw of the car's file.
+// Angles and height as description::MountConfig has them, with the yaw of the car's file. The roll
+// is within half a turn of the file's.
 struct TurnMount {
   std::uint64_t time_us = 0;  // of the turn's last packet
   double pitch_deg = 0;
@@ -40,8 +41,8 @@ class UnitTurns {
   [[nodiscard]] std::uint64_t turns() const { return turns_; }
   // Of the turns that show the ground, in their order.
   [[nodiscard]] const std::vector<TurnMount>& mounts() const { return mounts_; }
-  // Turns that show it only if the unit is the other way up than the file says.
-  [[nodiscard]] std::uint64_t turned_over() const { return turned_over_; }
+  // Whether nearly all turns show it only if the unit is the other way up than the file says.
+  [[nodiscard]] bool is_other_way_up() const;
 
  private:
   void end_turn();
@@ -58,7 +59,7 @@ class UnitTurns {
   std::uint64_t packets_ = 0;
   std::uint64_t turns_ = 0;
   std::vector<TurnMount> mounts_;
-  std::uint64_t turned_over_ = 0;
+  std::uint64_t turned_over_ = 0;  // turns that show the ground only the other way up
 };
 
 }  // namespace iog::tools

@@ -97,7 +97,7 @@ void RunStatistics::add_states(const GridFrame& frame) {
 void RunStatistics::add_points(const stream::FrameEnd& end) {
   for (std::size_t i = 0; i < sensor_count_; ++i) {
     const intake::SensorReport& sensor = end.sensors[i];
-    packets_fused_ += sensor.packets;
+    packets_fused_[i] += sensor.packets;
     most_points_[i] = std::max(most_points_[i], sensor.points);
     if (sensor.packets > 0) {
       most_packet_points_[i] = std::max(most_packet_points_[i], sensor.points / sensor.packets);
@@ -254,7 +254,7 @@ std::string RunStatistics::row_of_over_budget() const {
   if (over == 0) {
     return {};
   }
-  const std::uint64_t all = packets_fused_ + over;
+  const std::uint64_t all = std::accumulate(packets_fused_.begin(), packets_fused_.end(), over);
   std::string words = std::to_string(over) + " of " + std::to_string(all) + " packets dropped, " +
                       percent(over, all) + " %: ";
   const CatalogueEntry* const car = last_ ? vehicle_of_id(last_->vehicle_id) : nullptr;

@@ -44,6 +44,13 @@ class RunStatistics {
   // Frames without evidence that scan points came for.
   [[nodiscard]] std::uint64_t nothing_taken() const { return nothing_taken_; }
   [[nodiscard]] std::uint64_t points_used() const;
+  // Of each sensor.
+  [[nodiscard]] const std::array<std::uint64_t, vehicle::kMaxSensors>& packets_fused() const {
+    return packets_fused_;
+  }
+  [[nodiscard]] std::uint64_t packets_late() const {
+    return packet_drops_[static_cast<std::size_t>(intake::PacketDrop::kLate)];
+  }
   [[nodiscard]] std::uint32_t run_hash() const { return hash_.value(); }
   [[nodiscard]] const ClassStatistics& classes() const { return classes_; }
   [[nodiscard]] const ObjectStatistics& objects() const { return objects_; }
@@ -94,7 +101,7 @@ class RunStatistics {
   std::optional<work::TeamCounts> core_shares_;                       // since the target's start
   std::uint8_t sensor_count_ = 0;
   std::array<std::array<std::uint64_t, 4>, vehicle::kMaxSensors> sensor_frames_{};  // by state
-  std::uint64_t packets_fused_ = 0;
+  std::array<std::uint64_t, vehicle::kMaxSensors> packets_fused_{};
   std::array<std::uint32_t, vehicle::kMaxSensors> most_points_{};         // in a frame
   std::array<std::uint32_t, vehicle::kMaxSensors> most_packet_points_{};  // the mean of its packets
   std::vector<FrameRecord> records_;

@@ -104,6 +104,8 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("udp_port", sensor.udp_port);
   sensor.mount = read_mount(table.table("mount"));
   table.read("range_min_mm", sensor.range_min_mm);
+  sensor.range_max_mm =
+      description::usual_range_max_mm(sensor, description::grid_of(car.description.grid).cell_mm);
   table.read("range_max_mm", sensor.range_max_mm);
   table.read("precision_mm", sensor.precision_mm);
   table.read("sigma_m", sensor.sigma_m);

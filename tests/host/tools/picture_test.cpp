@@ -138,6 +138,23 @@ TEST(GridPicture, AHitIsSeenAmongFreeCells) {
   EXPECT_EQ(hit_pixels(4), 16);
 }
 
+// 102.4 m to both ends and 25.6 m to the sides: no ring from 40 m on crosses a diagonal.
+TEST(GridPicture, EachRingOfALongPictureHasItsDistance) {
+  GridFrame frame;
+  frame.shape = {.columns = 2048, .rows = 512, .origin_column = 1024, .origin_row = 256};
+  frame.cells.assign(std::size_t{2048} * 512, -56);
+  const Canvas picture = picture_of(frame, {.pixels_per_cell = 1});
+  ASSERT_EQ(picture.width(), 512);
+  ASSERT_EQ(picture.height(), 2048);
+  for (int radius = 40; radius <= 100; radius += 10) {
+    const double aside_m = 24;  // to the right, where the ring is before the border
+    const int row = 1024 + static_cast<int>(10 * std::sqrt(radius * radius - aside_m * aside_m));
+    for (int column = 256 + 240 - 8; column <= 256 + 240 + 8; ++column) {
+      EXPECT_FALSE(picture.at(column, row) == colour_of_index(-56)) << radius << " " << column;
+    }
+  }
+}
+
 // A label has its own dark ground: nothing of the free cells below is left between its letters.
 TEST(GridPicture, DistancesCanBeReadOverFreeGround) {
   GridFrame frame;

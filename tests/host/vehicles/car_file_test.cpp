@@ -235,6 +235,12 @@ TEST(CarDefaults, ObstaclesEndAboveTheUnit) {
   EXPECT_FALSE(car_of({puck(0.4)}).tables[0].ground.is_followed());
 }
 
+// docs/vehicles.md.
+TEST(CarDefaults, RangesEndWhereTheCellsLetThem) {
+  EXPECT_EQ(car_of({puck(1.5)}).tables[0].range.mm(), 73'000U);
+  EXPECT_EQ(car_of({puck(1.5)}, "grid = { cell_m = 0.05 }\n").tables[0].range.mm(), 72'407U);
+}
+
 TEST(CarDefaults, LevelUnitsShareTheLines) {
   const auto steps = [](const Car& car) {
     std::vector<std::uint32_t> found;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/grid.hpp"
 #include "tools/formats/picture/font.hpp"
@@ -102,16 +103,49 @@ class Painter {
     }
   }
 
-  // Above everything that may be there; behind the car on its right, where the road seldom is.
+  // Above everything that may be there.
   void label_rings() {
     const int scale = letter_scale();
     for (int radius = ring_m(); radius <= reach_m(); radius += ring_m()) {
       const std::string label = std::to_string(radius) + " m";
       const int width = Canvas::text_width(label, scale) - scale;
-      const double aside_m = radius * std::numbers::sqrt2 / 2;
-      put_text(static_cast<int>(column(-aside_m)) - width / 2,
-               static_cast<int>(row(-aside_m)) - kGlyphHeight * scale / 2, label, kInk);
+      if (const auto place = place_of_label(radius, (width / 2 + 2 * scale) / pixels(1))) {
+        put_text(static_cast<int>(column(place->y_m)) - width / 2,
+                 static_cast<int>(row(place->x_m)) - kGlyphHeight * scale / 2, label, kInk);
+      }
     }
+  }
+
+  struct Place {
+    double x_m = 0;
+    double y_m = 0;
+  };
+
+  // Behind the car on its right, where the road seldom is, if the ring is in the picture there; as
+  // near to the diagonal as the picture's border allows. None: nothing of the ring is in it.
+  [[nodiscard]] std::optional<Place> place_of_label(double radius_m, double margin_m) const {
+    const auto metres = [&](int cells) {
+      return static_cast<double>(cells) / cells_per_metre_ - margin_m;
+    };
+    const double ahead_m = metres(x_.end - x_.origin);
+    const double behind_m = metres(x_.origin - x_.first);
+    const double left_m = metres(y_.end - y_.origin);
+    const double right_m = metres(y_.origin - y_.first);
+    const auto beside = [&](double way_m) {
+      return std::sqrt(std::max(0.0, radius_m * radius_m - way_m * way_m));
+    };
+    for (const Place& most : {Place{-behind_m, -right_m}, Place{ahead_m, -right_m},
+                              Place{-behind_m, left_m}, Place{ahead_m, left_m}}) {
+      const double along_m =
+          std::min(beside(std::min(radius_m * std::numbers::sqrt2 / 2, std::abs(most.y_m))),
+                   std::abs(most.x_m));
+      const double across_m = beside(along_m);
+      constexpr double kRoundedM = 1e-6;
+      if (across_m <= std::abs(most.y_m) + kRoundedM) {
+        return Place{std::copysign(along_m, most.x_m), std::copysign(across_m, most.y_m)};
+      }
+    }
+    return std::nullopt;
   }
 
   void paint_car(const CatalogueEntry& car) {

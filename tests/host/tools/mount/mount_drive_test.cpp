@@ -157,10 +157,33 @@ TEST(MountWatch, TellsAFileThatIsWrong) {
   const auto is_told = [&](const std::string& text, const char* words) {
     EXPECT_NE(text.find(words), std::string::npos) << text;
   };
+  const auto is_left_out = [&](const std::string& text, const char* words) {
+    EXPECT_EQ(text.find(words), std::string::npos) << text;
+  };
   EXPECT_EQ(told(0, 0, 0), "");
-  is_told(told(3, 0, 0), " degrees in pitch");
-  is_told(told(0, 0, -0.5), "its height by -0.5");
+  const std::string pitched = told(3, 0, 0);
+  is_told(pitched, " is off: its pitch by ");
+  is_left_out(pitched, "roll");
+  const std::string lowered = told(0, 0, -0.5);
+  is_told(lowered, " is off: its height by -0.5");
+  is_left_out(lowered, "pitch");
+  is_left_out(lowered, "roll");
   is_told(told(0, 180, 0), "is the other way up");
+}
+
+TEST(MountDrive, AUnitThatIsTheOtherWayUpIsTold) {
+  const Case right{"roof_vlp16", "street", 0, 0, 0};
+  const Remounted truth(right.car, truth_of(right));
+  description::MountConfig turned = truth_of(right);
+  turned.roll_deg = 180;
+  const Remounted file(right.car, turned);
+  UnitTurns turns(file.car(), 0);
+  Drive drive(truth.car(), 1, 2, find_scene(right.scene), Motion::kContinuous);
+  for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
+    std::ranges::for_each(drive.datagrams(frame), [&](const auto& each) { turns.take(each); });
+  }
+  turns.finish();
+  EXPECT_NE(fit_of(turns, {}).refusal.find("the other way up"), std::string::npos);
 }
 
 TEST(MountDrive, AnotherCarsCaptureHasNoTurns) {

@@ -87,6 +87,17 @@ TEST(MountOf, AUnitMayHangUpsideDown) {
   EXPECT_NEAR(found.roll_deg, 177, 1e-9);
 }
 
+// A unit that hangs rolls to either side of half a turn, and a file calls it 180 or -180.
+TEST(MountOf, TheRollIsWithinHalfATurnOfTheFiles) {
+  for (const double by_file : {-180.0, 180.0}) {
+    for (const double truth : {-179.5, 179.5}) {
+      const description::MountConfig mount{.z_m = 2, .roll_deg = by_file};
+      const TurnMount found = mount_of(seen_by_file({.z_m = 2, .roll_deg = truth}, mount), mount);
+      EXPECT_NEAR(std::abs(found.roll_deg - by_file), 0.5, 1e-9) << by_file << " " << truth;
+    }
+  }
+}
+
 // So many turns, a tenth of a second each, of 1 degree of pitch, 2 of roll and 1.5 m.
 std::vector<TurnMount> turns(std::size_t count) {
   std::vector<TurnMount> all(count);

@@ -40,6 +40,29 @@ TEST(MountWords, AnAngleThatHasTheOtherSignInTheFileIsTold) {
   EXPECT_FALSE(told(0.5, -0.5));
 }
 
+TEST(MountWords, ARollHasTheOtherSignOnlyIfThatIsAnotherAngle) {
+  const CatalogueEntry& car = find_vehicle("roof_vlp16");
+  const UnitTurns unit(car, 0);
+  const auto told = [&](double found, double by_file) {
+    MountFit fitted = fit();
+    fitted.roll_deg = {.value = found, .parts = {found, found, found}};
+    description::SensorConfig sensor = car.sensors[0];
+    sensor.mount.roll_deg = by_file;
+    return words_of(fitted, unit, sensor).find("SIGN?") != std::string::npos;
+  };
+  EXPECT_FALSE(told(-179.95, -180));
+  EXPECT_FALSE(told(180, -180));
+  EXPECT_FALSE(told(180.5, 179.5));  // by chance
+  EXPECT_TRUE(told(185, 175));       // -175
+}
+
+// 360.1 degrees would be refused.
+TEST(MountWords, TheLineOfARollBeyondATurnCanBeRead) {
+  MountFit fitted = fit();
+  fitted.roll_deg = {.value = -360.125, .parts = {-360.1, -360.1, -360.2}};
+  EXPECT_NE(toml_of(fitted, kByFile).find("roll_deg = -0.125 }"), std::string::npos);
+}
+
 TEST(MountWords, ARollThatIsNotKnownIsThatOfTheFile) {
   MountFit fitted = fit();
   fitted.roll_deg.parts = {-0.3, 0, 0.3};

@@ -1,0 +1,111 @@
+// A sensor that stops, and scans that are longer than a frame, leave a plausible grid.
+#include "tools/identity/sensor_watch.hpp"
+
+#include <array>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "fakes/points_packet.hpp"
+#include "tools/program/table.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kBeginUs = 1'700'000'000'000'000;
+
+// Every 100 ms a datagram of each sensor of a car with two, but for some.
+class TwoSensors {
+ public:
+  // to_ds: in tenths of a second.
+  void send(std::uint64_t from_ds, std::uint64_t to_ds, bool of_first, bool of_second) {
+    for (std::uint64_t i = from_ds; i < to_ds; ++i) {
+      for (std::size_t sensor = 0; sensor < 2; ++sensor) {
+        if (sensor == 0 ? of_first : of_second) {
+          watch_.take({.time_us = kBeginUs + i * 100'000 + sensor,
+                       .source = {},
+                       .destination = {.ipv4 = 0, .port = car_->sensors[sensor].udp_port},
+                       .payload = {}});
+        }
+      }
+    }
+  }
+  [[nodiscard]] std::string rows() const { return watch_.rows_of_silence(); }
+  [[nodiscard]] std::string name(std::size_t sensor) const {
+    return std::string(car_->sensors[sensor].name);
+  }
+
+ private:
+  const CatalogueEntry* car_ = &find_vehicle("two_lux_parking");
+  SensorWatch watch_{*car_};
+};
+
+TEST(SensorWatch, ASensorThatStopsIsTold) {
+  TwoSensors car;
+  car.send(0, 30, true, true);
+  car.send(30, 100, true, false);
+  EXPECT_EQ(car.rows(), row("SILENT?", car.name(1) + " sends nothing from 2.9 s on"));
+}
+
+TEST(SensorWatch, TheLongestSilenceIsTold) {
+  TwoSensors car;
+  car.send(0, 15, false, true);
+  car.send(15, 30, true, true);
+  car.send(30, 60, false, true);
+  car.send(60, 75, true, true);
+  EXPECT_EQ(car.rows(), row("SILENT?", car.name(0) + " sends nothing from 2.9 s to 6.0 s"));
+}
+
+TEST(SensorWatch, ASensorThatNeverSendsIsTold) {
+  TwoSensors car;
+  car.send(0, 20, false, true);
+  EXPECT_EQ(car.rows(), row("SILENT?", car.name(0) + " sends nothing"));
+}
+
+// A car without a packet is told of elsewhere.
+TEST(SensorWatch, ShortSilencesAndPausesOfTheRecordingAreNone) {
+  TwoSensors car;
+  EXPECT_EQ(car.rows(), "");
+  car.send(0, 20, true, true);
+  car.send(20, 28, true, false);
+  car.send(28, 40, true, true);
+  car.send(100, 120, true, true);
+  EXPECT_EQ(car.rows(), "");
+  car.send(120, 128, true, false);
+  EXPECT_EQ(car.rows(), "");
+}
+
+// Scans of 10 packets, 10 ms from one to the next, and so many of them fused.
+std::string told_of_late(std::uint32_t frame_period_us, std::uint64_t fused, std::uint64_t late) {
+  CatalogueEntry car = find_vehicle("robot_2d");
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.frame_period_us = frame_period_us;
+  car.vehicle = &vehicle;
+  SensorWatch watch(car);
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const tests::PointsPacket packet{.scan_number = 1 + i / 10,
+                                     .number = static_cast<int>(i % 10),
+                                     .datagrams = 10,
+                                     .time_us = kBeginUs + i / 10 * 100'000};
+    const std::vector<std::byte> bytes = packet.bytes();
+    watch.take({.time_us = kBeginUs + i * 10'000,
+                .source = {},
+                .destination = {.ipv4 = 0, .port = car.sensors[0].udp_port},
+                .payload = bytes});
+  }
+  const std::array<std::uint64_t, 1> counts{fused};
+  return watch.rows_of_late(counts, late);
+}
+
+TEST(SensorWatch, ScansThatAreLongerThanAFrameAreTold) {
+  EXPECT_EQ(told_of_late(40'000, 80, 120),
+            row("LATE?",
+                "120 of 200 packets of front come after their frame has ended: a scan lasts 90 ms, "
+                "and a frame ends after 40 ms: set frame_period_us = 150000 in the car file"));
+  EXPECT_EQ(told_of_late(150'000, 80, 120),
+            row("LATE?", "120 of 200 packets of front come after their frame has ended"));
+  EXPECT_EQ(told_of_late(40'000, 180, 20), "");
+  EXPECT_EQ(told_of_late(40'000, 80, 0), "");  // dropped for another reason
+}
+
+}  // namespace
+}  // namespace iog::tools

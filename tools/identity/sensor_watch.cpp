@@ -1,0 +1,135 @@
+#include "tools/identity/sensor_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "intake/packet.hpp"
+#include "lidar/formats.hpp"
+#include "tools/program/table.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint64_t kSilenceUs = 1'000'000;
+constexpr std::uint64_t kOfManyLate = 10;
+
+std::uint64_t median_of(std::vector<std::uint64_t> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+std::string milliseconds(std::uint64_t micros) {
+  return std::to_string((micros + 500) / 1000) + " ms";
+}
+
+}  // namespace
+
+// A pause of all sensors is one of the recording, so the clock of sending stands.
+void SensorWatch::take(const CapturedDatagram& datagram) {
+  const std::size_t sensor = sensor_of_port(*car_, datagram.destination.port);
+  if (sensor == logs_.size()) {
+    return;
+  }
+  const std::uint64_t before_us = begin_ ? now_.capture_us : datagram.time_us;
+  const std::uint64_t step_us = std::max(datagram.time_us, before_us) - before_us;
+  now_.capture_us = before_us + step_us;
+  now_.sending_us += step_us < kSilenceUs ? step_us : 0;
+  if (!begin_) {
+    begin_ = now_;
+  }
+  Log& log = logs_[sensor];
+  const Silence silence{.from = log.newest.value_or(*begin_), .to = now_};
+  if (silence.length_us() > log.longest.length_us()) {
+    log.longest = silence;
+  }
+  log.newest = now_;
+  if (!lidar::turns(car_->sensors[sensor].format)) {
+    take_scan(datagram, sensor);
+  }
+}
+
+void SensorWatch::take_scan(const CapturedDatagram& datagram, std::size_t sensor) {
+  const vehicle::Sensor& unit = car_->vehicle->sensors[sensor];
+  const intake::Packet packet = intake::Packet::decode(unit.format, datagram.payload, unit.unit());
+  if (!packet.is_sound()) {
+    return;
+  }
+  Log& log = logs_[sensor];
+  ++log.packets;
+  const std::uint32_t number = packet.info().scan_number;
+  if (!log.scan || log.scan->number != number) {
+    if (log.scan) {
+      log.lengths_us.push_back(log.scan->last_us - log.scan->first_us);
+      log.periods_us.push_back(now_.capture_us - log.scan->first_us);
+    }
+    log.scan = {.number = number, .first_us = now_.capture_us, .last_us = 0};
+  }
+  log.scan->last_us = now_.capture_us;
+}
+
+// Seconds since the first packet of any sensor.
+std::string SensorWatch::words_of_silence(const Log& log) const {
+  if (!log.newest) {
+    return begin_ ? "nothing" : "";
+  }
+  const Silence last{.from = *log.newest, .to = now_};
+  const bool is_to_the_end = last.length_us() >= std::max(kSilenceUs, log.longest.length_us());
+  const Silence& longest = is_to_the_end ? last : log.longest;
+  if (longest.length_us() < kSilenceUs) {
+    return {};
+  }
+  const auto seconds = [&](const Instant& instant) {
+    return static_cast<double>(instant.capture_us - begin_->capture_us) / 1e6;
+  };
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(1) << "nothing from " << seconds(longest.from) << " s ";
+  if (is_to_the_end) {
+    words << "on";
+  } else {
+    words << "to " << seconds(longest.to) << " s";
+  }
+  return words.str();
+}
+
+std::string SensorWatch::rows_of_silence() const {
+  std::string rows;
+  for (std::size_t i = 0; i < logs_.size(); ++i) {
+    const std::string words = words_of_silence(logs_[i]);
+    rows +=
+        row_if(!words.empty(), "SILENT?", std::string(car_->sensors[i].name) + " sends " + words);
+  }
+  return rows;
+}
+
+// A frame ends when its time is over, or with the next scan of a sensor.
+std::string SensorWatch::cause_of_late(const Log& log) const {
+  const std::uint64_t frame_us = car_->vehicle->frame_period_us;
+  const std::uint64_t scan_us = log.lengths_us.empty() ? 0 : median_of(log.lengths_us);
+  if (scan_us > frame_us) {
+    const std::uint64_t enough_us = median_of(log.periods_us) * 3 / 2;
+    return ": a scan lasts " + milliseconds(scan_us) + ", and a frame ends after " +
+           milliseconds(frame_us) +
+           ": set frame_period_us = " + std::to_string((enough_us + 500) / 1000 * 1000) +
+           " in the car file";
+  }
+  return logs_.size() > 1 ? ": the next scan of another sensor ends the frame" : "";
+}
+
+std::string SensorWatch::rows_of_late(std::span<const std::uint64_t> fused,
+                                      std::uint64_t late) const {
+  std::string rows;
+  for (std::size_t i = 0; i < logs_.size(); ++i) {
+    const std::uint64_t packets = logs_[i].packets;
+    const std::uint64_t its = std::min(late, packets - std::min(packets, fused[i]));
+    rows += row_if(kOfManyLate * its > packets, "LATE?",
+                   std::to_string(its) + " of " + std::to_string(packets) + " packets of " +
+                       std::string(car_->sensors[i].name) + " come after their frame has ended" +
+                       cause_of_late(logs_[i]));
+  }
+  return rows;
+}
+
+}  // namespace iog::tools

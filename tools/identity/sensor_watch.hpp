@@ -1,0 +1,69 @@
+// Whether each sensor of a car sends all the time, and its scans fit into the car's frames.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/formats/capture/datagram.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
+
+namespace iog::tools {
+
+class SensorWatch {
+ public:
+  // The car outlives it.
+  explicit SensorWatch(const CatalogueEntry& car) : car_(&car), logs_(car.sensors.size()) {}
+
+  // The next datagram of the capture, of whatever port.
+  void take(const CapturedDatagram& datagram);
+
+  // A row for each sensor that is silent for a second or longer while others send. The capture is
+  // over.
+  [[nodiscard]] std::string rows_of_silence() const;
+
+  // A row for each sensor of which more than a tenth of the packets came after their frame had
+  // ended. fused: packets of each sensor that were fused; late: such packets of all sensors.
+  [[nodiscard]] std::string rows_of_late(std::span<const std::uint64_t> fused,
+                                         std::uint64_t late) const;
+
+ private:
+  // When something came: by the capture's clock, and by one that stands while no sensor sends.
+  struct Instant {
+    std::uint64_t capture_us = 0;
+    std::uint64_t sending_us = 0;
+  };
+  struct Silence {
+    Instant from;
+    Instant to;
+    [[nodiscard]] std::uint64_t length_us() const { return to.sending_us - from.sending_us; }
+  };
+  struct Scan {
+    std::uint32_t number = 0;
+    std::uint64_t first_us = 0;
+    std::uint64_t last_us = 0;
+  };
+  // What came of a sensor.
+  struct Log {
+    std::optional<Instant> newest{};
+    Silence longest{};
+    std::uint64_t packets = 0;  // sound ones of a unit that does not turn, as all that follows
+    std::optional<Scan> scan{};
+    std::vector<std::uint64_t> lengths_us{};  // of scans, by when their packets came
+    std::vector<std::uint64_t> periods_us{};  // from scan to scan
+  };
+
+  void take_scan(const CapturedDatagram& datagram, std::size_t sensor);
+  [[nodiscard]] std::string words_of_silence(const Log& log) const;
+  [[nodiscard]] std::string cause_of_late(const Log& log) const;
+
+  const CatalogueEntry* car_;
+  std::vector<Log> logs_;  // in the order of the car's sensors
+  std::optional<Instant> begin_;
+  Instant now_;
+};
+
+}  // namespace iog::tools
