@@ -8,6 +8,7 @@
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "pose/message.hpp"
+#include "tools/program/middle.hpp"
 
 namespace iog::tools {
 namespace {
@@ -16,12 +17,6 @@ constexpr std::size_t kEnough = 25;  // packets of a sensor
 // Transport takes less than this, and clocks that differ by mistake differ by more.
 constexpr std::int64_t kAgreeUs = 250'000;
 constexpr std::int64_t kWholeSecondUs = 1'000'000;
-
-std::int64_t middle_of(std::vector<std::int64_t> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 // Clocks that somebody set differ by whole seconds; the rest is transport.
 std::int64_t without_way(std::int64_t ahead_us) {
@@ -128,7 +123,7 @@ std::string CarClocks::words_of_step() const {
       text << std::fixed << std::setprecision(3) << "the clock of " << car_->sensors[sensor].name
            << " steps by " << static_cast<double>(step.step_us) / 1e6 << " s at "
            << static_cast<double>(step.time_us) / 1e6
-           << " s of the capture, as if it was set: no one offset fits. Cut the capture there";
+           << " s of the capture, as if it was set: no single offset fits. Cut the capture there";
       return text.str();
     }
   }
@@ -144,7 +139,7 @@ bool CarClocks::are_known() const {
 std::int64_t CarClocks::sensors_us() const {
   const auto known =
       std::ranges::find_if(sensors_us_, [](const auto& its) { return !its.second.empty(); });
-  const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_of(known->second);
+  const std::int64_t ahead_us = known == sensors_us_.end() ? 0 : middle_value_of(known->second);
   return std::abs(ahead_us) <= kAgreeUs ? 0 : without_way(ahead_us);
 }
 
@@ -159,7 +154,7 @@ std::string CarClocks::words() const {
   std::int64_t some_us = 0;
   std::size_t agreeing = 0;
   for (const auto& [sensor, ahead_us] : sensors_us_) {
-    const std::int64_t its_us = ahead_us.empty() ? 0 : middle_of(ahead_us) - *poses_us_;
+    const std::int64_t its_us = ahead_us.empty() ? 0 : middle_value_of(ahead_us) - *poses_us_;
     if (std::abs(its_us) <= kAgreeUs) {
       ++agreeing;
     } else {

@@ -7,6 +7,7 @@
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/program/middle.hpp"
 #include "tools/program/table.hpp"
 
 namespace iog::tools {
@@ -14,12 +15,6 @@ namespace {
 
 constexpr std::uint64_t kSilenceUs = 1'000'000;
 constexpr std::uint64_t kOfManyLate = 10;
-
-std::uint64_t median_of(std::vector<std::uint64_t> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 std::string milliseconds(std::uint64_t micros) {
   return std::to_string((micros + 500) / 1000) + " ms";
@@ -107,9 +102,9 @@ std::string SensorWatch::rows_of_silence() const {
 // A frame ends when its time is over, or with the next scan of a sensor.
 std::string SensorWatch::cause_of_late(const Log& log) const {
   const std::uint64_t frame_us = car_->vehicle->frame_period_us;
-  const std::uint64_t scan_us = log.lengths_us.empty() ? 0 : median_of(log.lengths_us);
+  const std::uint64_t scan_us = log.lengths_us.empty() ? 0 : middle_value_of(log.lengths_us);
   if (scan_us > frame_us) {
-    const std::uint64_t enough_us = median_of(log.periods_us) * 3 / 2;
+    const std::uint64_t enough_us = middle_value_of(log.periods_us) * 3 / 2;
     return ": a scan lasts " + milliseconds(scan_us) + ", and a frame ends after " +
            milliseconds(frame_us) +
            ": set frame_period_us = " + std::to_string((enough_us + 500) / 1000 * 1000) +

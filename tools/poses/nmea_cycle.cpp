@@ -4,19 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "tools/program/middle.hpp"
+
 namespace iog::tools {
 namespace {
 
 using Own = std::vector<std::optional<std::size_t>>;
 
 template <typename Value>
-Value middle_of(std::vector<Value> values, Value if_none) {
-  if (values.empty()) {
-    return if_none;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+Value middle_of(const std::vector<Value>& values, Value if_none) {
+  return values.empty() ? if_none : middle_value_of(values);
 }
 
 // The untimed sentences between one time and the next.

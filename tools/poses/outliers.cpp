@@ -5,6 +5,7 @@
 
 #include "numeric/elementary.hpp"
 #include "pose/limits.hpp"
+#include "tools/program/middle.hpp"
 
 namespace iog::tools {
 namespace {
@@ -48,13 +49,8 @@ Bend bend_of(const Way& first, const Way& second) {
           std::max(0.0, off_rad - kMostTurnAcceleration * squared_s)};
 }
 
-double median(std::vector<double>& values) {
-  if (values.empty()) {
-    return 0;
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+double median(const std::vector<double>& values) {
+  return values.empty() ? 0 : middle_value_of(values);
 }
 
 class Chains {

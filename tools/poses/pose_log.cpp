@@ -13,6 +13,7 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/stated_motion.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/middle.hpp"
 #include "tools/program/table.hpp"
 
 namespace iog::tools {
@@ -57,9 +58,7 @@ void count_from_near(PoseLog& log) {
     std::vector<double> all;
     std::ranges::transform(log.poses, std::back_inserter(all), coordinate);
     std::erase_if(all, [](double value) { return !std::isfinite(value); });
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::ranges::nth_element(all, middle);
-    return all.empty() ? 0 : std::round(*middle);
+    return all.empty() ? 0 : std::round(middle_value_of(std::move(all)));
   };
   const double x_m = middle_of(&LoggedPose::x_m);
   const double y_m = middle_of(&LoggedPose::y_m);

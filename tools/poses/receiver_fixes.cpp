@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/program/middle.hpp"
+
 namespace iog::tools {
 namespace {
 
@@ -183,9 +185,7 @@ LocalPlane plane_of(const std::vector<Fix>& fixes) {
     for (const Fix& fix : fixes) {
       angles.push_back(fix.at.*angle);
     }
-    const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-    std::ranges::nth_element(angles, middle);
-    return *middle;
+    return middle_value_of(std::move(angles));
   };
   const Geodetic most{median(&Geodetic::latitude), median(&Geodetic::longitude)};
   const auto first = std::ranges::find_if(fixes, [&most](const Fix& fix) {
