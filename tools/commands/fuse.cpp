@@ -103,9 +103,9 @@ class Signs {
   }
 
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
-  [[nodiscard]] std::string rows(const RunStatistics& statistics) {
+  // crowd: as of CarCapture.
+  [[nodiscard]] std::string rows(const RunStatistics& statistics, const std::string& crowd) {
     const std::string motion = motion_.words();
-    const std::string crowd = identity_.words_of_crowd(*car_);
     return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + sensors_.rows_of_silence() +
            sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
@@ -279,7 +279,7 @@ void fuse(const FuseOptions& options) {
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
-            << signs.rows(statistics);
+            << signs.rows(statistics, capture.words_of_crowd());
   write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +

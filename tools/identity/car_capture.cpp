@@ -236,8 +236,8 @@ std::string CarCapture::words_of_cover() const {
 }
 
 std::string CarCapture::clock_words() const {
-  std::vector<std::string> all{files_.words(),           clocks_.words(),  clocks_.words_of_pace(),
-                               clocks_.words_of_crowd(), words_of_cover(), senders_.words()};
+  std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
+                               words_of_cover(), senders_.words()};
   std::erase(all, "");
   return joined(all, "; ");
 }
@@ -255,8 +255,10 @@ void warn_of(const DriveFiles& drive, const CarCapture& capture) {
   for (const std::string& words : capture.remarks()) {
     std::cerr << "iog: " << drive.poses << ": " << words << '\n';
   }
-  if (const std::string words = capture.clock_words(); !words.empty()) {
-    std::cerr << "iog: " << drive.name() << ": " << words << '\n';
+  for (const std::string& words : {capture.clock_words(), capture.words_of_crowd()}) {
+    if (!words.empty()) {
+      std::cerr << "iog: " << drive.name() << ": " << words << '\n';
+    }
   }
 }
 

@@ -51,6 +51,8 @@ class CarCapture {
   // Words for a difference between the clocks of poses, packets and captures or between captures,
   // and for packets of strangers. Empty if there is none. Complete when everything has been read.
   [[nodiscard]] std::string clock_words() const;
+  // As of CarClocks. Complete when everything has been read.
+  [[nodiscard]] std::string words_of_crowd() const { return clocks_.words_of_crowd(); }
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
@@ -89,7 +91,7 @@ class CarCapture {
   std::optional<CapturedDatagram> packet_;  // that comes behind them
 };
 
-// As of PcapReader, remarks() and clock_words().
+// As of PcapReader, remarks(), clock_words() and words_of_crowd().
 void warn_of(const DriveFiles& drive, const CarCapture& capture);
 
 }  // namespace iog::tools

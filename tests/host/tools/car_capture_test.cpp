@@ -124,10 +124,10 @@ TEST(CarCapture, ASecondUnitThatStartsLaterIsTold) {
   while (capture.next()) {
   }
   EXPECT_NE(
-      capture.clock_words().find("2 units send to UDP port 2368 (10.0.2.100, 10.0.2.250): set "
-                                 "source_ipv4 of sensor roof in the car file"),
+      capture.words_of_crowd().find("2 units send to UDP port 2368 (10.0.2.100, 10.0.2.250): set "
+                                    "source_ipv4 of sensor roof in the car file"),
       std::string::npos)
-      << capture.clock_words();
+      << capture.words_of_crowd();
 }
 
 struct Offset {
@@ -171,7 +171,7 @@ TEST(CarCapture, AClockThatIsSetInBetweenIsTold) {
   datagrams.insert(datagrams.end(), later.begin(), later.end());
   const std::string words = read(datagrams, 0).words;
   EXPECT_TRUE(words.starts_with("the clock of front_left steps by -3600.000 s at 3630.")) << words;
-  EXPECT_NE(words.find("no one offset fits. Cut the capture there"), std::string::npos) << words;
+  EXPECT_NE(words.find("no single offset fits. Cut the capture there"), std::string::npos) << words;
 }
 
 // A Velodyne's clock counts from the full hour.
