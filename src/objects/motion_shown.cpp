@@ -109,11 +109,10 @@ void weigh_motion(std::uint64_t now_us, const OurCar& car, std::span<const std::
       track.speed() >= kOpenSpeed && !goes_with(car.velocity, track.velocity());
   if (track.is_receding) {
     weigh_trail(*then, car.at, numbers, hits, grid, track);
-  }
-  const std::int32_t surely_bad = track.seen.bad;
-  if (!track.is_receding) {
+  } else {
     weigh_left(*then, car.at, open_counts, grid, track);
   }
+  const std::int32_t surely_bad = track.is_receding ? track.seen.bad : track.seen.contradicted;
   track.follow_trail();
   weigh_reached(*then, car.at, open_counts, numbers, hits.of_view, track);
   if (track.moves() && range_mm(car.at, track.box().at) < car.blind_mm) {

@@ -241,6 +241,20 @@ TEST(CarDefaults, RangesEndWhereTheCellsLetThem) {
   EXPECT_EQ(car_of({puck(1.5)}, "grid = { cell_m = 0.05 }\n").tables[0].range.mm(), 72'407U);
 }
 
+// A puck's lowest beams go down by 15 degrees. They are 0.6 m high (1.5 m - 0.6 m) / tan(15
+// degrees) = 3359 mm away, seen from where the unit is.
+TEST(CarDefaults, NoBeamIsLowBesideTheCar) {
+  const auto blind_mm = [](const Car& car) { return car.vehicle.window.blind_mm; };
+  EXPECT_NEAR(blind_mm(car_of({puck(1.5)})), 3'359, 3);
+  const std::string ahead_of_it = "grids = \"both\"\ngrid = { ahead_m = 51.2, behind_m = 12.8 }\n";
+  EXPECT_NEAR(blind_mm(car_of({puck(1.5)}, ahead_of_it)), 3'359, 3);
+  const std::string moved = puck(1.5);
+  const std::string ahead = std::string(moved).replace(moved.find("x_m = 0"), 7, "x_m = 1");
+  EXPECT_NEAR(blind_mm(car_of({ahead})), 2'359, 3);
+  EXPECT_EQ(blind_mm(car_of({puck(1.5, "moved = false\n")})), 0);
+  EXPECT_EQ(blind_mm(car_of({puck(0.5)})), 0);
+}
+
 TEST(CarDefaults, LevelUnitsShareTheLines) {
   const auto steps = [](const Car& car) {
     std::vector<std::uint32_t> found;
