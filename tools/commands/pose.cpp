@@ -85,13 +85,19 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
       .sigma = wire_sigma(*options.map_sigma_mm / 1000, options.map_heading_sigma_mrad / 1000)};
 }
 
-void write(const std::vector<CapturedDatagram>& datagrams, const std::string& path) {
+// With as many poses as the log has used; the others are interpolated.
+void write(const std::vector<CapturedDatagram>& datagrams, std::size_t used,
+           const std::string& path) {
   PcapWriter capture(path, PcapWriter::Unfinished::kNothing);
   for (const CapturedDatagram& datagram : datagrams) {
     capture.write(datagram);
   }
   capture.finish();
-  std::cout << counted(datagrams.size(), "pose|poses in ") << path << '\n';
+  std::cout << counted(used, "pose|poses in ") << path;
+  if (datagrams.size() > used) {
+    std::cout << ", and " << datagrams.size() - used << " interpolated between them";
+  }
+  std::cout << '\n';
 }
 
 void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& options,
@@ -163,7 +169,7 @@ void convert(const PoseLogOptions& options) {
   for (const std::string& words : words_of(log)) {
     std::cout << options.from << ": " << words << '\n';
   }
-  options.out.empty() ? send(datagrams, options, signer) : write(datagrams, options.out);
+  options.out.empty() ? send(datagrams, options, signer) : write(datagrams, log.poses, options.out);
 }
 
 void add_map_options(CLI::App& command, PoseLogOptions& options) {
