@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pose/limits.hpp"
+#include "tools/poses/log_clock.hpp"
 #include "tools/poses/outliers.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/stated_motion.hpp"
@@ -134,6 +135,9 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
         "no car moves as most poses say: check the units of positions, headings and times");
   } else {
     note_gaps(poses, log.notes);
+  }
+  if (std::string words = words_of_clock_step(whole, log.unit); !words.empty()) {
+    log.notes.push_back(std::move(words));
   }
   return poses;
 }
