@@ -73,8 +73,11 @@ void CarClocks::add_pose(const CapturedDatagram& datagram) {
   first_pose_us_ = poses_.first_us > poses_.last_us ? message.clock_us : first_pose_us_;
   poses_.add(datagram.time_us);
   last_pose_us_ = message.clock_us;
-  if (!poses_us_) {
-    poses_us_ = microseconds_later(message.clock_us + message.age_us, datagram.time_us);
+  const std::int64_t ahead_us =
+      microseconds_later(message.clock_us + message.age_us, datagram.time_us);
+  poses_us_ = poses_us_.value_or(ahead_us);
+  if (!is_of_log_) {
+    pose_step_.add(ahead_us, datagram.time_us);
   }
 }
 
@@ -100,29 +103,23 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
       microseconds_later(intake::measured_us(sensor, packet.info(), about_us), datagram.time_us);
   if (ahead_us.size() < kEnough) {
     ahead_us.push_back(its_us);
-  } else {
-    steps_[number].add(its_us - ahead_us.front(), datagram.time_us);
   }
+  steps_[number].add(its_us, datagram.time_us);
 }
 
-// One packet may be damaged.
-void CarClocks::Step::add(std::int64_t off_us, std::uint64_t at_us) {
-  if (packets == kEnough) {
-    return;
-  }
-  if (packets == 0 || std::abs(off_us - step_us) > kWholeSecondUs) {
-    *this = {.step_us = off_us, .time_us = at_us};
-  }
-  packets = std::abs(off_us) > kWholeSecondUs ? packets + 1 : 0;
-}
-
+// If the capture's clock was set, that of its poses steps with the sensor's.
 std::string CarClocks::words_of_step() const {
+  const std::optional<ClockStep::Found>& of_poses = pose_step_.found();
+  const auto is_of_capture = [&of_poses](const ClockStep::Found& found) {
+    return of_poses && std::abs(found.step_us - of_poses->step_us) < kAgreeUs / 2 &&
+           std::abs(microseconds_later(found.time_us, of_poses->time_us)) <= kWholeSecondUs;
+  };
   for (const auto& [sensor, step] : steps_) {
-    if (step.packets == kEnough) {
+    if (step.found() && !is_of_capture(*step.found())) {
       std::ostringstream text;
       text << std::fixed << std::setprecision(3) << "the clock of " << car_->sensors[sensor].name
-           << " steps by " << static_cast<double>(step.step_us) / 1e6 << " s at "
-           << static_cast<double>(step.time_us) / 1e6
+           << " steps by " << static_cast<double>(step.found()->step_us) / 1e6 << " s at "
+           << static_cast<double>(step.found()->time_us) / 1e6
            << " s of the capture, as if it was set: no single offset fits. Cut the capture there";
       return text.str();
     }

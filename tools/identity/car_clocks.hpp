@@ -12,6 +12,7 @@
 
 #include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/identity/clock_step.hpp"
 #include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -71,15 +72,6 @@ class CarClocks {
   [[nodiscard]] const Span& packets() const { return packets_; }
 
  private:
-  // Of a sensor's clock beside the capture's, since its first packets.
-  struct Step {
-    std::int64_t step_us = 0;
-    std::uint64_t time_us = 0;
-    std::size_t packets = 0;  // in a row that are so much off
-
-    void add(std::int64_t off_us, std::uint64_t at_us);
-  };
-
   void add_pose(const CapturedDatagram& datagram);
   void add_packet(const CapturedDatagram& datagram, std::size_t sensor);
   [[nodiscard]] std::string words_of_step() const;
@@ -92,7 +84,8 @@ class CarClocks {
   std::uint64_t last_pose_us_ = 0;
   std::optional<std::int64_t> poses_us_;
   std::map<std::size_t, std::vector<std::int64_t>> sensors_us_;  // by sensor
-  std::map<std::size_t, Step> steps_;
+  std::map<std::size_t, ClockStep> steps_;
+  ClockStep pose_step_;
   std::map<std::size_t, ClockPace> paces_;
   std::map<std::size_t, std::map<std::uint32_t, Heard>> heard_;  // by sensor, by source
 };
