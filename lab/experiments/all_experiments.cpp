@@ -29,11 +29,9 @@ constexpr auto kExperiments = std::to_array<Experiment>({
     {"quadtree", "quadtree", quadtree},
     {"stream", "stream", stream_of_tiles},
     {"many_core", "many_core", many_core},
-    {"map_quality", "free_on_things", free_on_things},
     {"evidential", "evidential_tables", evidential_tables},
     {"evidential", "evidential_cell", evidential_cell},
     {"evidential", "evidential_map", evidential_map},
-    {"evidential", "evidential_cells", evidential_cells},
 });
 
 }  // namespace

@@ -16,13 +16,12 @@ namespace iog::lab {
 [[nodiscard]] Tables stream_of_tiles(const Input& input);    // bytes of a frame, bad and slow links
 [[nodiscard]] Tables many_core(const Input& input);          // many-core paper, table I
 [[nodiscard]] Tables perception_rules(const Input& input);   // classes of the perception grid
-[[nodiscard]] Tables perception_street(const Input& input);  // of what stops, and leaves
+[[nodiscard]] Tables perception_street(const Input& input);  // of what stops
 [[nodiscard]] Tables perception_poses(const Input& input);   // and when poses are bad
 [[nodiscard]] Tables objects_roads(const Input& input);      // things with a speed on it
 [[nodiscard]] Tables objects_street(const Input& input);     // and of what parks and leaves
 [[nodiscard]] Tables hills_classes(const Input& input);      // and where the world is not flat
 [[nodiscard]] Tables map_quality(const Input& input);        // names, by maps right and wrong
-[[nodiscard]] Tables free_on_things(const Input& input);     // and what is called free and is not
 // M. Kurdej's thesis on map-aided evidential grids.
 [[nodiscard]] Tables evidential_tables(const Input& input);  // tables 6.1 to 6.4
 [[nodiscard]] Tables evidential_cell(const Input& input);    // figures 4.7, 5.6, 5.7, table 7.1
@@ -31,7 +30,6 @@ namespace iog::lab {
 [[nodiscard]] Tables evidential_street(const Input& input);
 [[nodiscard]] Tables evidential_sizes_city(const Input& input);  // ours, in cells of three sizes
 [[nodiscard]] Tables evidential_sizes_street(const Input& input);
-[[nodiscard]] Tables evidential_roc(const Input& input);    // the same, whatever the threshold
-[[nodiscard]] Tables evidential_cells(const Input& input);  // and with other cells
+[[nodiscard]] Tables evidential_roc(const Input& input);  // the same, whatever the threshold
 
 }  // namespace iog::lab

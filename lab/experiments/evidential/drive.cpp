@@ -57,54 +57,19 @@ std::vector<NamedChoice> choices() {
   return all;
 }
 
-class DriveTables {
- public:
-  explicit DriveTables(const std::string& name)
-      : words_(name),
-        conflict_(name + "_conflict",
-                  {"grid", "fusions", "appeared_ppm", "disappeared_ppm", "other_ppm"}),
-        times_(name + "_on_this_pc", {"grid", "cells", "source_ms", "fusion_ms"}) {}
-
-  void add(const std::string& grid, const Scores& scores) { words_.add(grid, scores); }
-
-  // Conflict: the mean of a cell that is fused with a scan that saw it, in millionths.
-  void add(const std::string& grid, std::size_t cells, const GridRun& run) {
-    const auto mean = [&run](double sum) {
-      return std::round(1e6 * sum / static_cast<double>(run.conflict.fusions));
-    };
-    conflict_.row(grid, run.conflict.fusions, mean(run.conflict.appeared),
-                  mean(run.conflict.disappeared), mean(run.conflict.other));
-    times_.row(grid, cells, run.source_ms, run.fusion_ms);
-  }
-
-  [[nodiscard]] Tables take() {
-    Tables tables = words_.take();
-    tables.push_back(std::move(conflict_));
-    tables.push_back(std::move(times_));
-    return tables;
-  }
-
- private:
-  WordTables words_;
-  Table conflict_;
-  Table times_;
-};
-
-void add_choices(const EvidentialDrive& drive, DriveTables& tables) {
+void add_choices(const EvidentialDrive& drive, WordTables& tables) {
   for (const NamedChoice& named : choices()) {
-    const ScoredRun scored = score_grid(drive, drive.region, named.choice);
-    tables.add(named.name, scored.scores);
-    tables.add(named.name, drive.region.cell_count(), scored.run);
+    tables.add(named.name, score_grid(drive, named.choice));
   }
 }
 
 // The map at the decision, by both decisions, and no map at all.
-void add_late_maps(const EvidentialDrive& drive, DriveTables& tables) {
-  tables.add("no map", score_grid(drive, drive.region, {.order = MapOrder::kNever}).scores);
+void add_late_maps(const EvidentialDrive& drive, WordTables& tables) {
+  tables.add("no map", score_grid(drive, {.order = MapOrder::kNever}));
   Scores pignistic;
   Scores ours;
-  const GridRun run = run_grid(
-      drive, drive.region, drive.map, {.order = MapOrder::kAtDecision},
+  run_grid(
+      drive, drive.map, {.order = MapOrder::kAtDecision},
       [&](const DriveScan& scan, const PerceptionGrid& grid) {
         const auto truth = drive.truth.find(scan.frame);
         if (truth == drive.truth.end()) {
@@ -118,7 +83,6 @@ void add_late_maps(const EvidentialDrive& drive, DriveTables& tables) {
         });
       });
   tables.add("map at decision", pignistic);
-  tables.add("map at decision", drive.region.cell_count(), run);
   tables.add("our decision", ours);
 }
 
@@ -177,7 +141,7 @@ Table ghost_drive(const EvidentialDrive& drive) {
     };
   };
   const GridChoice late{.order = MapOrder::kAtDecision};
-  run_grid(drive, drive.region, map, late, on_truth([&](const DriveScan& scan, const auto& grid) {
+  run_grid(drive, map, late, on_truth([&](const DriveScan& scan, const auto& grid) {
              const std::vector<TruePoint>& ground = drive.truth.at(scan.frame).ground;
              for (std::size_t place = 0; place < ground.size(); ++place) {
                const LocalToWorld::Point& at = ground[place].at;
@@ -190,7 +154,7 @@ Table ghost_drive(const EvidentialDrive& drive) {
              add("our decision", scan,
                  [&](std::size_t cell) { return our_word(grid, cell, kBuilding); });
            }));
-  run_grid(drive, drive.region, map, {}, on_truth([&](const DriveScan& scan, const auto& grid) {
+  run_grid(drive, map, {}, on_truth([&](const DriveScan& scan, const auto& grid) {
              add("every scan", scan, [&](std::size_t cell) { return pignistic_word(grid, cell); });
            }));
   return table;
@@ -198,7 +162,7 @@ Table ghost_drive(const EvidentialDrive& drive) {
 
 // A page's tables of a drive.
 Tables tables_of(const std::string& name, const EvidentialDrive& drive) {
-  DriveTables tables(name);
+  WordTables tables(name);
   add_choices(drive, tables);
   add_late_maps(drive, tables);
   tables.add("the firmware's", score_firmware(drive, 0.1));
@@ -225,25 +189,6 @@ Tables evidential_sizes_city(const Input& /*input*/) {
 }
 Tables evidential_sizes_street(const Input& /*input*/) {
   return sizes_of("evidential_sizes_street", "street", 18, 201);
-}
-
-// The thesis's grid with cells of other sizes, in the 40 m around the middle of the drive.
-Tables evidential_cells(const Input& /*input*/) {
-  constexpr double kSmallRegionM = 40;
-  const EvidentialDrive drive("city", kSeed, 6, 1, kSmallRegionM);
-  WordTables words("evidential_cells", "cell_m");
-  Table times("evidential_cells_on_this_pc", {"cell_m", "cells", "source_ms", "fusion_ms"});
-  for (const double cell_m : {0.1, 0.2, 0.25, 0.5, 1.0}) {
-    Region region = drive.region;
-    region.cell_m = cell_m;
-    region.side = static_cast<std::size_t>(std::round(kSmallRegionM / cell_m));
-    const ScoredRun scored = score_grid(drive, region, {});
-    words.add(cell_m, scored.scores);
-    times.row(cell_m, region.cell_count(), scored.run.source_ms, scored.run.fusion_ms);
-  }
-  Tables all = words.take();
-  all.push_back(std::move(times));
-  return all;
 }
 
 }  // namespace iog::lab

@@ -1,7 +1,6 @@
 #include "lab/experiments/evidential/grids.hpp"
 
 #include <cmath>
-#include <ctime>
 
 #include "decision/cell.hpp"
 #include "geometry/cell.hpp"
@@ -25,12 +24,6 @@ using reference::evidential::pignistic_decision;
 using reference::evidential::Set;
 using reference::evidential::SourceMass;
 using reference::evidential::without_map;
-// Of this thread: experiments run side by side.
-double cpu_ms() {
-  std::timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
-}
 
 Region region_around(const tools::Placement& middle, double region_m) {
   Region region;
@@ -83,23 +76,13 @@ Word our_word(const PerceptionGrid& grid, std::size_t cell, Set map_classes) {
   return word_of(static_cast<decision::Class>(verdict.name), map_classes);
 }
 
-GridRun run_grid(const EvidentialDrive& drive, const Region& region, const SceneMap& map,
-                 const GridChoice& choice, const GridUse& use) {
-  PerceptionGrid grid(map.classes_of(region), choice.order, kOsmBelief, choice.parameters);
-  GridRun run;
+void run_grid(const EvidentialDrive& drive, const SceneMap& map, const GridChoice& choice,
+              const GridUse& use) {
+  PerceptionGrid grid(map.classes_of(drive.region), choice.order, kOsmBelief, choice.parameters);
   for (const DriveScan& scan : drive.scans) {
-    const double begin_ms = cpu_ms();
-    const std::vector<SourceMass> sources = source_masses(scan, region, choice.lidar);
-    const double middle_ms = cpu_ms();
-    grid.scan(sources);
-    run.source_ms += middle_ms - begin_ms;
-    run.fusion_ms += cpu_ms() - middle_ms;
+    grid.scan(source_masses(scan, drive.region, choice.lidar));
     use(scan, grid);
   }
-  run.conflict = grid.conflict();
-  run.source_ms /= static_cast<double>(drive.scans.size());
-  run.fusion_ms /= static_cast<double>(drive.scans.size());
-  return run;
 }
 
 void run_firmware(const EvidentialDrive& drive, double cell_m,
@@ -141,16 +124,16 @@ void run_firmware(const EvidentialDrive& drive, double cell_m,
   }
 }
 
-ScoredRun score_grid(const EvidentialDrive& drive, const Region& region, const GridChoice& choice) {
-  ScoredRun scored;
-  scored.run = run_grid(drive, region, drive.map, choice, [&](const auto& scan, const auto& grid) {
+Scores score_grid(const EvidentialDrive& drive, const GridChoice& choice) {
+  Scores scores;
+  run_grid(drive, drive.map, choice, [&](const auto& scan, const auto& grid) {
     if (const auto truth = drive.truth.find(scan.frame); truth != drive.truth.end()) {
-      scored.scores.add(truth->second, [&](const TruePoint& point) {
-        return pignistic_word(grid, region.cell_of(point.at));
+      scores.add(truth->second, [&](const TruePoint& point) {
+        return pignistic_word(grid, drive.region.cell_of(point.at));
       });
     }
   });
-  return scored;
+  return scores;
 }
 
 }  // namespace iog::lab

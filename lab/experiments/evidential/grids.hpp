@@ -46,16 +46,10 @@ inline constexpr double kOsmBelief = 0.97;  // table 7.1
 [[nodiscard]] Word our_word(const reference::evidential::PerceptionGrid& grid, std::size_t cell,
                             reference::evidential::Set map_classes);
 
-struct GridRun {
-  reference::evidential::ConflictSum conflict{};
-  double source_ms = 0;  // of a scan, timed
-  double fusion_ms = 0;
-};
-
 // use(scan, grid): after each scan.
 using GridUse = std::function<void(const DriveScan&, const reference::evidential::PerceptionGrid&)>;
-GridRun run_grid(const EvidentialDrive& drive, const Region& region, const SceneMap& map,
-                 const GridChoice& choice, const GridUse& use);
+void run_grid(const EvidentialDrive& drive, const SceneMap& map, const GridChoice& choice,
+              const GridUse& use);
 
 // The firmware's grid of the same drive since its begin, at 25 Hz, placed without error, so that
 // its local frame is the world. use(truth, byte_of): for each scan that is scored; byte_of(place)
@@ -65,11 +59,6 @@ void run_firmware(const EvidentialDrive& drive, double cell_m,
                   const std::function<void(const TrueScan&, const ByteOf&)>& use);
 
 // By the pignistic decision.
-struct ScoredRun {
-  GridRun run;
-  Scores scores;
-};
-[[nodiscard]] ScoredRun score_grid(const EvidentialDrive& drive, const Region& region,
-                                   const GridChoice& choice);
+[[nodiscard]] Scores score_grid(const EvidentialDrive& drive, const GridChoice& choice);
 
 }  // namespace iog::lab

@@ -30,18 +30,17 @@ void add_curves(std::string_view scene, std::string_view grid, const Curves& cur
 
 Curves curves_of_thesis(const EvidentialDrive& drive, thesis::MapOrder order) {
   Curves curves;
-  run_grid(
-      drive, drive.region, drive.map, {.order = order}, [&](const auto& scan, const auto& grid) {
-        const auto truth = drive.truth.find(scan.frame);
-        if (truth != drive.truth.end()) {
-          const auto probability = [&](const TruePoint& point, thesis::Set of) {
-            return thesis::pignistic(grid.said(drive.region.cell_of(point.at)), of);
-          };
-          curves.add(
-              truth->second, [&](const TruePoint& at) { return probability(at, thesis::kMoving); },
-              [&](const TruePoint& at) { return probability(at, thesis::kDrivable); });
-        }
-      });
+  run_grid(drive, drive.map, {.order = order}, [&](const auto& scan, const auto& grid) {
+    const auto truth = drive.truth.find(scan.frame);
+    if (truth != drive.truth.end()) {
+      const auto probability = [&](const TruePoint& point, thesis::Set of) {
+        return thesis::pignistic(grid.said(drive.region.cell_of(point.at)), of);
+      };
+      curves.add(
+          truth->second, [&](const TruePoint& at) { return probability(at, thesis::kMoving); },
+          [&](const TruePoint& at) { return probability(at, thesis::kDrivable); });
+    }
+  });
   return curves;
 }
 

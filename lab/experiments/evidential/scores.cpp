@@ -15,10 +15,9 @@ namespace thesis = reference::evidential;
 constexpr double kSeenM = 45;
 constexpr double kLatticeM = 0.5;
 
-std::vector<std::string> columns_of(const std::string& key) {
-  return {key,      "on",      "unknown",  "drivable", "non_drivable", "mapped",
-          "moving", "stopped", "unmapped", "free",     "standing",     "open"};
-}
+const std::vector<std::string> kColumns{"grid",         "on",     "unknown",  "drivable",
+                                        "non_drivable", "mapped", "moving",   "stopped",
+                                        "unmapped",     "free",   "standing", "open"};
 
 // What things really cover, without the 0.2 m by which TrueThings takes a point for near.
 class Outlines {
@@ -122,8 +121,8 @@ void Scores::add(const TrueScan& truth, const Speaker& say) {
   count(truth.ground, ground);
 }
 
-WordTables::WordTables(const std::string& name, const std::string& key)
-    : echoes_(name + "_echoes", columns_of(key)), ground_(name + "_ground", columns_of(key)) {}
+WordTables::WordTables(const std::string& name)
+    : echoes_(name + "_echoes", kColumns), ground_(name + "_ground", kColumns) {}
 
 Tables WordTables::take() { return {std::move(echoes_), std::move(ground_)}; }
 

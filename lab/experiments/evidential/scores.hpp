@@ -65,12 +65,11 @@ struct Scores {
 // `name`_echoes and `name`_ground: what is said of them, by what they are on.
 class WordTables {
  public:
-  explicit WordTables(const std::string& name, const std::string& key = "grid");
+  explicit WordTables(const std::string& name);
 
-  template <typename Key>
-  void add(const Key& key, const Scores& scores) {
-    add_rows(key, scores.echoes, echoes_);
-    add_rows(key, scores.ground, ground_);
+  void add(const std::string& grid, const Scores& scores) {
+    add_rows(grid, scores.echoes, echoes_);
+    add_rows(grid, scores.ground, ground_);
   }
 
   // What was added to it, echoes first.
@@ -80,11 +79,10 @@ class WordTables {
   static constexpr std::array<std::string_view, kOnCount> kOnNames{
       "nothing", "house", "stopped", "beside", "moving car", "moving person", "settling"};
 
-  template <typename Key>
-  static void add_rows(const Key& key, const WordCounts& counts, Table& table) {
+  static void add_rows(const std::string& grid, const WordCounts& counts, Table& table) {
     for (std::size_t on = 0; on < kOnCount; ++on) {
       const auto& of = counts[on];
-      table.row(key, kOnNames[on], of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7], of[8],
+      table.row(grid, kOnNames[on], of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7], of[8],
                 of[9]);
     }
   }

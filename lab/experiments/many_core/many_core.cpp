@@ -1,7 +1,5 @@
 // Table I of the many-core paper: an occupancy grid cell by cell (CBC) and beam by beam (BBB).
 #include <array>
-#include <filesystem>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,21 +14,16 @@ std::array<const Contest*, 2> both(const Contests& contests) {
 }
 
 // Sums over frames. Each model of a cell is fused into it.
-template <typename... Keys>
-void add_operations(const Contests& contests, Table& table, const Keys&... keys) {
+Table operations(const Contests& contests) {
+  Table table("many_core_operations",
+              {"cell_m", "approach", "frames", "searches", "models_and_fusions", "cell_accesses"});
   for (const Contest* contest : both(contests)) {
     for (const auto& [approach, done] :
          {std::pair("CBC", contest->cbc()), std::pair("BBB", contest->bbb())}) {
-      table.row(keys..., contest->cell_m(), approach, contests.frames, done.searches, done.models,
+      table.row(contest->cell_m(), approach, contests.frames, done.searches, done.models,
                 done.accesses);
     }
   }
-}
-
-Table of_the_drive(const Contests& contests) {
-  Table table("many_core_operations",
-              {"cell_m", "approach", "frames", "searches", "models_and_fusions", "cell_accesses"});
-  add_operations(contests, table);
   return table;
 }
 
@@ -51,29 +44,11 @@ Table times(const DriveOutcome& outcome) {
   return table;
 }
 
-// Of those whose sensors are LUX.
-Table of_recordings(const std::vector<Recording>& recordings) {
-  Table table("many_core_operations_recordings",
-              {"recording", "vehicle", "cell_m", "approach", "frames", "searches",
-               "models_and_fusions", "cell_accesses"});
-  for (const Recording& recording : recordings) {
-    if (const std::optional<Contests> contests = contest_on(recording)) {
-      add_operations(*contests, table, std::filesystem::path(recording.pcap).filename().string(),
-                     recording.vehicle);
-    }
-  }
-  return table;
-}
-
 }  // namespace
 
 Tables many_core(const Input& input) {
   const DriveOutcome outcome = contest_on_drive(input);
-  Tables tables{of_the_drive(outcome.contests), differences(outcome.contests), times(outcome)};
-  if (!input.recordings.empty()) {
-    tables.push_back(of_recordings(input.recordings));
-  }
-  return tables;
+  return {operations(outcome.contests), differences(outcome.contests), times(outcome)};
 }
 
 }  // namespace iog::lab

@@ -133,22 +133,4 @@ DriveOutcome contest_on_drive(const Input& input) {
   return outcome;
 }
 
-std::optional<Contests> contest_on(const Recording& recording) {
-  const tools::CatalogueEntry& car = tools::find_vehicle(recording.vehicle);
-  std::vector<std::size_t> sensors;
-  for (const description::SensorConfig& sensor : car.sensors) {
-    if (sensor.format != lidar::kFormat<lidar::IbeoLux>) {
-      return std::nullopt;
-    }
-    sensors.push_back(sensors.size());
-  }
-  LuxSensors lux(car, std::move(sensors));
-  Contests contests;
-  for (const FramePoints& points : read_points(recording.pcap, car)) {
-    lux.measure(points);
-    run(contests, lux.layers());
-  }
-  return contests;
-}
-
 }  // namespace iog::lab

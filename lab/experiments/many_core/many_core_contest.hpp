@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -58,8 +57,5 @@ struct DriveOutcome {
 // The front left and the front right scanner of the reference car, in every fifth frame of the
 // simulated drive; both approaches are timed in the first.
 [[nodiscard]] DriveOutcome contest_on_drive(const Input& input);
-
-// All scanners of the recording's vehicle, in all its frames; nothing if one is not a LUX.
-[[nodiscard]] std::optional<Contests> contest_on(const Recording& recording);
 
 }  // namespace iog::lab

@@ -1,13 +1,13 @@
 #include "lab/experiments/map_quality/map_quality.hpp"
 
-#include <string>
+#include <cmath>
 #include <utility>
 
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/map_quality/scene_maps.hpp"
-#include "lab/experiments/map_quality/world_cells.hpp"
 #include "lab/experiments/perception/truth.hpp"
-#include "tools/simulate/scanners/lux_burst.hpp"
+#include "tools/simulate/truth/cell_truth.hpp"
+#include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::lab {
 namespace {
@@ -25,6 +25,33 @@ constexpr std::array<std::string_view, kNameTruthCount> kTruthNames{"road",    "
                                                                     "stopped", "house",  "other"};
 constexpr std::array<std::string_view, kWrongCount> kWrongNames{"ghost_beside", "ghost_on_road",
                                                                 "missing"};
+
+// What is true of the world's cells around the window of a perceived frame, at the frame's end.
+class WorldCells {
+ public:
+  explicit WorldCells(const PerceivedFrame& frame)
+      : area_{frame.window.first.x - kMargin, frame.window.first.y - kMargin,
+              window::kCellsAcross + 2 * kMargin, window::kCellsAcross + 2 * kMargin},
+        classes_(
+            tools::true_classes(frame.drive->scene(),
+                                static_cast<double>(frame.drive->frame_end_us(frame.number)) / 1e6,
+                                area_, *tools::find_vehicle(tools::kDefaultVehicle).description)) {}
+
+  // Of the cell of the world that holds a point in the window, or some metres beside it: poses are
+  // wrong by centimetres.
+  [[nodiscard]] tools::TrueClass at(const LocalToWorld::Point& point) const {
+    const auto x = static_cast<std::int32_t>(std::floor(point.x_m / kWindowCellM)) - area_.x;
+    const auto y = static_cast<std::int32_t>(std::floor(point.y_m / kWindowCellM)) - area_.y;
+    return classes_[static_cast<std::size_t>(y) * static_cast<std::size_t>(area_.width) +
+                    static_cast<std::size_t>(x)];
+  }
+
+ private:
+  static constexpr std::int32_t kMargin = 100;  // cells
+
+  tools::CellArea area_;
+  std::vector<tools::TrueClass> classes_;
+};
 
 // Where a drawn map is wrong.
 class WrongPlaces {
@@ -68,18 +95,14 @@ class MapScorer {
   MapScorer(const tools::Scene& scene, const tools::DrawnMap& last, std::size_t variants)
       : ground_(scene.plan), wrong_(last), scores_(variants) {}
 
-  // The truth by cells of the window.
-  std::vector<NameTruth> add(const PerceivedFrame& frame, const LocalToWorld& to_world) {
+  void add(const PerceivedFrame& frame, const LocalToWorld& to_world) {
     const WorldCells world(frame);
-    std::vector<NameTruth> truth(frame.classes.front().size());
-    for (std::size_t place = 0; place < truth.size(); ++place) {
-      const LocalToWorld::Point at = to_world.centre_of(frame.window.cell_at(place));
-      truth[place] = name_truth(world.at(at), ground_.at(at.x_m, at.y_m));
+    for (std::size_t place = 0; place < frame.classes.front().size(); ++place) {
       if (frame.classes.front()[place] != 0) {
-        count(frame, place, truth[place], at);
+        const LocalToWorld::Point at = to_world.centre_of(frame.window.cell_at(place));
+        count(frame, place, name_truth(world.at(at), ground_.at(at.x_m, at.y_m)), at);
       }
     }
-    return truth;
   }
 
   [[nodiscard]] std::vector<MapScore> take() { return std::move(scores_); }
@@ -107,46 +130,6 @@ class MapScorer {
   std::vector<MapScore> scores_;
 };
 
-// A square of the window around the car, every second cell: letters of classes by variant, and of
-// truth.
-class MapPictures {
- public:
-  MapPictures() : table_("map_quality_pictures", {"map", "y_cell", "first_x_cell", "cells"}) {}
-
-  void draw(const PerceivedFrame& frame, const std::vector<NameTruth>& truth,
-            std::span<const MapVariant> variants) {
-    constexpr std::string_view kClassLetters = ".DNFMSUIO";
-    constexpr std::string_view kTruthLetters = "rbmsho";
-    const geometry::Cell car = window::cell_of(frame.engine->slices().back().pose);
-    for (std::size_t variant = 0; variant < variants.size(); ++variant) {
-      rows(variants[variant].name, frame, car, [&](std::size_t place) {
-        return kClassLetters[static_cast<std::size_t>(frame.classes[variant][place]) / 8];
-      });
-    }
-    rows("truth", frame, car,
-         [&](std::size_t place) { return kTruthLetters[static_cast<std::size_t>(truth[place])]; });
-  }
-
-  [[nodiscard]] Table take() { return std::move(table_); }
-
- private:
-  template <typename Letter>
-  void rows(std::string_view name, const PerceivedFrame& frame, geometry::Cell car,
-            Letter&& letter) {
-    constexpr std::int32_t kReach = 200;  // cells
-    constexpr std::int32_t kStep = 2;
-    for (std::int32_t y = -kReach; y < kReach; y += kStep) {
-      std::string cells;
-      for (std::int32_t x = -kReach; x < kReach; x += kStep) {
-        cells += letter(frame.window.place_of({car.x + x, car.y + y}));
-      }
-      table_.row(name, y, -kReach, std::string_view(cells));
-    }
-  }
-
-  Table table_;
-};
-
 class MapTables {
  public:
   void add(const MapDrive& drive, std::span<const MapVariant> variants,
@@ -166,9 +149,7 @@ class MapTables {
     }
   }
 
-  [[nodiscard]] Tables take(Table pictures) {
-    return {std::move(cells_), std::move(wrong_), std::move(pictures)};
-  }
+  [[nodiscard]] Tables take() { return {std::move(cells_), std::move(wrong_)}; }
 
  private:
   Table cells_{"map_quality", {"scene", "seed", "map", "class", "truth", "cells", "seen_cells"}};
@@ -188,9 +169,7 @@ std::vector<MapVariant> map_variants() {
            500}};
 }
 
-std::vector<MapScore> score_maps(
-    const MapDrive& drive, std::span<const MapVariant> variants,
-    const std::function<void(const PerceivedFrame&, const std::vector<NameTruth>&)>& use) {
+std::vector<MapScore> score_maps(const MapDrive& drive, std::span<const MapVariant> variants) {
   const tools::MapPlace place;
   const tools::Scene scene = tools::find_scene(drive.scene).make(drive.seed, drive.seconds);
   std::vector<std::vector<std::uint8_t>> blocks;
@@ -215,7 +194,7 @@ std::vector<MapScore> score_maps(
     const FrameTruth truth(frame, to_world);
     to_world = truth.last().to_world;
     if (!frame.classes.empty() && frame.number >= drive.first_scored) {
-      use(frame, scorer.add(frame, to_world));
+      scorer.add(frame, to_world);
     }
   });
   return scorer.take();
@@ -223,21 +202,14 @@ std::vector<MapScore> score_maps(
 
 Tables map_quality(const Input& /*input*/) {
   MapTables tables;
-  MapPictures pictures;
   const std::vector<MapVariant> variants = map_variants();
   for (const std::string_view scene : kMapScenes) {
     for (const std::uint64_t seed : kMapSeeds) {
       const MapDrive drive{.scene = scene, .seed = seed, .seconds = kMapSeconds};
-      const bool is_drawn = scene == kMapScenes.front() && seed == kMapSeeds.front();
-      tables.add(drive, variants,
-                 score_maps(drive, variants, [&](const auto& frame, const auto& truth) {
-                   if (is_drawn && frame.number == kMapSeconds * tools::kLuxFramesPerSecond - 1) {
-                     pictures.draw(frame, truth, variants);
-                   }
-                 }));
+      tables.add(drive, variants, score_maps(drive, variants));
     }
   }
-  return tables.take(pictures.take());
+  return tables.take();
 }
 
 }  // namespace iog::lab

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -45,10 +44,8 @@ struct MapDrive {
   std::uint32_t first_scored = 50;  // frame; before it a window knows little and is being drawn
 };
 
-// By variant; every tenth frame is scored from the first on. use(frame, truth) for each of them,
-// truth by cells of the window.
-[[nodiscard]] std::vector<MapScore> score_maps(
-    const MapDrive& drive, std::span<const MapVariant> variants,
-    const std::function<void(const PerceivedFrame&, const std::vector<NameTruth>&)>& use);
+// By variant; every tenth frame is scored from the first on.
+[[nodiscard]] std::vector<MapScore> score_maps(const MapDrive& drive,
+                                               std::span<const MapVariant> variants);
 
 }  // namespace iog::lab

@@ -1,9 +1,8 @@
 // How good the classes of the perception grid are on simulated drives in which everything moves:
-// under the default rule, under the thesis's and others, in front of what stops and leaves, and
-// when poses are bad.
+// under the default rule, under the thesis's and others, in front of what stops, and when poses are
+// bad.
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -103,17 +102,6 @@ void add_stops(std::uint64_t seed, const StreetWatch& watch, Table& stops, Table
   }
 }
 
-// Cells by thing and by times, which are whole frames.
-void add_left(std::uint64_t seed, const StreetWatch& watch, Table& table) {
-  std::map<std::array<double, 3>, std::uint64_t> cells;
-  for (const LeftCell& left : watch.left()) {
-    ++cells[{static_cast<double>(left.thing), left.cleared_s, left.free_s}];
-  }
-  for (const auto& [key, count] : cells) {
-    table.row(seed, static_cast<std::uint32_t>(key[0]), key[1], key[2], count);
-  }
-}
-
 }  // namespace
 
 // The first three rules on all drives, the others on the first.
@@ -128,7 +116,8 @@ Tables perception_rules(const Input& /*input*/) {
       tables.add(drive, kUsualPoses, rules, score_drive(drive, rules, false).scorer);
     }
   }
-  return tables.take();
+  return {std::move(tables.hits), std::move(tables.moving), std::move(tables.recent),
+          std::move(tables.gaps)};
 }
 
 Tables perception_street(const Input& /*input*/) {
@@ -137,18 +126,14 @@ Tables perception_street(const Input& /*input*/) {
                                    "moving_cells", "standing_cells", "open_cells"});
   Table times("perception_stop_frames",
               {"seed", "thing", "since_s", "hit_cells", "standing_cells"});
-  Table left("perception_left", {"seed", "thing", "cleared_after_s", "free_after_s", "cells"});
   const auto rules = std::span(kPerceptionRules).first(2);
   for (const std::uint64_t seed : kCleanSeeds) {
     const PerceivedDrive drive{.scene = "street", .seed = seed, .seconds = kStreetSeconds};
     const ScoredDrive scored = score_drive(drive, rules, true);
     tables.add(drive, kUsualPoses, rules, scored.scorer);
     add_stops(seed, scored.watch, stops, times);
-    add_left(seed, scored.watch, left);
   }
-  Tables all = tables.take();
-  all.insert(all.end(), {std::move(stops), std::move(times), std::move(left)});
-  return all;
+  return {std::move(tables.hits), std::move(tables.moving), std::move(stops), std::move(times)};
 }
 
 Tables perception_poses(const Input& /*input*/) {
@@ -171,9 +156,8 @@ Tables perception_poses(const Input& /*input*/) {
     frames.row(trouble.name, drive.seconds * tools::kLuxFramesPerSecond, scored.frames_not_placed,
                scored.frames_forgotten, scored.packets_not_placed);
   }
-  Tables all = tables.take();
-  all.insert(all.end(), {std::move(causes), std::move(frames)});
-  return all;
+  return {std::move(tables.hits), std::move(tables.moving), std::move(tables.recent),
+          std::move(causes), std::move(frames)};
 }
 
 }  // namespace iog::lab

@@ -1,11 +1,10 @@
-// What the classes say of things that stop, and of the ground that things leave.
+// What the classes say of things that stop.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "lab/evaluation/perception.hpp"
@@ -31,22 +30,12 @@ struct Stop {
   std::vector<StopFrame> frames{};
 };
 
-// A cell that a thing stood on until it left. Times are since the frame in which a beam crossed the
-// cell for the first time after nothing was within 0.2 m of it; negative: it did not come to that.
-struct LeftCell {
-  std::uint32_t thing = 0;
-  double seen_s = -1;     // of the drive
-  double cleared_s = -1;  // until it was no longer occupied
-  double free_s = -1;     // until it was free
-};
-
 class StreetWatch {
  public:
   // Of the first rule. Frames are scored frames, one after another.
   void add(const PerceivedFrame& frame, const FrameTruth& truth);
 
   [[nodiscard]] const std::vector<Stop>& stops() const { return stops_; }
-  [[nodiscard]] const std::vector<LeftCell>& left() const { return left_; }
 
  private:
   struct Follow {
@@ -55,14 +44,9 @@ class StreetWatch {
   };
   void follow_states(double time_s, const TrueThings& things);
   void add_hits(double time_s, const PerceivedFrame& frame, const FrameTruth& truth);
-  void leave(std::uint32_t thing);
-  void watch_left(double time_s, const PerceivedFrame& frame, const FrameTruth& truth);
 
   std::map<std::uint32_t, Follow> things_;
-  std::map<std::uint32_t, std::vector<geometry::Cell>> stood_on_;  // of things that stand
   std::vector<Stop> stops_;
-  std::vector<LeftCell> left_;
-  std::vector<std::pair<geometry::Cell, std::size_t>> watched_;  // and its place in left_
 };
 
 }  // namespace iog::lab

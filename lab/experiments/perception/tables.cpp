@@ -1,7 +1,6 @@
 #include "lab/experiments/perception/tables.hpp"
 
 #include <array>
-#include <utility>
 
 #include "tools/simulate/scanners/lux_burst.hpp"
 
@@ -37,16 +36,16 @@ ScoredDrive score_drive(const PerceivedDrive& drive, std::span<const PerceptionR
 }
 
 ScoreTables::ScoreTables(const std::string& name)
-    : hits_(name + "_hits",
-            {"scene", "seed", "poses", "rule", "hits_on", "range_from_m", "unknown_cells",
-             "free_cells", "moving_cells", "standing_cells", "open_cells"}),
-      moving_(name + "_moving",
-              {"scene", "seed", "poses", "rule", "called_cells", "right_cells", "left_lately_cells",
-               "called_with_evidence_cells", "right_with_evidence_cells"}),
-      recent_(name + "_recent", {"scene", "seed", "poses", "rule", "material", "hit_cells",
-                                 "kept_cells", "freed_cells"}),
-      gaps_(name + "_gaps", {"scene", "seed", "poses", "rule", "known_within_cells",
-                             "between_cells", "unknown_cells"}) {}
+    : hits(name + "_hits",
+           {"scene", "seed", "poses", "rule", "hits_on", "range_from_m", "unknown_cells",
+            "free_cells", "moving_cells", "standing_cells", "open_cells"}),
+      moving(name + "_moving",
+             {"scene", "seed", "poses", "rule", "called_cells", "right_cells", "left_lately_cells",
+              "called_with_evidence_cells", "right_with_evidence_cells"}),
+      recent(name + "_recent", {"scene", "seed", "poses", "rule", "material", "hit_cells",
+                                "kept_cells", "freed_cells"}),
+      gaps(name + "_gaps", {"scene", "seed", "poses", "rule", "known_within_cells", "between_cells",
+                            "unknown_cells"}) {}
 
 void ScoreTables::add(const PerceivedDrive& drive, std::string_view poses,
                       std::span<const PerceptionRule> rules, const PerceptionScorer& scorer) {
@@ -56,38 +55,34 @@ void ScoreTables::add(const PerceivedDrive& drive, std::string_view poses,
   add_gaps(drive, poses, "single frame", scorer.gaps_of_frames());
 }
 
-Tables ScoreTables::take() {
-  return {std::move(hits_), std::move(moving_), std::move(recent_), std::move(gaps_)};
-}
-
 void ScoreTables::add_scores(const PerceivedDrive& drive, std::string_view poses,
                              std::string_view rule, const PerceptionScores& scores) {
   for (std::size_t what = 0; what < kHitOnCount; ++what) {
     for (std::size_t range = 0; range < kRangeCount; ++range) {
       const SaidCounts& said = scores.hits[what][range];
-      hits_.row(drive.scene, drive.seed, poses, rule, kHitOnNames[what],
-                range == 0 ? 0.0 : kRangesM[range - 1], said.unknown, said.free, said.moving,
-                said.standing, said.open);
+      hits.row(drive.scene, drive.seed, poses, rule, kHitOnNames[what],
+               range == 0 ? 0.0 : kRangesM[range - 1], said.unknown, said.free, said.moving,
+               said.standing, said.open);
     }
   }
-  const MovingCells& moving = scores.moving;
-  moving_.row(drive.scene, drive.seed, poses, rule, moving.called, moving.right, moving.left_lately,
-              moving.with_evidence, moving.right_with_evidence);
+  const MovingCells& called = scores.moving;
+  moving.row(drive.scene, drive.seed, poses, rule, called.called, called.right, called.left_lately,
+             called.with_evidence, called.right_with_evidence);
   for (std::size_t material = 0; material < kMaterialNames.size(); ++material) {
     if (scores.recent.cells[material] > 0) {
-      recent_.row(drive.scene, drive.seed, poses, rule, kMaterialNames[material],
-                  scores.recent.cells[material], scores.recent.kept[material],
-                  scores.recent.freed[material]);
+      recent.row(drive.scene, drive.seed, poses, rule, kMaterialNames[material],
+                 scores.recent.cells[material], scores.recent.kept[material],
+                 scores.recent.freed[material]);
     }
   }
   add_gaps(drive, poses, rule, scores.gaps);
 }
 
 void ScoreTables::add_gaps(const PerceivedDrive& drive, std::string_view poses,
-                           std::string_view rule, std::span<const GapCounts> gaps) {
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    gaps_.row(drive.scene, drive.seed, poses, rule, kGapReaches[i], gaps[i].between,
-              gaps[i].unknown);
+                           std::string_view rule, std::span<const GapCounts> counts) {
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    gaps.row(drive.scene, drive.seed, poses, rule, kGapReaches[i], counts[i].between,
+             counts[i].unknown);
   }
 }
 

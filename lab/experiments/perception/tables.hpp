@@ -24,32 +24,27 @@ struct ScoredDrive {
 };
 
 // Scores every fifth frame after the first second, in which a window knows little. is_watched: each
-// frame is watched for things that stop and leave.
+// frame is watched for things that stop.
 [[nodiscard]] ScoredDrive score_drive(const PerceivedDrive& drive,
                                       std::span<const PerceptionRule> rules, bool is_watched);
 
-// `name`_hits: by what was hit, and how far away, the cells by what is said of them.
-// `name`_moving: cells that are called moving. `name`_recent: cells that were hit lately, by
-// material. `name`_gaps: cells between known ones.
-class ScoreTables {
- public:
+// Their names are `name`_hits and so on.
+struct ScoreTables {
   explicit ScoreTables(const std::string& name);
 
   void add(const PerceivedDrive& drive, std::string_view poses,
            std::span<const PerceptionRule> rules, const PerceptionScorer& scorer);
 
-  [[nodiscard]] Tables take();
+  Table hits;    // by what was hit, and how far away, the cells by what is said of them
+  Table moving;  // cells that are called moving
+  Table recent;  // cells that were hit lately, by material
+  Table gaps;    // cells between known ones
 
  private:
   void add_scores(const PerceivedDrive& drive, std::string_view poses, std::string_view rule,
                   const PerceptionScores& scores);
   void add_gaps(const PerceivedDrive& drive, std::string_view poses, std::string_view rule,
-                std::span<const GapCounts> gaps);
-
-  Table hits_;
-  Table moving_;
-  Table recent_;
-  Table gaps_;
+                std::span<const GapCounts> counts);
 };
 
 }  // namespace iog::lab

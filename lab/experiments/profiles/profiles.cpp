@@ -144,23 +144,10 @@ Table peaks() {
   return table;
 }
 
-// Figure 4.6a, d = 25 m.
-Table sensor_models() {
-  Table table("sensor_models", {"exponent", "z_m", "p_per_m"});
-  for (const Exponent exponent : kExponents) {
-    for (int i = -100; i <= 100; ++i) {
-      const double z_m = 25 + 0.005 * i;
-      const reference::RangeSensor sensor{kSigmaM, exponent};
-      table.row(name_of(exponent), z_m, static_cast<double>(sensor.likelihood(z_m, 25)));
-    }
-  }
-  return table;
-}
-
 }  // namespace
 
 Tables profiles(const Input& /*input*/) {
-  return {profiles_around_k(), ends_of_profiles(), cell_lengths(), peaks(), sensor_models()};
+  return {profiles_around_k(), ends_of_profiles(), cell_lengths(), peaks()};
 }
 
 }  // namespace iog::lab

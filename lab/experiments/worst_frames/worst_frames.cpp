@@ -2,11 +2,8 @@
 // the code allows at most. What they cost is measured on the target.
 #include "lab/scenarios/worst_frames.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "fusion/frame_fusion.hpp"
@@ -16,9 +13,7 @@
 #include "lab/experiments/target_drive.hpp"
 #include "lab/experiments/worst_frames/frame_limits.hpp"
 #include "lidar/ibeo_lux.hpp"
-#include "require/require.hpp"
 #include "tools/simulate/drives/drive.hpp"
-#include "tools/simulate/scanners/lux_scanner.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/beam.hpp"
@@ -80,27 +75,6 @@ Table frames() {
   return table;
 }
 
-// How far out a layer's echoes are inside the height band: the ranges of full_range, which go
-// there.
-Table layers() {
-  std::array<std::uint32_t, tools::kLuxLayers> nearest_mm{};
-  std::array<std::uint32_t, tools::kLuxLayers> furthest_mm{};
-  nearest_mm.fill(std::numeric_limits<std::uint32_t>::max());
-  lidar::IbeoLux decoder;
-  for (const auto& datagram : worst_datagrams(find_worst_frame("full_range"), kTargetSeed, 0)) {
-    require(decoder.decode(datagram.payload) == lidar::DecodeStatus::kOk);
-    decoder.for_each_point([&](const lidar::ScanPoint& point) {
-      nearest_mm[point.layer] = std::min(nearest_mm[point.layer], point.range_mm);
-      furthest_mm[point.layer] = std::max(furthest_mm[point.layer], point.range_mm);
-    });
-  }
-  Table table("layers_in_band", {"layer", "nearest_m", "furthest_m"});
-  for (std::size_t layer = 0; layer < nearest_mm.size(); ++layer) {
-    table.row(layer, nearest_mm[layer] / 1000.0, furthest_mm[layer] / 1000.0);
-  }
-  return table;
-}
-
 Table limits() {
   Table table("frame_limits", {"points", "range_m", "cells_per_beam", "cells", "tiles", "cell_mm",
                                "frame_period_us", "rule", "core_sensors", "core_marks"});
@@ -115,6 +89,6 @@ Table limits() {
 
 }  // namespace
 
-Tables worst_frames(const Input& /*input*/) { return {frames(), layers(), limits()}; }
+Tables worst_frames(const Input& /*input*/) { return {frames(), limits()}; }
 
 }  // namespace iog::lab

@@ -44,11 +44,7 @@ void PerceptionGrid::fuse(std::size_t number, const SourceMass& source) {
   if (order_ == MapOrder::kEveryScan) {
     sensor_grid = dempster(sensor_grid, map_of(number));
   }
-  const TemporalFusion fusion = cells_[number].scan(sensor_grid, parameters_);
-  conflict_.appeared += fusion.appeared;
-  conflict_.disappeared += fusion.disappeared;
-  conflict_.other += fusion.other;
-  ++conflict_.fusions;
+  cells_[number].scan(sensor_grid, parameters_);
 }
 
 MassFunction PerceptionGrid::said(std::size_t number) const {

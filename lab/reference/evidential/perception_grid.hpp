@@ -18,14 +18,6 @@ enum class MapOrder : std::uint8_t {
   kAtDecision,  // what is known from scans does not know the map
 };
 
-// The sum over all cells and scans.
-struct ConflictSum {
-  double appeared = 0;
-  double disappeared = 0;
-  double other = 0;
-  std::uint64_t fusions = 0;  // of a cell with a SensorGrid that said something
-};
-
 class PerceptionGrid {
  public:
   // map_classes: of each cell, the sum of those that are possible, 7 where nothing is known.
@@ -41,7 +33,6 @@ class PerceptionGrid {
   }
   // What the cell says with its map, without conflict. Vacuous if all it has is conflict.
   [[nodiscard]] MassFunction said(std::size_t number) const;
-  [[nodiscard]] const ConflictSum& conflict() const { return conflict_; }
 
  private:
   void fuse(std::size_t number, const SourceMass& source);
@@ -60,7 +51,6 @@ class PerceptionGrid {
   std::vector<PerceptionCell> cells_;
   std::vector<bool> is_unseen_;         // by every scan so far
   std::vector<PerceptionCell> unseen_;  // what such a cell is, by its map's classes
-  ConflictSum conflict_;
 };
 
 }  // namespace iog::lab::reference::evidential

@@ -166,31 +166,5 @@ TEST(PerceptionScorer, CallsMovingRightNearWhatMoves) {
   EXPECT_LT(moving.moving.right, hits / 2);
 }
 
-// docs/drives.md: in the street's first seconds the visitor leaves the kerb at 2.5 s, the bus of
-// the act before at 2 s; both had always stood, and nothing that stands in between stops.
-TEST(StreetWatch, TimesWhatLeaves) {
-  const PerceivedDrive drive{.scene = "street", .seed = 5, .seconds = 3, .shown_every = 1};
-  StreetWatch watch;
-  LocalToWorld to_world;
-  perceive_drive(drive, kOneRule, [&](const PerceivedFrame& frame) {
-    const FrameTruth truth(frame, to_world);
-    to_world = truth.last().to_world;
-    watch.add(frame, truth);
-  });
-  std::set<std::uint32_t> things;
-  for (const LeftCell& left : watch.left()) {
-    things.insert(left.thing);
-    EXPECT_TRUE(left.seen_s < 0 || left.seen_s > 2);
-    EXPECT_TRUE(left.free_s < 0 || left.free_s >= left.cleared_s);
-  }
-  EXPECT_TRUE(things.contains(tools::street_thing(0, tools::StreetRole::kVisitor)));
-  EXPECT_TRUE(things.contains(tools::street_thing(-1, tools::StreetRole::kBus)));
-  EXPECT_FALSE(things.contains(tools::street_thing(0, tools::StreetRole::kLeaver)));
-  // A car of 4.2 m by 1.75 m has some 735 cells.
-  const auto of_visitor = std::ranges::count(
-      watch.left(), tools::street_thing(0, tools::StreetRole::kVisitor), &LeftCell::thing);
-  EXPECT_NEAR(static_cast<double>(of_visitor), 735, 30);
-}
-
 }  // namespace
 }  // namespace iog::lab

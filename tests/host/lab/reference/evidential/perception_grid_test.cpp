@@ -68,16 +68,6 @@ TEST(PerceptionGrid, SaysItsMassWithTheMapAtTheDecision) {
   }
 }
 
-// Only cells that a scan sees count: F 0.5 then O 0.5 is a conflict of 0.25, aged by 0.9.
-TEST(PerceptionGrid, SumsConflict) {
-  PerceptionGrid grid(std::array{kRoad, kRoad}, MapOrder::kNever, 0, {});
-  grid.scan(std::array{SourceMass{.free = 0.5}, SourceMass{}});
-  grid.scan(std::array{SourceMass{.occupied = 0.5}, SourceMass{}});
-  EXPECT_EQ(grid.conflict().fusions, 2U);
-  EXPECT_NEAR(grid.conflict().appeared, 0.225, 1e-15);
-  EXPECT_EQ(grid.conflict().disappeared, 0);
-}
-
 TEST(PerceptionGrid, ThatHasNothingButConflictIsVacuous) {
   PerceptionGrid grid(std::array{kRoad}, MapOrder::kNever, 0,
                       {.rule = TemporalRule::kConjunctive, .dynamic_loss = 0, .static_loss = 0});
