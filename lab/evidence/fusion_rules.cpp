@@ -1,7 +1,6 @@
 #include "lab/evidence/fusion_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fusion/frame_fusion.hpp"
 #include "lab/reference/fusion.hpp"
@@ -45,57 +44,6 @@ std::vector<std::int32_t> fuse_by_sign(const FrameEvidence& evidence,
   return cells;
 }
 
-std::vector<double> fuse_bayes(const FrameEvidence& evidence, const ByStep<double>& values) {
-  std::vector<double> cells(geometry::kCellCount, 0.5);
-  for (const CellEvidence& seen : evidence.cells) {
-    cells[seen.cell] = reference::fuse_bayes(cells[seen.cell], at(values, seen.step));
-  }
-  return cells;
-}
-
-std::vector<double> fuse_log_odds(const FrameEvidence& evidence, const ByStep<double>& values) {
-  ByStep<double> log_odds{};
-  std::ranges::transform(values, log_odds.begin(), reference::log_odds);
-  std::vector<double> cells(geometry::kCellCount);
-  for (const CellEvidence& seen : evidence.cells) {
-    cells[seen.cell] += at(log_odds, seen.step);
-  }
-  std::ranges::transform(cells, cells.begin(), [](double sum) {
-    return sum == 0 ? 0.5 : reference::probability_of_log_odds(sum);
-  });
-  return cells;
-}
-
-// Whether this value says anything of a cell.
-bool is_measurement(double probability) { return std::abs(probability - 0.5) > kSaysNothing; }
-
-std::vector<double> fuse_linear_opinion_pool(const FrameEvidence& evidence,
-                                             const ByStep<double>& values) {
-  std::vector<double> cells(geometry::kCellCount);
-  std::vector<std::uint32_t> counts(geometry::kCellCount);
-  for (const CellEvidence& seen : evidence.cells) {
-    if (const double value = at(values, seen.step); is_measurement(value)) {
-      cells[seen.cell] += value;
-      ++counts[seen.cell];
-    }
-  }
-  std::ranges::transform(cells, counts, cells.begin(), [](double sum, std::uint32_t count) {
-    return count == 0 ? 0.5 : sum / count;
-  });
-  return cells;
-}
-
-std::vector<double> fuse_maximum(const FrameEvidence& evidence, const ByStep<double>& values) {
-  std::vector<double> cells(geometry::kCellCount);
-  for (const CellEvidence& seen : evidence.cells) {
-    if (const double value = at(values, seen.step); is_measurement(value)) {
-      cells[seen.cell] = reference::fuse_maximum(cells[seen.cell], value);
-    }
-  }
-  std::ranges::replace(cells, 0.0, 0.5);  // no measurement is 0
-  return cells;
-}
-
 }  // namespace
 
 std::vector<std::int32_t> fuse_indexes(const FrameEvidence& evidence,
@@ -106,19 +54,13 @@ std::vector<std::int32_t> fuse_indexes(const FrameEvidence& evidence,
              : fuse_by_sign(evidence, values, rule == IndexRule::kHitsWin, limit);
 }
 
-std::vector<double> fuse_probabilities(const FrameEvidence& evidence, const ByStep<double>& values,
-                                       ProbabilityRule rule) {
-  switch (rule) {
-    case ProbabilityRule::kBayes:
-      return fuse_bayes(evidence, values);
-    case ProbabilityRule::kLogOdds:
-      return fuse_log_odds(evidence, values);
-    case ProbabilityRule::kLinearOpinionPool:
-      return fuse_linear_opinion_pool(evidence, values);
-    case ProbabilityRule::kMaximum:
-      return fuse_maximum(evidence, values);
+std::vector<double> fuse_probabilities(const FrameEvidence& evidence,
+                                       const ByStep<double>& values) {
+  std::vector<double> cells(geometry::kCellCount, 0.5);
+  for (const CellEvidence& seen : evidence.cells) {
+    cells[seen.cell] = reference::fuse_bayes(cells[seen.cell], at(values, seen.step));
   }
-  return {};
+  return cells;
 }
 
 }  // namespace iog::lab

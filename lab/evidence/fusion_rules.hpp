@@ -1,5 +1,5 @@
 // The rules by which a frame's evidence becomes a grid: the two of docs/model.md, the thesis's own,
-// and those in double precision that the papers compare with.
+// and Bayes in double precision.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +22,8 @@ enum class IndexRule : std::uint8_t {
                                                      const ByStep<std::int32_t>& values,
                                                      IndexRule rule, std::int32_t limit);
 
-enum class ProbabilityRule : std::uint8_t {
-  kBayes,              // equation 3.2
-  kLogOdds,            // equation 2.46
-  kLinearOpinionPool,  // equation 2.48, every measurement of a cell with the same weight
-  kMaximum,            // equation 2.49; a cell's first measurement replaces the 1/2
-};
-
-// A value this near to 1/2 says nothing of its cell, which some scan point hides: the linear
-// opinion pool and the maximum do not take it for a measurement. (For the other two rules 1/2 is
-// neutral.)
-inline constexpr double kSaysNothing = 1e-3;
-
-// One probability per cell of the grid, 1/2 where nothing is known.
+// One probability per cell of the grid by equation 3.2, 1/2 where nothing is known.
 [[nodiscard]] std::vector<double> fuse_probabilities(const FrameEvidence& evidence,
-                                                     const ByStep<double>& values,
-                                                     ProbabilityRule rule);
+                                                     const ByStep<double>& values);
 
 }  // namespace iog::lab

@@ -1,7 +1,7 @@
-// Every choice of the geometry comes down to the same three things, which is why one loop does for
-// all of them: a path of cells; a reading of each cell that grows along the beam; and the readings
-// at which each step of the local 1D grid ends. Positions and readings are linear in the cell's
-// column and row, and all of them are exact integers.
+// Either sampling comes down to the same three things, which is why one loop does for both: a path
+// of cells; a reading of each cell that grows along the beam; and the readings at which each step
+// of the local 1D grid ends. Positions and readings are linear in the cell's column and row, and
+// all of them are exact integers.
 //
 // Ranges, with |S|, |E| < 2^21 subcells, L < 2^18 mm and scan points nearer than 2^20 mm: the
 // largest reading is that of a cell's centre, 2^22 * 2^21 * L < 2^61, and the largest end of a step
@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "fusion/frame_fusion.hpp"
-#include "lab/reference/traversal.hpp"
 #include "traversal/walk.hpp"
 #include "vehicle/beam.hpp"
 
@@ -44,7 +43,7 @@ struct Reading {
 
 // What one point says of the cells on its path.
 struct Plan {
-  Reading place;              // how far along its path a cell is: 0, 1, ...
+  Reading place;              // how many borders are crossed to a cell: 0, 1, ...
   std::int64_t path_end = 0;  // the path's last place and one more
   std::int64_t carve_first = 0;
   std::int64_t carve_end = 0;
@@ -54,42 +53,20 @@ struct Plan {
       step_end{};  // by slot_of(step): readings below are that step
 };
 
-// The places of a path: borders crossed, or steps of the longer axis.
-class Places {
- public:
-  Places(const BeamLine& line, Path path) : line_(&line), path_(path) {
-    const Position end = line.through(kWholeLine);
-    is_steep_ = end.y > end.x;
-  }
+// The place that this share of the line lies in.
+std::int64_t place_at(const BeamLine& line, Share share) { return line.through(share).crossed(); }
+// One more than the place before this share: what is entered before it.
+std::int64_t end_before(const BeamLine& line, Share share) {
+  return std::int64_t{line.before(share).crossed()} + 1;
+}
 
-  [[nodiscard]] std::int64_t of(Position at) const {
-    if (path_ == Path::kCrossed) {
-      return at.crossed();
-    }
-    return is_steep_ ? at.y : at.x;
-  }
-  [[nodiscard]] std::int64_t through(Share share) const { return of(line_->through(share)); }
-  // One more than the place before this share: what is entered before it.
-  [[nodiscard]] std::int64_t end_before(Share share) const { return of(line_->before(share)) + 1; }
-
-  [[nodiscard]] Reading reading() const {
-    Reading place;
-    if (path_ == Path::kCrossed || !is_steep_) {
-      place.per_column = line_->x().step();
-      place.base -= std::int64_t{line_->x().start_cell()} * place.per_column;
-    }
-    if (path_ == Path::kCrossed || is_steep_) {
-      place.per_row = line_->y().step();
-      place.base -= std::int64_t{line_->y().start_cell()} * place.per_row;
-    }
-    return place;
-  }
-
- private:
-  const BeamLine* line_;
-  Path path_;
-  bool is_steep_;
-};
+Reading place_reading(const BeamLine& line) {
+  const std::int64_t x = line.x().step();
+  const std::int64_t y = line.y().step();
+  return {.base = -line.x().start_cell() * x - line.y().start_cell() * y,
+          .per_column = x,
+          .per_row = y};
+}
 
 // Where a cell's centre projects to on the line, in units of 1 mm / (2 |E - S|^2).
 Reading centre_reading(const Sensor& sensor, const BeamLine& line) {
@@ -121,38 +98,38 @@ void read_centres(const Sensor& sensor, const BeamLine& line, std::uint32_t k, P
 }
 
 // A place is entered within 1D cell j or earlier exactly if it is entered before (j + 1) Delta.
-void read_entries(const Sensor& sensor, const Places& places, std::uint32_t k, Plan& plan) {
+void read_entries(const Sensor& sensor, const BeamLine& line, std::uint32_t k, Plan& plan) {
   plan.reading = plan.place;
   for (int step = -kFarSteps; step <= kFarSteps; ++step) {
     const std::int64_t cells = cells_to(k, step);
-    plan.step_end[slot_of(step)] = cells <= 0 ? 0 : places.end_before(end_of(sensor, cells));
+    plan.step_end[slot_of(step)] = cells <= 0 ? 0 : end_before(line, end_of(sensor, cells));
   }
 }
 
 // It is left within 1D cell j or earlier exactly if the border there is crossed at (j + 1) Delta or
 // before. Beyond the range there is no scan point to end the steps before it.
-void read_as_model(const Sensor& sensor, const Places& places, std::uint32_t range_mm,
+void read_as_model(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm,
                    std::uint32_t k, Plan& plan) {
-  read_entries(sensor, places, k, plan);
+  read_entries(sensor, line, k, plan);
   for (int step = -kFarSteps; step < -1; ++step) {
     const std::int64_t cells = cells_to(k, step);
-    plan.step_end[slot_of(step)] = cells < 0 ? 0 : places.through(end_of(sensor, cells));
+    plan.step_end[slot_of(step)] = cells < 0 ? 0 : place_at(line, end_of(sensor, cells));
   }
   const bool in_range = range_mm <= sensor.range.mm();
-  const std::int64_t hit = in_range ? places.through({range_mm, sensor.range.mm()}) : kNever - 1;
+  const std::int64_t hit = in_range ? place_at(line, {range_mm, sensor.range.mm()}) : kNever - 1;
   plan.step_end[slot_of(-1)] = hit;
   plan.step_end[slot_of(0)] = hit + 1;
 }
 
 // The places that a beam may carve: up to its reach, inside the height band.
 void limit_carving(const vehicle::Vehicle& vehicle, const Sensor& sensor, const vehicle::Beam& beam,
-                   const Places& places, std::uint32_t reach_mm, Plan& plan) {
+                   std::uint32_t reach_mm, Plan& plan) {
   const vehicle::BandPart part =
       vehicle::part_in_band(vehicle.band(), sensor, beam.end_z, reach_mm);
   plan.carve_end = part.is_empty ? 0 : plan.path_end;
   if (!part.is_whole && !part.is_empty) {
-    plan.carve_first = part.from.numerator > 0 ? places.through(part.from) : 0;
-    plan.carve_end = std::min(plan.carve_end, places.end_before(part.to));
+    plan.carve_first = part.from.numerator > 0 ? place_at(beam.line, part.from) : 0;
+    plan.carve_end = std::min(plan.carve_end, end_before(beam.line, part.to));
   }
 }
 
@@ -162,35 +139,29 @@ std::uint64_t far_mm(const Sensor& sensor, std::uint32_t range_mm) {
          std::uint64_t{2} * geometry::kCellMm;
 }
 
-Plan plan_of_point(const Sensor& sensor, const BeamLine& line, const Places& places,
-                   std::uint32_t range_mm, Sampling sampling) {
+Plan plan_of_point(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm,
+                   Sampling sampling) {
   const std::uint32_t length_mm = sensor.range.mm();
   const std::uint32_t k = sensor.precision.divide(range_mm);
   Plan plan;
-  plan.place = places.reading();
-  plan.path_end = places.end_before(kWholeLine);
+  plan.place = place_reading(line);
+  plan.path_end = end_before(line, kWholeLine);
   if (far_mm(sensor, range_mm) < length_mm) {
-    plan.path_end = places.end_before({far_mm(sensor, range_mm), length_mm});
+    plan.path_end = end_before(line, {far_mm(sensor, range_mm), length_mm});
   }
-  switch (sampling) {
-    case Sampling::kModel:
-      read_as_model(sensor, places, range_mm, k, plan);
-      break;
-    case Sampling::kCentre:
-      read_centres(sensor, line, k, plan);
-      break;
-    case Sampling::kEntry:
-      read_entries(sensor, places, k, plan);
-      break;
+  if (sampling == Sampling::kModel) {
+    read_as_model(sensor, line, range_mm, k, plan);
+  } else {
+    read_centres(sensor, line, k, plan);
   }
   return plan;
 }
 
 // A missing return that clears: as far before a scan point as can be, all the way.
-Plan plan_of_missing_return(const Sensor& sensor, const Places& places, std::uint32_t clears_mm) {
+Plan plan_of_missing_return(const Sensor& sensor, const BeamLine& line, std::uint32_t clears_mm) {
   Plan plan;
-  plan.place = places.reading();
-  plan.path_end = places.end_before({clears_mm, sensor.range.mm()});
+  plan.place = place_reading(line);
+  plan.path_end = end_before(line, {clears_mm, sensor.range.mm()});
   plan.step_end.fill(kNever);
   return plan;
 }
@@ -198,25 +169,15 @@ Plan plan_of_missing_return(const Sensor& sensor, const Places& places, std::uin
 // The path's cells that lie in the grid, in order, as offsets.
 using Cells = std::vector<std::uint32_t>;
 
-void walk_crossed(const BeamLine& line, std::int64_t path_end, Cells& path) {
+void walk(const BeamLine& line, std::int64_t path_end, Cells& path) {
   const auto inside = line.clip(geometry::kGridArea);
   if (!inside) {
     return;
   }
   const auto end = static_cast<std::uint32_t>(
       std::min<std::int64_t>(path_end, std::int64_t{inside->last.crossed()} + 1));
-  traversal::Walk walk(line, inside->first, geometry::kCellsPerSide);
-  walk.until(end, [&](std::size_t offset) { path.push_back(static_cast<std::uint32_t>(offset)); });
-}
-
-void walk_bresenham(const BeamLine& line, std::int64_t path_end, Cells& path) {
-  std::int64_t place = 0;
-  reference::walk_bresenham(line.cell({}), line.cell(line.through(kWholeLine)), [&](Cell cell) {
-    if (place < path_end && geometry::kGridArea.contains(cell)) {
-      path.push_back(static_cast<std::uint32_t>(cell.y * geometry::kCellsPerSide + cell.x));
-    }
-    ++place;
-  });
+  traversal::Walk cells(line, inside->first, geometry::kCellsPerSide);
+  cells.until(end, [&](std::size_t offset) { path.push_back(static_cast<std::uint32_t>(offset)); });
 }
 
 // Readings do not fall along a path, so that no step is looked for twice.
@@ -245,8 +206,8 @@ class Projector {
   static constexpr std::size_t kCellsPerPoint = 256;  // more than most frames need
 
  public:
-  Projector(const vehicle::Vehicle& vehicle, Geometry geometry, std::size_t points)
-      : vehicle_(&vehicle), geometry_(geometry) {
+  Projector(const vehicle::Vehicle& vehicle, Sampling sampling, std::size_t points)
+      : vehicle_(&vehicle), sampling_(sampling) {
     evidence_.cells.reserve(points * kCellsPerPoint);
   }
 
@@ -258,25 +219,20 @@ class Projector {
     if (!classification.evidence.is_any()) {
       return;
     }
-    const Places places(beam.line, geometry_.path);
     const bool is_missing = point.range_mm == 0;
     const std::uint32_t along_mm = sensor.layers[point.layer].along_line_mm(
         is_missing ? sensor.no_return_clears_mm : point.range_mm);
-    Plan plan = is_missing ? plan_of_missing_return(sensor, places, along_mm)
-                           : plan_of_point(sensor, beam.line, places, along_mm, geometry_.sampling);
+    Plan plan = is_missing ? plan_of_missing_return(sensor, beam.line, along_mm)
+                           : plan_of_point(sensor, beam.line, along_mm, sampling_);
     if (classification.evidence.carves()) {
-      limit_carving(*vehicle_, sensor, beam, places, std::min(along_mm, sensor.range.mm()), plan);
+      limit_carving(*vehicle_, sensor, beam, std::min(along_mm, sensor.range.mm()), plan);
     }
     if (classification.evidence.marks()) {
       plan.marks = true;
-      remember_hit(sensor, beam.line, places, along_mm, plan);
+      remember_hit(sensor, beam.line, along_mm, plan);
     }
     path_.clear();
-    if (geometry_.path == Path::kCrossed) {
-      walk_crossed(beam.line, plan.path_end, path_);
-    } else {
-      walk_bresenham(beam.line, plan.path_end, path_);
-    }
+    walk(beam.line, plan.path_end, path_);
     read_path(path_, plan, evidence_.cells);
   }
 
@@ -284,10 +240,10 @@ class Projector {
 
  private:
   // A scan point at the line's very end may lie on a border: then its cell is one behind the path.
-  void remember_hit(const Sensor& sensor, const BeamLine& line, const Places& places,
-                    std::uint32_t range_mm, Plan& plan) {
+  void remember_hit(const Sensor& sensor, const BeamLine& line, std::uint32_t range_mm,
+                    Plan& plan) {
     const Position hit = line.through({range_mm, sensor.range.mm()});
-    plan.path_end = std::max(plan.path_end, places.of(hit) + 1);
+    plan.path_end = std::max(plan.path_end, std::int64_t{hit.crossed()} + 1);
     const Cell cell = line.cell(hit);
     if (geometry::kGridArea.contains(cell)) {
       evidence_.hits.push_back(
@@ -296,7 +252,7 @@ class Projector {
   }
 
   const vehicle::Vehicle* vehicle_;
-  Geometry geometry_;
+  Sampling sampling_;
   Cells path_;  // of the point at hand
   FrameEvidence evidence_;
 };
@@ -304,8 +260,8 @@ class Projector {
 }  // namespace
 
 FrameEvidence project(const vehicle::Vehicle& vehicle, const FramePoints& points,
-                      Geometry geometry) {
-  Projector projector(vehicle, geometry, points.size());
+                      Sampling sampling) {
+  Projector projector(vehicle, sampling, points.size());
   for (const SensorPoint& point : points) {
     projector.add(point);
   }

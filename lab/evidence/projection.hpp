@@ -1,5 +1,6 @@
-// From scan points to what they say of cells, with the two choices of the geometry left open: which
-// cells a beam visits, and from which 1D cell of the local grid each of them takes its value.
+// From scan points to what they say of the cells that the integer line crosses (docs/model.md
+// section 5), with one choice left open: from which 1D cell of the local grid each of them takes
+// its value.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +12,11 @@
 
 namespace iog::lab {
 
-enum class Path : std::uint8_t {
-  kCrossed,    // every cell that the integer line crosses (docs/model.md section 5)
-  kBresenham,  // one cell per step of the longer axis, from the sensor's cell to the line's end
-};
-
-// All three are exact, in integers. On Bresenham's path the line is taken to enter and leave a cell
-// where it crosses the borders of the longer axis, and the hit's cell is that of the same step.
+// Both are exact, in integers.
 enum class Sampling : std::uint8_t {
   kModel,   // the hit's cell takes 1D cell k, those before it what they are left in, at most
             // k - 1, those behind it what they are entered in, at least k + 1
   kCentre,  // the 1D cell that the cell's centre projects to (thesis figure 4.8, as prototyped)
-  kEntry,   // the 1D cell in which the line enters
-};
-
-struct Geometry {
-  Path path = Path::kCrossed;
-  Sampling sampling = Sampling::kModel;
 };
 
 // 1D cells at least this far before the scan point's take the free index; those further than this
@@ -55,6 +44,6 @@ struct FrameEvidence {
 };
 
 [[nodiscard]] FrameEvidence project(const vehicle::Vehicle& vehicle, const FramePoints& points,
-                                    Geometry geometry);
+                                    Sampling sampling = Sampling::kModel);
 
 }  // namespace iog::lab

@@ -65,7 +65,7 @@ std::size_t updates_of(const PeerFrames& frames) {
     for (const PeerBeam& beam : frame) {
       points.push_back({beam.sensor, beam.point});
     }
-    const FrameEvidence evidence = project(*frames.vehicle, points, {});
+    const FrameEvidence evidence = project(*frames.vehicle, points);
     updates += static_cast<std::size_t>(
         std::ranges::count_if(evidence.cells, [](const auto& seen) { return seen.step <= 0; }));
   }

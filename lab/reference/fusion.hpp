@@ -1,8 +1,6 @@
 // The fusion of occupancy probabilities of one cell, as the literature has it (thesis section 2.4).
 #pragma once
 
-#include <span>
-
 namespace iog::lab::reference {
 
 // Bayesian fusion of two independent measurements under the non-informative prior (equations 2.44
@@ -13,16 +11,5 @@ namespace iog::lab::reference {
 // 0 < p, q < 1; any l.
 [[nodiscard]] double log_odds(double p);
 [[nodiscard]] double probability_of_log_odds(double l);
-[[nodiscard]] double fuse_log_odds(double p, double q);
-
-// The linear opinion pool: the mean of all measurements of a cell (equation 2.48), each with its
-// weight or all with the same. As many weights as probabilities, at least one; the weights add up
-// to 1.
-[[nodiscard]] double fuse_linear_opinion_pool(std::span<const double> probabilities,
-                                              std::span<const double> weights);
-[[nodiscard]] double fuse_linear_opinion_pool(std::span<const double> probabilities);
-
-// The maximum policy (equation 2.49).
-[[nodiscard]] double fuse_maximum(double p, double q);
 
 }  // namespace iog::lab::reference

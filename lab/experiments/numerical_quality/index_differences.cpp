@@ -80,7 +80,7 @@ double QuantisedModel::error_at(const ByStep<double>& model, int step) const {
 void compare(const FrameEvidence& evidence, const ByStep<double>& model,
              std::vector<QuantisedModel>& quantised) {
   const std::vector<Visited> visited_of_frame = visited_cells(evidence);
-  const auto exact = fuse_probabilities(evidence, model, ProbabilityRule::kBayes);
+  const auto exact = fuse_probabilities(evidence, model);
   for (QuantisedModel& one : quantised) {
     const auto sums = fuse_indexes(evidence, one.values, IndexRule::kSequential, kNoSaturation);
     one.differences.cells += geometry::kCellCount;

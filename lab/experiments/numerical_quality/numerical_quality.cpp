@@ -73,7 +73,7 @@ std::array<Rows, 2> compared(tools::Drive& drive, const tools::CatalogueEntry& c
   std::array rows{Rows("halved", {}, kEpsilons),
                   Rows("as_printed", kPrintedModel, std::span(kEpsilons).first(1))};
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
-    const FrameEvidence evidence = project(*car.vehicle, points_of(drive, frame, car), {});
+    const FrameEvidence evidence = project(*car.vehicle, points_of(drive, frame, car));
     for (Rows& of_exponent : rows) {
       compare(evidence, of_exponent.model, of_exponent.quantised);
     }

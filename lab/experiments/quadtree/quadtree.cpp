@@ -53,7 +53,7 @@ void for_each_frame(const char* scene, const Input& input, std::uint32_t step, U
   const tools::CatalogueEntry& car = tools::find_vehicle(tools::kDefaultVehicle);
   tools::Drive drive(car, input.seed, input.seconds, tools::find_scene(scene));
   for (std::uint32_t frame = 0; frame < drive.frame_count(); frame += step) {
-    use(project(*car.vehicle, points_of(drive, frame, car), {}), frame);
+    use(project(*car.vehicle, points_of(drive, frame, car)), frame);
   }
 }
 

@@ -35,8 +35,7 @@ std::vector<std::int32_t> grid_of(const vehicle::Vehicle& vehicle, const FramePo
 
 std::vector<std::int32_t> sequential_sum(const vehicle::Vehicle& vehicle, const FramePoints& points,
                                          Quantisation policy) {
-  const FrameEvidence evidence =
-      project(vehicle, points, {.path = Path::kCrossed, .sampling = Sampling::kCentre});
+  const FrameEvidence evidence = project(vehicle, points, Sampling::kCentre);
   return fuse_indexes(evidence, indexes(probabilities({}), 0.05, policy), IndexRule::kSequential,
                       kInt8Limit);
 }

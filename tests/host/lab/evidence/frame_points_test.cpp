@@ -43,8 +43,7 @@ Grids grids_of_points(const tools::CatalogueEntry& car, const std::vector<FrameP
   const auto values = indexes(probabilities({}), 0.05, index::Quantisation::kBlurring);
   Grids grids;
   for (const FramePoints& points : frames) {
-    grids.push_back(
-        fuse_indexes(project(*car.vehicle, points, {}), values, IndexRule::kHitsWin, 127));
+    grids.push_back(fuse_indexes(project(*car.vehicle, points), values, IndexRule::kHitsWin, 127));
   }
   return grids;
 }

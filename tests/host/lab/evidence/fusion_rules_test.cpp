@@ -50,8 +50,8 @@ std::int32_t fuse(const std::vector<std::int8_t>& steps, IndexRule rule, std::in
   return cells[5];
 }
 
-double fuse(const std::vector<std::int8_t>& steps, ProbabilityRule rule) {
-  const auto cells = fuse_probabilities(of_cell_5(steps), simple_model(), rule);
+double fuse(const std::vector<std::int8_t>& steps) {
+  const auto cells = fuse_probabilities(of_cell_5(steps), simple_model());
   EXPECT_EQ(cells.size(), geometry::kCellCount);
   EXPECT_EQ(cells[4], 0.5);
   EXPECT_EQ(cells[6], 0.5);
@@ -123,25 +123,11 @@ TEST(IndexRules, BayesIsTheMostThatAnyOrderGives) {
 }
 
 // Odds multiply: 1/4 and 3/2.
-TEST(ProbabilityRules, BayesMultipliesOdds) {
-  for (const auto rule : {ProbabilityRule::kBayes, ProbabilityRule::kLogOdds}) {
-    EXPECT_NEAR(fuse({0, -3}, rule), 3.0 / 11, 1e-12);
-    EXPECT_NEAR(fuse({-3, -3}, rule), 1.0 / 17, 1e-12);
-    EXPECT_NEAR(fuse({0, 4}, rule), 0.6, 1e-12);
-    EXPECT_NEAR(fuse({4}, rule), 0.5, 1e-12);
-  }
-}
-
-TEST(ProbabilityRules, TheLinearOpinionPoolIsTheMean) {
-  EXPECT_NEAR(fuse({0, -3, -5, -5}, ProbabilityRule::kLinearOpinionPool), 0.3, 1e-12);
-  EXPECT_NEAR(fuse({0, 4, 5}, ProbabilityRule::kLinearOpinionPool), 0.6, 1e-12);
-  EXPECT_EQ(fuse({4}, ProbabilityRule::kLinearOpinionPool), 0.5);
-}
-
-TEST(ProbabilityRules, TheMaximumIsWhatTheMostPessimisticSays) {
-  EXPECT_EQ(fuse({-3, 0, -3}, ProbabilityRule::kMaximum), 0.6);
-  EXPECT_EQ(fuse({-3, 4}, ProbabilityRule::kMaximum), 0.2);
-  EXPECT_EQ(fuse({4}, ProbabilityRule::kMaximum), 0.5);
+TEST(Probabilities, BayesMultipliesOdds) {
+  EXPECT_NEAR(fuse({0, -3}), 3.0 / 11, 1e-12);
+  EXPECT_NEAR(fuse({-3, -3}), 1.0 / 17, 1e-12);
+  EXPECT_NEAR(fuse({0, 4}), 0.6, 1e-12);
+  EXPECT_NEAR(fuse({4}), 0.5, 1e-12);
 }
 
 }  // namespace

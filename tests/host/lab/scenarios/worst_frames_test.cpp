@@ -98,7 +98,7 @@ TEST_P(Worst, NoScanIsLongerThanTheDescriptionAllows) {
 // By an account of the evidence that shares neither walk nor order of fusion with the target.
 TEST_P(Worst, TheGridIsThatOfTheEvidence) {
   const auto values = indexes(probabilities({}), 0.05, index::Quantisation::kBlurring);
-  const FrameEvidence evidence = project(*car().vehicle, points_of(GetParam()), {});
+  const FrameEvidence evidence = project(*car().vehicle, points_of(GetParam()));
   const std::vector<std::int32_t> expected =
       fuse_indexes(evidence, values, IndexRule::kHitsWin, 127);
   const std::vector<tools::GridFrame> frames = fused(GetParam(), 1);
@@ -166,7 +166,7 @@ TEST(WorstFrames, RandomAzimuthsAreOnNoRaster) {
 
 TEST(WorstFrames, ThreeEchoesMarkWithEveryPoint) {
   const FramePoints points = points_of(find_worst_frame("three_echoes"));
-  EXPECT_EQ(project(*car().vehicle, points, {}).hits.size(), points.size());
+  EXPECT_EQ(project(*car().vehicle, points).hits.size(), points.size());
 }
 
 // A LUX's line of 49 m along a diagonal crosses 49 / 0.1 * sqrt(2) borders; 3 degrees off, one in
