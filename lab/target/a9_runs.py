@@ -18,8 +18,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 # What is measured together, by the first words of the runs' names, in the order of the table.
 PARTS = {
-    "frames": ("frame_cost", "serial_cost", "traversal_cost", "path_cost", "many_core",
-               "printed_cost", "tree", "floor", "long_run", "first_frames"),
+    "frames": ("frame_cost", "traversal_cost", "path_cost", "many_core",
+               "printed_cost", "tree", "floor"),
     "scaling": ("scaling",),
     "perception": ("perception_cost", "object_cost"),
     "map": ("map_cost",),
@@ -56,14 +56,11 @@ COUNTERS = ("instructions", "cycles", "l1d_refills", "l2_misses", "mispredicts")
 VARIANTS = ("nominal", "optimistic", "pessimistic")
 
 # The model takes its time: so many frames, after some to warm up, in which most lines are found that
-# are kept from then on. What more of them would change is measured, too: the long run is that of
-# four LUX, nominal.
+# are kept from then on.
 WARM_UP = 6
 MODELLED_FRAMES = 8
-LONG_FRAMES = 32
 FORGOTTEN_FRAMES = 3
 WORST_FRAMES = 2
-FEW_FRAMES = 2
 
 
 class Row(typing.NamedTuple):
@@ -230,8 +227,6 @@ def walks(place: Place, variant: str) -> list[Row]:
             for row in modelled_rows(f"traversal_cost walk={walk}", variant, {}, {"": found[walk]})]
 
 
-# Grids that follow each other, for the serial link.
-SERIAL_FRAMES = range(40, 44)
 ALL_SENSORS = 4
 
 
@@ -239,18 +234,6 @@ def frame_cost(place: Place, name: str, capture: str, coding: str, sensors: int)
     line, = counted(place, "frame_cost-reference_car", capture, coding, sensors)
     run = f"frame_cost {name} sensors={sensors}"
     return counted_rows(line, run if coding == "raw" else f"{run} coding={coding}")
-
-
-def serial_cost(place: Place, scene: str, capture: str) -> list[Row]:
-    """What the serial link costs and carries of a scene."""
-    grids = []
-    for number in SERIAL_FRAMES:
-        grids.append(f"{scene}_{number}")
-        output_of(place.iog, "fuse", "--pcap", place.work / capture, "--frame", number,
-                  "--out-raw", place.work / grids[-1])
-    return [Row(f"serial_cost scene={scene}", pairs["of"], "counted", counter, value)
-            for pairs in map(pairs_of, counted(place, "serial_cost", *grids))
-            for counter, value in pairs.items() if counter != "of"]
 
 
 def named_by_itself(place: Place, image: str, *arguments) -> list[Row]:
@@ -274,8 +257,6 @@ def counted_runs(place: Place, scenes: dict[str, str], ring_road_sensors=(2, 3, 
     for scene, capture in scenes.items():
         runs.append(lambda s=scene, c=capture: frame_cost(
             place, f"scene={s}", c, "shortest", ALL_SENSORS))
-    runs += [lambda s=scene, c=capture: serial_cost(place, s, c)
-             for scene, capture in scenes.items()]
     runs.append(lambda: named_by_itself(place, "traversal_cost"))
     runs.append(lambda: named_by_itself(place, "path_cost"))
     runs.append(lambda: named_by_itself(place, "many_core", scenes["city"]))
@@ -331,11 +312,8 @@ def modelled_runs(place: Place, scenes: dict[str, str], worst: list[str]) -> lis
         runs.append(lambda k=kind: floor(
             place, f"floor worst={k}", worst_capture(k), WORST_FRAMES))
     for scene, capture in scenes.items():
-        runs.append(lambda s=scene, c=capture: frame(
-            place, f"long_run scene={s}", "nominal", c, ALL_SENSORS, LONG_FRAMES, before=WARM_UP))
         runs.append(lambda s=scene, c=capture: floor(
             place, f"floor scene={s}", c, MODELLED_FRAMES))
-    runs.append(lambda: few_frames(place, scenes))
     return runs
 
 
@@ -349,12 +327,6 @@ def runs_of_scene(place: Place, variant: str, scene: str, capture: str) -> list:
     runs.append(run(ALL_SENSORS, MODELLED_FRAMES, before=WARM_UP, coding="shortest"))
     runs.append(lambda: tree(place, f"tree scene={scene}", variant, capture, MODELLED_FRAMES))
     return runs
-
-
-def few_frames(place: Place, scenes: dict[str, str]) -> list[Row]:
-    """What lab/check has the time to repeat."""
-    return frame(place, "first_frames scene=ring_road", "nominal", scenes["ring_road"], ALL_SENSORS,
-                 FEW_FRAMES)
 
 
 def results_of(parts: dict[str, list]) -> dict[str, list]:
