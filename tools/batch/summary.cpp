@@ -6,15 +6,14 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <initializer_list>
-#include <iomanip>
 #include <span>
-#include <sstream>
 #include <string_view>
 #include <sys/file.h>
 #include <unistd.h>
 #include <utility>
 
 #include "tools/program/file.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -98,8 +97,6 @@ std::string csv_row(const std::vector<std::string>& fields) {
 }
 
 std::string csv_row(const Outcome& outcome) {
-  std::ostringstream seconds;
-  seconds << std::fixed << std::setprecision(2) << outcome.seconds;
   std::vector<std::string> fields{outcome.name,
                                   std::string(outcome.reason.empty() ? kDoneWord : kFailedWord)};
   for (const char* const name : kFacts) {
@@ -107,7 +104,7 @@ std::string csv_row(const Outcome& outcome) {
   }
   fields.push_back(sum_of(outcome.facts, "points_", {}));
   fields.push_back(sum_of(outcome.facts, "packets_", {"packets_placed", "packets_not_placed"}));
-  fields.insert(fields.end(), {seconds.str(), outcome.reason, outcome.remarks});
+  fields.insert(fields.end(), {fixed(outcome.seconds, 2), outcome.reason, outcome.remarks});
   return csv_row(fields);
 }
 

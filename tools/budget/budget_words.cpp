@@ -5,15 +5,12 @@
 
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
 
-std::string percent_of(double part, double whole) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << 100 * part / whole << " %";
-  return text.str();
-}
+std::string percent_of(double part, double whole) { return fixed(100 * part / whole, 0) + " %"; }
 
 std::string line_of(const std::string& name, const FrameBudget& frame, double period_ms) {
   const FrameWork& work = frame.work;
@@ -67,12 +64,10 @@ std::string warning_of_budget(const CatalogueEntry& car) {
   if (budget.typical.ms <= budget.period_ms) {
     return {};
   }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << "warning: " << car.vehicle->name
-       << ": frame_period_us: a typical frame takes " << budget.typical.ms
-       << " ms by the cost model, and the car wants one every " << budget.period_ms
-       << " ms; the target will leave packets (iog budget)\n";
-  return text.str();
+  return "warning: " + std::string(car.vehicle->name) +
+         ": frame_period_us: a typical frame takes " + fixed(budget.typical.ms, 1) +
+         " ms by the cost model, and the car wants one every " + fixed(budget.period_ms, 1) +
+         " ms; the target will leave packets (iog budget)\n";
 }
 
 std::string line_of_cores(const CatalogueEntry& car) {

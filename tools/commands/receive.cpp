@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/time_of_day.hpp"
@@ -189,10 +189,7 @@ class Reception {
     if (silent < kSilent) {
       return {};
     }
-    std::ostringstream text;
-    text << "the target sent nothing in the last " << std::fixed << std::setprecision(1)
-         << silent.count() << " s: ";
-    return text.str();
+    return "the target sent nothing in the last " + fixed(silent.count(), 1) + " s: ";
   }
 
   void check_wholeness() const {

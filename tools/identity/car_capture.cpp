@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <sstream>
 #include <utility>
 
 #include "pose/limits.hpp"
 #include "tools/odometry/motion_offset.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/joined.hpp"
 
 namespace iog::tools {
@@ -217,11 +216,8 @@ std::string CarCapture::words_of_cover() const {
   }
   std::vector<std::string> missing;
   const auto note = [&missing](std::int64_t missing_us, const char* verb, const char* where) {
-    std::ostringstream text;
-    text << verb << std::fixed << std::setprecision(3) << static_cast<double>(missing_us) / 1e6
-         << where;
     if (missing_us > kSecondUs) {
-      missing.push_back(text.str());
+      missing.push_back(verb + fixed(static_cast<double>(missing_us) / 1e6, 3) + where);
     }
   };
   note(microseconds_later(poses_.front().time_us, packets.first_us), "begin ",

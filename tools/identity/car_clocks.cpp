@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
 #include "pose/message.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
 
 namespace iog::tools {
@@ -27,13 +26,10 @@ std::int64_t without_way(std::int64_t ahead_us) {
 
 std::string words_of(const std::string& who, std::int64_t measured_us) {
   const std::int64_t ahead_us = without_way(measured_us);
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << who << " are "
-       << static_cast<double>(std::abs(ahead_us)) / 1e6 << " s "
-       << (ahead_us > 0 ? "ahead of" : "behind") << " the poses: --clock-offset "
-       << std::setprecision(ahead_us % kWholeSecondUs == 0 ? 0 : 3)
-       << static_cast<double>(ahead_us) / 1e6 << " adds it to these";
-  return text.str();
+  const double ahead_s = static_cast<double>(ahead_us) / 1e6;
+  return who + " are " + fixed(std::abs(ahead_s), 3) + " s " +
+         (ahead_us > 0 ? "ahead of" : "behind") + " the poses: --clock-offset " +
+         fixed(ahead_s, ahead_us % kWholeSecondUs == 0 ? 0 : 3) + " adds it to these";
 }
 
 }  // namespace
@@ -44,10 +40,8 @@ void CarClocks::Span::add(std::uint64_t time_us) {
 }
 
 std::string CarClocks::Span::words() const {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << " (" << static_cast<double>(first_us) / 1e6
-       << " to " << static_cast<double>(last_us) / 1e6 << " s)";
-  return text.str();
+  return " (" + fixed(static_cast<double>(first_us) / 1e6, 3) + " to " +
+         fixed(static_cast<double>(last_us) / 1e6, 3) + " s)";
 }
 
 void CarClocks::use_log(std::int64_t ahead_us) {
@@ -116,12 +110,10 @@ std::string CarClocks::words_of_step() const {
   };
   for (const auto& [sensor, step] : steps_) {
     if (step.found() && !is_of_capture(*step.found())) {
-      std::ostringstream text;
-      text << std::fixed << std::setprecision(3) << "the clock of " << car_->sensors[sensor].name
-           << " steps by " << static_cast<double>(step.found()->step_us) / 1e6 << " s at "
-           << static_cast<double>(step.found()->time_us) / 1e6
-           << " s of the capture, as if it was set: no single offset fits. Cut the capture there";
-      return text.str();
+      return "the clock of " + std::string(car_->sensors[sensor].name) + " steps by " +
+             fixed(static_cast<double>(step.found()->step_us) / 1e6, 3) + " s at " +
+             fixed(static_cast<double>(step.found()->time_us) / 1e6, 3) +
+             " s of the capture, as if it was set: no single offset fits. Cut the capture there";
     }
   }
   return {};

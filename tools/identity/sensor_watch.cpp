@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
 #include "tools/program/table.hpp"
 
@@ -77,16 +76,10 @@ std::string SensorWatch::words_of_silence(const Log& log) const {
     return {};
   }
   const auto seconds = [&](const Instant& instant) {
-    return static_cast<double>(instant.capture_us - begin_->capture_us) / 1e6;
+    return fixed(static_cast<double>(instant.capture_us - begin_->capture_us) / 1e6, 1) + " s";
   };
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(1) << "nothing from " << seconds(longest.from) << " s ";
-  if (is_to_the_end) {
-    words << "on";
-  } else {
-    words << "to " << seconds(longest.to) << " s";
-  }
-  return words.str();
+  return "nothing from " + seconds(longest.from) +
+         (is_to_the_end ? " on" : " to " + seconds(longest.to));
 }
 
 std::string SensorWatch::rows_of_silence() const {

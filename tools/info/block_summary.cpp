@@ -7,6 +7,7 @@
 #include "tools/info/file_summary.hpp"
 #include "tools/map/refusal_text.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
@@ -26,17 +27,9 @@ std::string day_of(std::uint32_t date_s) {
   return text.str();
 }
 
-std::string degrees(std::int64_t units) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(9) << static_cast<double>(units) / 1e9;
-  return text.str();
-}
+std::string degrees(std::int64_t units) { return fixed(static_cast<double>(units) / 1e9, 9); }
 
-std::string metres(std::int64_t cm) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << static_cast<double>(cm) / 100;
-  return text.str();
-}
+std::string metres(std::int64_t cm) { return fixed(static_cast<double>(cm) / 100, 2); }
 
 std::string features_of(const map::Block& block) {
   std::uint32_t buildings = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pose/message.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/receive/stream_census.hpp"
 #include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/network_words.hpp"
@@ -34,12 +35,7 @@ std::string rate_of(const PortCensus& port) {
   for (const auto& [source, sender] : port.senders) {
     hertz += sender.hertz();
   }
-  if (hertz == 0) {
-    return "-";
-  }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << hertz << " Hz";
-  return text.str();
+  return hertz == 0 ? "-" : fixed(hertz, 1) + " Hz";
 }
 
 std::string sources_of(const PortCensus& port) {

@@ -17,6 +17,7 @@
 #include "tools/identity/capture_identity.hpp"
 #include "tools/info/capture_census.hpp"
 #include "tools/info/cloud_census.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
@@ -43,12 +44,11 @@ std::string count_row(const std::string& name, std::uint64_t count, const std::s
 
 // ", 10.0 Hz over 59.9 s"; empty of one message.
 std::string rate_of(std::uint64_t messages, double duration_s) {
-  std::ostringstream text;
-  if (messages > 1 && duration_s > 0) {
-    text << ", " << std::fixed << std::setprecision(1)
-         << static_cast<double>(messages - 1) / duration_s << " Hz over " << duration_s << " s";
+  if (messages < 2 || duration_s <= 0) {
+    return {};
   }
-  return text.str();
+  return ", " + fixed(static_cast<double>(messages - 1) / duration_s, 1) + " Hz over " +
+         fixed(duration_s, 1) + " s";
 }
 
 std::string topics_of(const mcap::Reader& file,
@@ -163,9 +163,7 @@ std::string words_of_mcap(const std::string& path, bool is_alone, bool& has_clou
 }  // namespace
 
 std::string seconds(std::uint64_t micros) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << static_cast<double>(micros) / 1e6 << " s";
-  return text.str();
+  return fixed(static_cast<double>(micros) / 1e6, 3) + " s";
 }
 
 std::string summary_of_file(const std::string& path) {

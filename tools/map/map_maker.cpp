@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "tools/map/block_writer.hpp"
 #include "tools/map/road_outline.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -146,13 +146,9 @@ void demand_fit(const PlaneBox& box) {
                          ((box.high.y - box.low.y) / map::kBucketCm + 1);
   if (box.low.x < -kLimit || box.low.y < -kLimit || box.high.x > kLimit || box.high.y > kLimit ||
       buckets * 4 > static_cast<double>(map::kMaxBlockBytes)) {
-    std::ostringstream text;
-    text << std::fixed;
-    text.precision(1);
-    text << "an extent of " << (box.high.x - box.low.x) / 1e5 << " by "
-         << (box.high.y - box.low.y) / 1e5
-         << " km does not fit in a block; give a smaller one with --extent METRES";
-    throw UsageError(text.str());
+    throw UsageError("an extent of " + fixed((box.high.x - box.low.x) / 1e5, 1) + " by " +
+                     fixed((box.high.y - box.low.y) / 1e5, 1) +
+                     " km does not fit in a block; give a smaller one with --extent METRES");
   }
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <numeric>
-#include <sstream>
 #include <utility>
+
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -86,16 +86,14 @@ std::string words_of_too_few(const MountFit& fit, std::uint64_t turns) {
 
 // Of what is no mount, or not the one that was asked for.
 std::string words_of_doubt(const MountFit& fit) {
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(2);
-  if (fit.pitch_deg.difference() >= kMostDifferenceDeg) {
-    words << "three parts of the recording differ by " << fit.pitch_deg.difference()
-          << " degrees of pitch: a longer one is needed, on another road";
-  } else if (fit.z_m.difference() >= kMostDifferenceM) {
-    words << "three parts of the recording differ by " << fit.z_m.difference()
-          << " m of height: a longer one is needed, on another road";
+  const bool is_pitch = fit.pitch_deg.difference() >= kMostDifferenceDeg;
+  if (!is_pitch && fit.z_m.difference() < kMostDifferenceM) {
+    return {};
   }
-  return words.str();
+  return "three parts of the recording differ by " +
+         (is_pitch ? fixed(fit.pitch_deg.difference(), 2) + " degrees of pitch"
+                   : fixed(fit.z_m.difference(), 2) + " m of height") +
+         ": a longer one is needed, on another road";
 }
 
 }  // namespace

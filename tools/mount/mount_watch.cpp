@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <sstream>
 
 #include "tools/mount/mount_fit.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/table.hpp"
 
 namespace iog::tools {
@@ -26,20 +25,18 @@ std::string words_of(const MountFit& fit, const description::MountConfig& mount)
   if (fit.taken < kFewestSeen) {
     return {};
   }
-  std::ostringstream words;
-  words << std::fixed;
+  std::string words;
   const auto add = [&](const char* name, const FittedValue& road, double by_file, double most,
                        int places, const char* unit) {
     if (is_off(road, by_file, most)) {
-      words << (words.view().empty() ? "is off: its " : ", its ") << name << " by "
-            << std::setprecision(places) << by_file - road.value << unit;
+      words += std::string(words.empty() ? "is off: its " : ", its ") + name + " by " +
+               fixed(by_file - road.value, places) + unit;
     }
   };
   add("pitch", fit.pitch_deg, mount.pitch_deg, kMostOffDeg, 1, " degrees");
   add("roll", fit.roll_deg, mount.roll_deg, kMostRolledDeg, 1, " degrees");
   add("height", fit.z_m, mount.z_m, kMostOffM, 2, " m");
-  words << (words.view().empty() ? "" : "; `iog mount` finds it");
-  return words.str();
+  return words.empty() ? words : words + "; `iog mount` finds it";
 }
 
 }  // namespace

@@ -3,10 +3,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "lidar/formats.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/table.hpp"
 
 namespace iog::tools {
@@ -20,12 +19,6 @@ std::string shortest(double value) {
 }
 
 std::string thousandths(double value) { return shortest(std::round(value * 1000) / 1000 + 0.0); }
-
-std::string fixed(double value, int places) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(places) << value;
-  return text.str();
-}
 
 std::string words_of(const FittedValue& fitted, double by_file) {
   std::string words = thousandths(fitted.value) + ", the car's file says " + shortest(by_file) +

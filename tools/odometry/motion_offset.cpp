@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iomanip>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <utility>
 #include <vector>
+
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -244,10 +244,8 @@ std::string words_of_long(const std::vector<Observation>& turns) {
     const double its_s = turns[i].to_s - turns[i - 1].to_s;
     step_s = std::abs(its_s) > std::abs(step_s) ? its_s : step_s;
   }
-  std::ostringstream text;
-  text << "the capture spans more than 6 hours: a clock in it steps by " << std::fixed
-       << std::setprecision(0) << step_s << " s, so cut the capture there";
-  return text.str();
+  return "the capture spans more than 6 hours: a clock in it steps by " + fixed(step_s, 0) +
+         " s, so cut the capture there";
 }
 
 }  // namespace
@@ -284,11 +282,9 @@ MotionOffset offset_by_motion(std::span<const TurnPose> turns, std::span<const P
 }
 
 std::string words_of(const MotionOffset& offset) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << "by their motion, the packets are "
-       << std::abs(offset.seconds) << " s " << (offset.seconds < 0 ? "behind" : "ahead of")
-       << " the poses, sigma " << std::setprecision(0) << std::ceil(offset.sigma_s * 1e3) << " ms";
-  return text.str();
+  return "by their motion, the packets are " + fixed(std::abs(offset.seconds), 3) + " s " +
+         (offset.seconds < 0 ? "behind" : "ahead of") + " the poses, sigma " +
+         fixed(std::ceil(offset.sigma_s * 1e3), 0) + " ms";
 }
 
 }  // namespace iog::tools

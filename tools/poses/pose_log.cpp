@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <numbers>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/stated_motion.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
 #include "tools/program/table.hpp"
 
@@ -70,10 +70,8 @@ void count_from_near(PoseLog& log) {
     pose.x_m -= x_m;
     pose.y_m -= y_m;
   }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << "positions are counted from x " << x_m << " m, y "
-       << y_m << " m, as a target takes none beyond 1000 km";
-  log.notes.push_back(text.str());
+  log.notes.push_back("positions are counted from x " + fixed(x_m, 0) + " m, y " + fixed(y_m, 0) +
+                      " m, as a target takes none beyond 1000 km");
 }
 
 // What is not interpolated.
@@ -85,11 +83,9 @@ void note_gaps(const std::vector<LoggedPose>& poses, std::vector<std::string>& n
     longest_s = std::max(longest_s, seconds_between(poses[i - 1], poses[i]));
   }
   if (gaps > 0) {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << counted(gaps, "gap|gaps between poses is|are")
-         << " longer than 0.250 s, the longest " << longest_s
-         << " s: packets in them later than 0.100 s after a pose have no place";
-    notes.push_back(text.str());
+    notes.push_back(counted(gaps, "gap|gaps between poses is|are") +
+                    " longer than 0.250 s, the longest " + fixed(longest_s, 3) +
+                    " s: packets in them later than 0.100 s after a pose have no place");
   }
 }
 

@@ -1,12 +1,11 @@
 #include "tools/receive/run_statistics.hpp"
 
 #include <algorithm>
-#include <iomanip>
 #include <iterator>
 #include <numeric>
-#include <sstream>
 
 #include "tools/program/file.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/report/names.hpp"
 #include "tools/report/words.hpp"
@@ -16,14 +15,8 @@
 namespace iog::tools {
 namespace {
 
-std::string fixed(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << value;
-  return text.str();
-}
-
 std::string times(const TimeStatistics& statistics) {
-  return fixed(statistics.mean()) + " us mean, " + fixed(statistics.max()) + " us max";
+  return fixed(statistics.mean(), 0) + " us mean, " + fixed(statistics.max(), 0) + " us max";
 }
 
 }  // namespace
@@ -152,10 +145,10 @@ Facts RunStatistics::facts() const {
   const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},
                           std::pair{"perceive", &perceive_us_}, std::pair{"publish", &publish_us_}};
   for (const auto& [name, statistics] : stages) {
-    facts.emplace_back(std::string(name) + "_us_mean", fixed(statistics->mean()));
-    facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max()));
+    facts.emplace_back(std::string(name) + "_us_mean", fixed(statistics->mean(), 0));
+    facts.emplace_back(std::string(name) + "_us_max", fixed(statistics->max(), 0));
   }
-  facts.emplace_back("frame_us_max", fixed(frame_us_.max()));
+  facts.emplace_back("frame_us_max", fixed(frame_us_.max(), 0));
   add_target_facts(facts);
   facts.emplace_back("run_hash", hex(run_hash()));
   std::ranges::move(classes_.facts(), std::back_inserter(facts));
@@ -192,7 +185,7 @@ void RunStatistics::add_target_facts(Facts& facts) const {
   }
   for (std::size_t i = 0; loop_times_ && i < loop_times_->rows.size(); ++i) {
     const std::string name = key_of("loop_", kLoopTimeNames[i]);
-    facts.emplace_back(name + "_us_mean", fixed(mean_us(loop_times_->rows[i])));
+    facts.emplace_back(name + "_us_mean", fixed(mean_us(loop_times_->rows[i]), 0));
     add_fact(facts, name + "_us_worst", loop_times_->rows[i].worst_us);
   }
 }
@@ -219,17 +212,16 @@ std::string RunStatistics::rows_of_ground() const {
   if (all == points_used()) {
     return {};
   }
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(1);
+  std::string words;
   for (const Fate fate : kOfGround) {
     const std::size_t its = static_cast<std::size_t>(fate);
-    words << (fate == kOfGround.front() ? "" : ", ")
-          << 100 * static_cast<double>(fates_[its]) / static_cast<double>(all) << " % "
-          << kPointFateNames[its];
+    words += (words.empty() ? "" : ", ") +
+             fixed(100 * static_cast<double>(fates_[its]) / static_cast<double>(all), 1) + " % " +
+             std::string(kPointFateNames[its]);
   }
   // A right mount has less than 1 % under it, also in hills (docs/ground.md).
   constexpr std::uint64_t kOfAWrongMount = 50;
-  return row("over the ground", words.str()) +
+  return row("over the ground", words) +
          row_if(kOfAWrongMount * fates_[static_cast<std::size_t>(Fate::kUnderGround)] > all,
                 "MOUNT?",
                 "many returns are under the ground: is the pitch or roll of a mount "

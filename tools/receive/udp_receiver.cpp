@@ -4,15 +4,14 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <iomanip>
 #include <span>
-#include <sstream>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
 #include <utility>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -88,14 +87,13 @@ void UdpReceiver::receive() {
 
 std::string words_of_silence(const std::string& address, std::uint16_t port,
                              std::chrono::duration<double> waited, const std::string& consequence) {
-  std::ostringstream text;
-  text << "nothing came to UDP " << address << ':' << port << " in " << std::fixed
-       << std::setprecision(1) << waited.count() << " s" << consequence
-       << ". Does the target run, and is this the address and port that it sends to?";
+  std::string text = "nothing came to UDP " + address + ':' + std::to_string(port) + " in " +
+                     fixed(waited.count(), 1) + " s" + consequence +
+                     ". Does the target run, and is this the address and port that it sends to?";
   if (address.starts_with("127.")) {
-    text << " Only this PC reaches " << address << ": --bind 0.0.0.0 listens to others, too";
+    text += " Only this PC reaches " + address + ": --bind 0.0.0.0 listens to others, too";
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace iog::tools

@@ -1,9 +1,9 @@
 #include "tools/formats/capture/capture_clock.hpp"
 
 #include <cstdlib>
-#include <iomanip>
-#include <sstream>
 #include <utility>
+
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 
@@ -13,11 +13,8 @@ void SteadyTime::Steps::add(std::int64_t step_us) {
 }
 
 std::string SteadyTime::Steps::words() const {
-  std::ostringstream text;
-  text << (count == 1 ? "once" : std::to_string(count) + " times") << ", by " << std::fixed
-       << std::setprecision(3) << static_cast<double>(longest_us) / 1e6
-       << (count == 1 ? " s" : " s at most");
-  return text.str();
+  return (count == 1 ? "once" : std::to_string(count) + " times") + ", by " +
+         fixed(static_cast<double>(longest_us) / 1e6, 3) + (count == 1 ? " s" : " s at most");
 }
 
 std::uint64_t SteadyTime::of(std::uint64_t recorded_us) {

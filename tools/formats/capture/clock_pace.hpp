@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iomanip>
-#include <sstream>
 #include <string>
 
 #include "tools/formats/capture/capture_clock.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 
@@ -42,17 +41,12 @@ class ClockPace {
     if (is_pace_right && longest_still_us_ < kLongStillUs) {
       return {};
     }
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << "the capture's times are wrong: they ";
-    if (is_pace_right) {
-      text << "stand still";
-    } else {
-      text << "advance by " << static_cast<double>(capture_us_) / 1e6 << " s";
-    }
-    text << " while the clock of " << unit << " advances by "
-         << static_cast<double>(is_pace_right ? longest_still_us_ : unit_us_) / 1e6
-         << " s; convert or record it again, with the time at which each packet came";
-    return text.str();
+    const auto seconds = [](auto us) { return fixed(static_cast<double>(us) / 1e6, 3) + " s"; };
+    return "the capture's times are wrong: they " +
+           (is_pace_right ? "stand still" : "advance by " + seconds(capture_us_)) +
+           " while the clock of " + unit + " advances by " +
+           seconds(is_pace_right ? longest_still_us_ : unit_us_) +
+           "; convert or record it again, with the time at which each packet came";
   }
 
  private:

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "numeric/elementary.hpp"
+#include "tools/program/fixed.hpp"
 
 namespace iog::tools {
 namespace {
@@ -23,13 +23,6 @@ struct OsmPoint {
     return a.latitude != b.latitude ? a.latitude < b.latitude : a.longitude < b.longitude;
   }
 };
-
-std::string metres(double value) {
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
-  return {text.data(), end.ptr};
-}
 
 std::string attribute(std::string_view name, std::string_view value) {
   return ' ' + std::string(name) + "=\"" + std::string(value) + '"';
@@ -68,7 +61,8 @@ class OsmText {
     }
     std::string tags = tag("highway", road.kind) + tag("lanes", std::to_string(road.lanes));
     tags += road.is_oneway ? tag("oneway", "yes") : "";
-    tags += drawn.has_width ? tag("width", metres(road.width_m)) : tag("iogrid:error", "no width");
+    tags +=
+        drawn.has_width ? tag("width", fixed(road.width_m, 2)) : tag("iogrid:error", "no width");
     add_way(nodes, tags);
   }
 
@@ -147,8 +141,8 @@ std::string summary_of(const DrawnMap& map) {
          std::to_string(count_of(map, HouseDrawn::kGhostBeside)) + " ghosts beside a road, " +
          std::to_string(count_of(map, HouseDrawn::kGhostOnRoad)) + " on one; " +
          std::to_string(map.missing.size()) + " houses missing; noise " +
-         metres(map.errors.noise_m) + " m; shift " + metres(map.errors.shift_east_m) + " m east, " +
-         metres(map.errors.shift_north_m) + " m north";
+         fixed(map.errors.noise_m, 2) + " m; shift " + fixed(map.errors.shift_east_m, 2) +
+         " m east, " + fixed(map.errors.shift_north_m, 2) + " m north";
 }
 
 std::string osm_text(const DrawnMap& map, const MapPlace& place, std::string_view scene) {
