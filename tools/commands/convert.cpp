@@ -20,6 +20,7 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 
@@ -42,11 +43,7 @@ struct Input {
 };
 
 std::string names_of(const CatalogueEntry& car) {
-  std::string names;
-  for (const description::SensorConfig& sensor : car.sensors) {
-    names += (names.empty() ? "" : ", ") + std::string(sensor.name);
-  }
-  return names;
+  return joined(car.sensors, ", ", &description::SensorConfig::name);
 }
 
 Input input_of(const std::string& option, const std::string& text, const CatalogueEntry& car) {

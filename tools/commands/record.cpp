@@ -13,6 +13,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/pcap_recording.hpp"
 #include "tools/record/picture_recording.hpp"
@@ -30,14 +31,6 @@ std::vector<std::string> usual_topics() {
   std::vector<std::string> topics = all_topics();
   std::erase(topics, kPointsTopic);
   return topics;
-}
-
-std::string list_of_topics() {
-  std::string list;
-  for (const std::string_view topic : kAllTopics) {
-    list.append(list.empty() ? "" : ",").append(topic);
-  }
-  return list;
 }
 
 struct RecordOptions {
@@ -169,7 +162,7 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
              "What to write: FILE.mcap, FILE.pcap or a folder of pictures; may be repeated")
       ->required();
   add_option(command, "--topics", "TOPIC,...  (default all but /points)", options.topics,
-             "Topics of an MCAP file: " + list_of_topics())
+             "Topics of an MCAP file: " + joined(kAllTopics, ","))
       ->delimiter(',')
       ->check(CLI::IsMember(all_topics()));
   command.add_flag("--points", options.has_points, "Also record scan points on /points")

@@ -75,7 +75,7 @@ std::string port_words(std::uint16_t number) { return "UDP port " + std::to_stri
 }  // namespace
 
 std::string CaptureIdentity::Port::name() const {
-  return names.empty() ? doubted : joined({names.begin(), names.end()}, ", ");
+  return names.empty() ? doubted : joined(names, ", ");
 }
 
 void CaptureIdentity::add(const CapturedDatagram& datagram) {

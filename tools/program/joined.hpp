@@ -1,18 +1,18 @@
 // A list as one text.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace iog::tools {
 
-// The parts in their order, with `by` between them.
-[[nodiscard]] inline std::string joined(const std::vector<std::string>& parts,
-                                        std::string_view by) {
+// The parts in their order, or what `words` says of each, with `by` between them.
+template <typename Parts, typename Words = std::identity>
+[[nodiscard]] std::string joined(const Parts& parts, std::string_view by, Words words = {}) {
   std::string text;
-  for (const std::string& part : parts) {
-    text.append(text.empty() ? "" : by).append(part);
+  for (const auto& part : parts) {
+    text.append(text.empty() ? "" : by).append(std::invoke(words, part));
   }
   return text;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/program/hexadecimal.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/receive/record_file.hpp"
@@ -43,11 +44,7 @@ std::vector<std::uint32_t> slice_poses_of(const ClassGrid& classes) {
 }
 
 std::string list_of(const std::vector<std::uint32_t>& names) {
-  std::string text;
-  for (const std::uint32_t name : names) {
-    text += (text.empty() ? "" : ",") + hex(name);
-  }
-  return text.empty() ? "-" : text;
+  return names.empty() ? "-" : joined(names, ",", [](std::uint32_t name) { return hex(name); });
 }
 
 // Nothing if it is not the list of what it holds.

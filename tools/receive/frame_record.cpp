@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/program/hexadecimal.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/table.hpp"
 #include "tools/receive/record_file.hpp"
 
@@ -19,11 +20,9 @@ constexpr const char* kRecordHeading =
 
 // "6,6,6,6"
 std::string list_of(const std::vector<std::uint16_t>& packets) {
-  std::string text;
-  for (const std::uint16_t of_sensor : packets) {
-    text += (text.empty() ? "" : ",") + std::to_string(of_sensor);
-  }
-  return text.empty() ? "-" : text;
+  return packets.empty()
+             ? "-"
+             : joined(packets, ",", [](std::uint16_t count) { return std::to_string(count); });
 }
 
 // Nothing if it is not the list of what it holds.

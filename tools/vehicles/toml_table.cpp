@@ -3,6 +3,8 @@
 #include <charconv>
 #include <utility>
 
+#include "tools/program/joined.hpp"
+
 namespace iog::tools {
 namespace {
 
@@ -25,14 +27,6 @@ std::optional<std::array<std::uint8_t, kCount>> octets_of(std::string_view text,
     text.remove_prefix(is_last ? 0 : 1);
   }
   return octets;
-}
-
-std::string listed(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    text += (text.empty() ? "" : ", ") + std::string(word);
-  }
-  return text;
 }
 
 const toml::table kEmpty{};
@@ -138,7 +132,7 @@ void TomlTable::read(std::string_view key, net::Ipv4Address& value) {
 
 std::optional<std::size_t> TomlTable::read_word(std::string_view key,
                                                 const std::vector<std::string_view>& words) {
-  const std::string allowed = "one of the texts " + listed(words);
+  const std::string allowed = "one of the texts " + joined(words, ", ");
   const std::optional<std::string> text = text_of(key, allowed);
   if (!text) {
     return std::nullopt;
@@ -193,7 +187,7 @@ void TomlTable::refuse_others() {
   for (const auto& [key, node] : *table_) {
     if (std::ranges::find(known_, key.str()) == known_.end()) {
       mistakes_->push_back({key.source().begin.line, field(key.str()),
-                            "no such key; allowed are " + listed(known_), true});
+                            "no such key; allowed are " + joined(known_, ", "), true});
     }
   }
 }

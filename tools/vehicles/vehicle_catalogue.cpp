@@ -5,6 +5,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/vehicles/car_file.hpp"
 #include "tools/vehicles/carried_cars.hpp"
 
@@ -42,11 +43,8 @@ Catalogue& catalogue() {
 std::span<const CatalogueEntry> all_vehicles() { return catalogue().entries; }
 
 std::string vehicle_names() {
-  std::string names;
-  for (const CatalogueEntry& entry : all_vehicles()) {
-    names += (names.empty() ? "" : ", ") + std::string(entry.vehicle->name);
-  }
-  return names;
+  return joined(all_vehicles(), ", ",
+                [](const CatalogueEntry& entry) { return entry.vehicle->name; });
 }
 
 const CatalogueEntry& find_vehicle(std::string_view name) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/simulate/scenes/city.hpp"
 #include "tools/simulate/scenes/hills.hpp"
 #include "tools/simulate/scenes/ring_road.hpp"
@@ -27,12 +28,6 @@ const SceneEntry& find_scene(std::string_view name) {
   return *found;
 }
 
-std::string scene_names() {
-  std::string names;
-  for (const SceneEntry& entry : kScenes) {
-    names += (names.empty() ? "" : ", ") + std::string(entry.name);
-  }
-  return names;
-}
+std::string scene_names() { return joined(kScenes, ", ", &SceneEntry::name); }
 
 }  // namespace iog::tools
