@@ -1,8 +1,11 @@
 """Markdown that also reads well as text: numbers as tables show them, aligned tables, wrapped lines."""
 
+import pathlib
 import re
 import textwrap
 import unicodedata
+
+import jinja2
 
 LINE_CHARACTERS = 100
 NUMBER = re.compile(r"[-+±−<≤≥]?\d[\d,.]*(e-?\d+)?( [^\s\d]{1,5})?|–|")
@@ -103,3 +106,11 @@ def _lines(text: str, indent: str) -> str:
     lines = textwrap.wrap(" ".join(joined), LINE_CHARACTERS, subsequent_indent=indent,
                           break_long_words=False, break_on_hyphens=False)
     return "\n".join(lines).replace("\0", " ")
+
+
+def rendered(template: pathlib.Path, **names) -> str:
+    """The page that a template makes of these names, and of table() and grouped()."""
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(template.parent), undefined=jinja2.StrictUndefined,
+                                     trim_blocks=True, lstrip_blocks=True, autoescape=False)
+    environment.globals.update(table=table, grouped=grouped)
+    return wrapped(environment.get_template(template.name).render(**names))
