@@ -53,21 +53,5 @@ TEST(SaturatingAddition, IndexesOfOneSignGroupFreely) {
   }
 }
 
-// And why carving and marking are kept apart: with mixed signs the grouping shows.
-TEST(SaturatingAddition, MixedSignsDoNotGroupFreely) {
-  const OccupancyIndex a = 100;
-  const OccupancyIndex b = 100;
-  const OccupancyIndex c = -100;
-  EXPECT_EQ(int{sat_add(sat_add(a, b), c)}, 27);
-  EXPECT_EQ(int{sat_add(a, sat_add(b, c))}, 100);
-}
-
-TEST(SaturatingAddition, WiderCellsAreTheSameCode) {
-  EXPECT_EQ(sat_add<std::int16_t>(32'000, 32'000), 32'767);
-  EXPECT_EQ(sat_add<std::int16_t>(-32'000, -32'000), -32'767);
-  EXPECT_EQ(sat_add<std::int32_t>(2'000'000'000, 2'000'000'000), 2'147'483'647);
-  EXPECT_EQ(sat_add<std::int32_t>(-2'000'000'000, -2'000'000'000), -2'147'483'647);
-}
-
 }  // namespace
 }  // namespace iog::index

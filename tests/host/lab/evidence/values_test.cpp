@@ -35,22 +35,6 @@ TEST(Values, WithoutAFloorTheFirstCellsAreAlmostSurelyFree) {
   EXPECT_GT(at(values, -kFarSteps), 0);
 }
 
-TEST(Values, IndexesAreThoseOfTable43) {
-  const auto blurring = indexes(probabilities({}), 0.05, index::Quantisation::kBlurring);
-  const auto nearest = indexes(probabilities({}), 0.05, index::Quantisation::kNearest);
-  EXPECT_EQ(at(blurring, -3), -14);
-  EXPECT_EQ(at(blurring, -2), -7);
-  EXPECT_EQ(at(blurring, -1), 0);
-  EXPECT_EQ(at(blurring, 0), 2);
-  EXPECT_EQ(at(blurring, 1), 0);
-  EXPECT_EQ(at(nearest, -3), -15);
-  EXPECT_EQ(at(nearest, -2), -7);
-  EXPECT_EQ(at(nearest, -1), 0);
-  EXPECT_EQ(at(nearest, 0), 2);
-  EXPECT_EQ(at(nearest, 1), 1);
-  EXPECT_EQ(at(nearest, 2), 0);
-}
-
 // The reference in double precision and the tables that the firmware's compiler makes agree in
 // every cell, for cells shorter and longer than sigma.
 TEST(Values, IndexesAreTheFirmwaresProfile) {
