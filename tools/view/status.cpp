@@ -60,10 +60,7 @@ Json end_json(const FrameFacts& frame) {
   };
   const auto cores = stream::counts_of<work::TeamCounts>(end);
   const auto before = stream::counts_of<hal::RunBefore>(end);
-  return {{"tiles_sent", end.tiles_sent},
-          {"tiles_lost", end.tiles_lost},
-          {"crc", hex(end.grid_crc)},
-          {"opened_us", end.opened_us},
+  return {{"crc", hex(end.grid_crc)},
           {"fuse_us", us(end.ticks.fuse)},
           {"mark_us", us(end.ticks.mark)},
           {"publish_us", us(end.ticks.publish)},
@@ -72,7 +69,6 @@ Json end_json(const FrameFacts& frame) {
           {"cores", cores ? words_of(*cores) : ""},
           {"starts", before && before->starts > 1 ? words_of(*before) : ""},
           {"fates", end.fates},
-          {"drops", end.packet_drops},
           {"unwatched", hex(end.unwatched, 16)},
           {"blocked", hex(end.blocked, 16)},
           {"temperature", temperature_json(end)},
@@ -108,9 +104,7 @@ Json map_json(const stream::MapState& map) {
           {"crc", hex(map.layer.crc)},
           {"attribution", map.in_use ? std::string(map.in_use->words()) : std::string()},
           {"cause", std::string(words_of(map.layer.cause))},
-          {"tiles_drawn", map.layer.tiles_drawn},
           {"tiles_waiting", map.layer.tiles_waiting},
-          {"blur_cells", map.layer.radius},
           {"delivery", words_of_delivery(map.delivery)},
           {"refused", map.delivery.blocks_refused},
           {"transform", transform_json(map.layer.transform)}};
@@ -122,10 +116,7 @@ Json class_end_json(const ClassFacts& classes) {
   }
   const stream::ClassEnd& end = *classes.end;
   return {{"crc", hex(end.classes_crc)},
-          {"packets_placed", end.packets_placed},
           {"packets_not_placed", end.packets_not_placed},
-          {"groups_fused", end.groups_fused},
-          {"groups_left", end.groups_left},
           {"poses", end.pose_fates},
           {"causes", causes_json(classes)},
           {"map", map_json(end.map)}};
@@ -181,8 +172,6 @@ Json frame_json(const FrameFacts& frame) {
           {"closed_us", header.closed_us},
           {"sends_indexes", (header.flags & stream::kFlagNoIndexes) == 0},
           {"sends_classes", (header.flags & stream::kFlagClasses) != 0},
-          {"timed_out", (header.flags & stream::kFlagTimedOut) != 0},
-          {"rule", (header.flags & stream::kFlagBayes) != 0 ? "bayes" : "hits_win"},
           {"bytes", frame.message_bytes},
           {"whole", frame.is_whole},
           {"damaged", frame.is_damaged},
@@ -192,10 +181,6 @@ Json frame_json(const FrameFacts& frame) {
           {"grid", grid_json(frame.grid)},
           {"complete", header.complete_sensors},
           {"partial", header.partial_sensors},
-          {"points_used", header.points_used},
-          {"points_other", header.points_other},
-          {"packets_fused", header.packets_fused},
-          {"packets_dropped", header.packets_dropped},
           {"end", end_json(frame)},
           {"classes", classes_json(frame)},
           {"objects", objects_json(frame)}};
@@ -208,14 +193,10 @@ Json counts_json(const FrameAssembler& assembler, std::uint64_t overflow) {
           {"lost", assembler.messages_lost()},
           {"frames_lost", assembler.frames_lost()},
           {"late", counts.late},
-          {"repeated", counts.repeated},
-          {"too_late", counts.too_late},
           {"corrupt", counts.corrupt},
           {"malformed", counts.malformed + counts.tiles_malformed},
           {"not_ours", counts.not_ours},
           {"other_version", counts.other_version},
-          {"not_understood", counts.not_understood + counts.tiles_not_understood},
-          {"without_reference", counts.without_reference},
           {"restarts", counts.restarts},
           {"other_run", counts.other_run},
           {"overflow", overflow}};
@@ -251,7 +232,6 @@ Json playback_json(const std::optional<Playback>& playback) {
 
 Json sensor_json(const description::SensorConfig& sensor) {
   return {{"name", sensor.name},
-          {"format", lidar::name_of(sensor.format)},
           {"x", sensor.mount.x_m},
           {"y", sensor.mount.y_m},
           {"z", sensor.mount.z_m},
@@ -327,7 +307,6 @@ std::string status_json(const StatusParts& parts) {
                   {"corrupt", health.is_corrupt_lately(parts.now_ms)},
                   {"too_slow", health.is_too_slow_lately(parts.now_ms)},
                   {"other_version", health.has_other_version_lately(parts.now_ms)},
-                  {"strange_grid", health.has_strange_grid_lately(parts.now_ms)},
                   {"version_read", stream::kInterfaceVersion},
                   {"version_sent", version_sent ? Json(*version_sent) : nullptr},
                   {"car_refused", parts.assembler->car_refusal().value_or("")},
@@ -354,8 +333,6 @@ std::string vehicle_json(std::uint32_t vehicle_id, std::optional<double> epsilon
                          {"x_max", body.x_max_m},
                          {"y_min", body.y_min_m},
                          {"y_max", body.y_max_m}};
-    json["z_min"] = car->description->z_min_m;
-    json["z_max"] = car->description->z_max_m;
     json["period_us"] = car->description->frame_period_us;
   }
   json["sensors"] = std::move(sensors);

@@ -71,8 +71,4 @@ bool StreamHealth::has_other_version_lately(std::int64_t now_ms) const {
   return other_version_.is_recent(now_ms);
 }
 
-bool StreamHealth::has_strange_grid_lately(std::int64_t now_ms) const {
-  return not_understood_.is_recent(now_ms);
-}
-
 }  // namespace iog::tools::view

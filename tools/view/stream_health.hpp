@@ -47,9 +47,8 @@ class StreamHealth {
   [[nodiscard]] bool is_corrupt_lately(std::int64_t now_ms) const;
   // The target has left points that it had no time for.
   [[nodiscard]] bool is_too_slow_lately(std::int64_t now_ms) const;
-  // Messages of another version, or of another grid, arrive or have just arrived.
+  // Messages of another version arrive or have just arrived.
   [[nodiscard]] bool has_other_version_lately(std::int64_t now_ms) const;
-  [[nodiscard]] bool has_strange_grid_lately(std::int64_t now_ms) const;
 
  private:
   // A count, and when it grew last.

@@ -37,7 +37,6 @@ TEST(StreamHealth, WhatIsNotUnderstoodIsIncompatible) {
   StreamHealth health;
   health.note_counts({.not_understood = 3}, 0);
   EXPECT_EQ(health.state(0), StreamState::kIncompatible);
-  EXPECT_TRUE(health.has_strange_grid_lately(0));
   EXPECT_FALSE(health.has_other_version_lately(0));
 }
 
