@@ -31,6 +31,9 @@ constexpr std::int32_t kSteepest = 180;
 constexpr std::int16_t kReach = 12;  // bins for which a slope continues without ground
 constexpr std::int32_t kBeside = 60;
 constexpr std::size_t kAcross = 8;  // sectors searched for ground on each side
+// Mirror images of a wall or of the car itself are up to three sectors wide.
+constexpr std::int16_t kMirroredMm = 1'000;
+constexpr std::size_t kMirroredSectors = 3;
 
 static_assert(2 * Bins::kMostPlausibleMm + kReach * 2 * kSteepest <= 32'767);
 static_assert(std::int64_t{2} * Bins::kMostPlausibleMm * 65'536 < std::int64_t{1} << 31);
@@ -64,11 +67,6 @@ constexpr std::int16_t median(std::int16_t a, std::int16_t b, std::int16_t c) {
 
 constexpr std::int16_t most_plausible(Bins bins, std::size_t bin) {
   return narrow(bins.most_plausible_mm(static_cast<std::uint32_t>(bin)));
-}
-
-// Maps a lowest return that is implausibly high to none.
-constexpr std::int16_t believed(std::int16_t low, std::int16_t plausible) {
-  return low > plausible ? Lows::kNothing : low;
 }
 
 // A ring padded at both ends with the sectors from its other end.
@@ -112,6 +110,23 @@ Around nearest_beside(const Around& ring) {
   return of_twice_as_many<kForward>(of_four, 4);
 }
 
+// Maps a lowest return to none if it is implausibly high, or if it is far below the car's plane and
+// the lowest returns on both sides.
+void believe(Bins bins, std::size_t bin, const Lows::Ring& lows, Lows::Ring& believed) {
+  const std::int16_t plausible = most_plausible(bins, bin);
+  const Around ring = around([&](std::size_t sector) {
+    return pick(mask(lows[sector] > plausible), Lows::kNothing, lows[sector]);
+  });
+  for (std::size_t sector = 0; sector < kSectors; ++sector) {
+    const std::int16_t low = ring[kAcross + sector];
+    const std::int16_t left = farther<true>(ring, sector, kMirroredSectors);
+    const std::int16_t right = farther<false>(ring, sector, kMirroredSectors);
+    const std::int16_t are_both = mask(std::max(left, right) != Lows::kNothing);
+    const std::int16_t is_deep = mask(std::min<std::int16_t>({left, right, 0}) - low > kMirroredMm);
+    believed[sector] = pick(narrow(are_both & is_deep), Lows::kNothing, low);
+  }
+}
+
 }  // namespace
 
 void SurfaceWalk::close_turn(Bins bins, const Lows& lows, Surface& surface) {
@@ -145,7 +160,6 @@ void SurfaceWalk::begin(const Surface& surface) {
 }
 
 void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
-  const std::int16_t plausible = most_plausible(bins, bin);
   const auto number = static_cast<std::int16_t>(bin);
   const std::int16_t start = narrow(kStart + bins.rise_of_bin(kStartRise) * (number + 1));
   const std::int16_t steep_start =
@@ -154,6 +168,7 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   // Of the last turn.
   const Ring& bin_start = ground_[bin];
   const Ring& bin_end = ground_[bin + 1];
+  believe(bins, bin, lows, low_);
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
     const std::int16_t over_last = narrow(((bin_start[sector] + bin_end[sector]) >> 1) + kOverLast);
     const std::int16_t first = std::max(start, std::min(steep_start, over_last));
@@ -163,9 +178,8 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
     const std::int16_t widest = pick(mask(doubt_[sector] > 0), kDoubtfulWidest, kWidest);
     const std::int16_t step = std::min(narrow(kStep + step_rise * gap), widest);
     const std::int16_t most = pick(mask(last < 0), first, step);
-    const std::int16_t low = believed(lows[sector], plausible);
+    const std::int16_t low = low_[sector];
     const std::int16_t off = narrow(low - expected);
-    low_[sector] = low;
     expected_[sector] = expected;
     most_[sector] = most;
     const std::int16_t is_ground = narrow(mask(low != Lows::kNothing) & mask(off <= most));
@@ -311,15 +325,14 @@ void SurfaceWalk::find_starts() {
   ground_[0].fill(0);
 }
 
-// Limits the height of the surface over the lowest return of each bin.
+// Limits the height of the surface over the lowest believed return of each bin.
 void SurfaceWalk::keep_low(Bins bins, const Lows& lows) {
   for (std::size_t bin = 0; bin < kBins; ++bin) {
-    const Ring& ring = lows.ring(bin);
-    const std::int16_t plausible = most_plausible(bins, bin);
+    believe(bins, bin, lows.ring(bin), low_);
     Ring& start = ground_[bin];
     Ring& end = ground_[bin + 1];
     for (std::size_t sector = 0; sector < kSectors; ++sector) {
-      const std::int16_t low = believed(ring[sector], plausible);
+      const std::int16_t low = low_[sector];
       const std::int16_t most =
           narrow(std::min(low, narrow(Surface::kMost - kMostOverLowestMm)) + kMostOverLowestMm);
       start[sector] = std::min(start[sector], most);

@@ -130,6 +130,25 @@ inline Turn doubtful_ground(std::int32_t bin_mm) {
   return returns;
 }
 
+// Level sectors with mirror images just as deep below one side or both as they must be to be none,
+// or a millimetre less deep, and as wide as they can be, or wider.
+inline Turn mirror_images(std::int32_t bin_mm) {
+  Turn returns;
+  for (std::int32_t i = 0; i < 16; ++i) {
+    const std::int32_t bin = 10 + i;
+    const std::int32_t first = 8 + 16 * i;
+    for (std::int32_t sector = first - 4; sector < first + 8; ++sector) {
+      const bool is_image = sector >= first && sector < first + 1 + i / 4;
+      returns.push_back({sector, bin * bin_mm,
+                         is_image         ? -1'000 - i % 2
+                         : sector < first ? i % 4 / 2
+                                          : 0});
+      returns.push_back({sector, (bin - 1) * bin_mm, 0});
+    }
+  }
+  return returns;
+}
+
 // Two turns. In the first, sectors far from one another have ground as high as a first ground can
 // be, or higher. In the second, they have it just as much higher as it may be from turn to turn, or
 // a millimetre more, or just as high as it can ever be.

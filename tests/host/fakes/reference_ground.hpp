@@ -41,6 +41,8 @@ struct GroundRule {
   Whole across = 8;
   Whole beside = 60;
   Whole over_lowest = 150;
+  Whole mirrored = 1'000;
+  Whole mirrored_sectors = 3;
   Whole turns_kept = 10;
   Whole near_bins = 2;
 };
@@ -166,10 +168,19 @@ class ReferenceGround {
     return std::min(rule_.plausible + rise, rule_.most_plausible);
   }
 
-  // The lowest return of a bin, if it is believed.
-  [[nodiscard]] std::optional<Whole> low(Whole sector, Whole bin) const {
-    const std::optional<Whole>& low = lowest_[at(sector * kBins + bin)];
+  [[nodiscard]] std::optional<Whole> plausible_low(Whole sector, Whole bin) const {
+    const std::optional<Whole>& low = lowest_[at(around(sector) * kBins + bin)];
     return low && *low <= most_plausible(bin) ? low : std::nullopt;
+  }
+
+  // The lowest return of a bin, if it is believed: it is no mirror image.
+  [[nodiscard]] std::optional<Whole> low(Whole sector, Whole bin) const {
+    const std::optional<Whole> its = plausible_low(sector, bin);
+    const std::optional<Whole> left = plausible_low(sector - rule_.mirrored_sectors, bin);
+    const std::optional<Whole> right = plausible_low(sector + rule_.mirrored_sectors, bin);
+    const bool is_deep =
+        its && left && right && *its < std::min({*left, *right, Whole{0}}) - rule_.mirrored;
+    return is_deep ? std::nullopt : its;
   }
 
   [[nodiscard]] Whole expected(const Walker& its, Whole bin) const {

@@ -92,6 +92,7 @@ std::vector<Turn> all_turns(Bins bins) {
     turns.push_back(tests::any_turn(random, 1 << random.between(0, 13)));
     turns.push_back(tests::steep_turn(random, length_of(bins)));
     turns.push_back(tests::doubtful_ground(length_of(bins)));
+    turns.push_back(tests::mirror_images(length_of(bins)));
     turns.push_back(tests::first_ground(length_of(bins), 0));
     turns.push_back(tests::first_ground(length_of(bins), 1));
   }
@@ -129,14 +130,15 @@ TEST(SurfaceWalk, TakesHeightsOfAnySize) {
 // The turns of these tests meet each number of the rule: with any of them one larger or smaller,
 // the second implementation finds another surface.
 TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
-  constexpr int kNumbers = 20;
+  constexpr int kNumbers = 22;
   const auto number_of = [](GroundRule& rule, int number) -> tests::Whole& {
     const std::array<tests::Whole*, kNumbers> all{
         &rule.plausible,  &rule.plausible_rise,   &rule.most_plausible, &rule.start,
         &rule.start_rise, &rule.steep_start_rise, &rule.over_last,      &rule.step,
         &rule.step_rise,  &rule.widest,           &rule.slope_parts,    &rule.steepest,
         &rule.reach,      &rule.across,           &rule.beside,         &rule.over_lowest,
-        &rule.high_start, &rule.near_starts,      &rule.proofs,         &rule.doubtful_widest};
+        &rule.high_start, &rule.near_starts,      &rule.proofs,         &rule.doubtful_widest,
+        &rule.mirrored,   &rule.mirrored_sectors};
     return *all[static_cast<std::size_t>(number)];
   };
   const std::vector<Turn> turns = all_turns(kShort);
@@ -175,8 +177,16 @@ TEST(SurfaceWalk, HasThePagesExample) {
   EXPECT_EQ(surface.height_over(kShort, 10, 8'300, 150), 72);
 }
 
+// A return far below the car's plane and those of the sectors on both sides, as seen by a forger
+// who adds some where there are none.
+bool may_be_mirrored(const Lows::Ring& lows, std::size_t sector) {
+  const std::int32_t highest = lows[sector] + 1'000;
+  const auto is_higher = [&](std::size_t other) { return lows[other % kSectors] > highest; };
+  return lows[sector] < -1'000 && is_higher(sector + 3) && is_higher(sector + kSectors - 3);
+}
+
 // Whatever else is received, nowhere in a bin is the ground more than 150 mm over what was seen
-// there: what is forged cannot hide what is real.
+// there, unless it may be a mirror image: what is forged cannot hide what is real.
 TEST(SurfaceWalk, StaysLowOverRealReturnsWhateverIsForged) {
   Random random(7);
   for (int i = 0; i < 12; ++i) {
@@ -189,7 +199,8 @@ TEST(SurfaceWalk, StaysLowOverRealReturnsWhateverIsForged) {
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       for (std::size_t sector = 0; sector < kSectors; ++sector) {
         const std::int32_t low = real.ring(bin)[sector];
-        if (low <= kShort.most_plausible_mm(static_cast<std::uint32_t>(bin))) {
+        if (low <= kShort.most_plausible_mm(static_cast<std::uint32_t>(bin)) &&
+            !may_be_mirrored(real.ring(bin), sector)) {
           ASSERT_LE(surface.row(sector)[bin], low + kMostOverLowestMm);
           ASSERT_LE(surface.row(sector)[bin + 1], low + kMostOverLowestMm);
         }
@@ -364,6 +375,28 @@ TEST(SurfaceWalk, OutvotesAMirrorImage) {
     }
   }
   EXPECT_EQ(surface_after(kShort, turn).row(77)[12], 0);
+}
+
+// A wall on the right is mirrored by the road in up to three sectors and two bins. The road above
+// the mirror images stays ground, and they are under it. A hole that is wider is a hole.
+TEST(SurfaceWalk, MirrorImagesOfUpToThreeSectorsAreNotGround) {
+  for (const std::uint32_t sectors : {1U, 2U, 3U, 5U}) {
+    Turn turn;
+    for (std::int32_t sector = 0; sector < tests::kTestSectors; ++sector) {
+      for (std::int32_t bin = 2; bin < 30; ++bin) {
+        turn.push_back({sector, bin * 1024 + 512, -100});
+        if ((bin == 8 || bin == 9) && sector >= 244 && sector < 244 + static_cast<int>(sectors)) {
+          turn.push_back({sector, bin * 1024 + 300, -2'200});
+        }
+      }
+    }
+    const Surface surface = surface_after(kShort, turn);
+    for (const std::uint32_t along_mm : {8'704U, 9'728U}) {
+      const bool is_road_ground = surface.height_over(kShort, 245, along_mm, -100) < 220;
+      EXPECT_EQ(is_road_ground, sectors <= 3) << sectors << ' ' << along_mm;
+      EXPECT_TRUE(sectors > 3 || surface.height_over(kShort, 245, along_mm, -2'200) < -400);
+    }
+  }
 }
 
 // Ten turns without a return leave the rows, one more forgets them.
