@@ -13,11 +13,15 @@ namespace {
 // Limits of the first ground of a sector, and of later ground over its expected height. Rises are
 // per 1,024 mm along the line. A car beside a high unit hides the road and could become the first
 // ground. The first ground therefore rises by at most kStartRise above the car's plane. It may rise
-// by up to kSteepStartRise if it is at most kOverLast above the surface of the last turn.
+// by up to kSteepStartRise if it is at most kOverLast above the surface of the last turn. It is
+// also at most kStart above the last turn's ground in most of three sectors, which are so far apart
+// that few cars are in two of them.
 constexpr std::int32_t kStart = 150;
 constexpr std::int32_t kStartRise = 20;
 constexpr std::int32_t kSteepStartRise = 80;
 constexpr std::int16_t kOverLast = 60;
+constexpr std::size_t kApart = 24;  // sectors
+constexpr std::int16_t kUnknown = Lows::kNothing - kStart;
 constexpr std::int32_t kStep = 100;
 constexpr std::int32_t kStepRise = 100;
 // A far and high first ground may be the lower edge of an object that hides the road. The walk's
@@ -70,24 +74,25 @@ constexpr std::int16_t most_plausible(Bins bins, std::size_t bin) {
 }
 
 // A ring padded at both ends with the sectors from its other end.
-using Around = std::array<std::int16_t, kSectors + 2 * kAcross>;
+constexpr std::size_t kPadding = kApart;
+using Around = std::array<std::int16_t, kSectors + 2 * kPadding>;
 
 // value_of(sector) gives the value of each sector.
 template <typename ValueOf>
 Around around(ValueOf&& value_of) {
   Around values;
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
-    values[kAcross + sector] = value_of(sector);
+    values[kPadding + sector] = value_of(sector);
   }
-  std::copy_n(values.begin() + kSectors, kAcross, values.begin());
-  std::copy_n(values.begin() + kAcross, kAcross, values.end() - kAcross);
+  std::copy_n(values.begin() + kSectors, kPadding, values.begin());
+  std::copy_n(values.begin() + kPadding, kPadding, values.end() - kPadding);
   return values;
 }
 
 // The value this many sectors forward or back.
 template <bool kForward>
 std::int16_t farther(const Around& from, std::size_t sector, std::size_t distance) {
-  return from[kForward ? kAcross + sector + distance : kAcross + sector - distance];
+  return from[kForward ? kPadding + sector + distance : kPadding + sector - distance];
 }
 
 // The nearest value in one direction that is not kNothing. `near` has it for the next `sectors`
@@ -95,7 +100,7 @@ std::int16_t farther(const Around& from, std::size_t sector, std::size_t distanc
 template <bool kForward>
 Around of_twice_as_many(const Around& near, std::size_t sectors) {
   return around([&](std::size_t sector) {
-    const std::int16_t at_hand = near[kAcross + sector];
+    const std::int16_t at_hand = near[kPadding + sector];
     return pick(mask(at_hand == Lows::kNothing), farther<kForward>(near, sector, sectors), at_hand);
   });
 }
@@ -118,7 +123,7 @@ void believe(Bins bins, std::size_t bin, const Lows::Ring& lows, Lows::Ring& bel
     return pick(mask(lows[sector] > plausible), Lows::kNothing, lows[sector]);
   });
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
-    const std::int16_t low = ring[kAcross + sector];
+    const std::int16_t low = ring[kPadding + sector];
     const std::int16_t left = farther<true>(ring, sector, kMirroredSectors);
     const std::int16_t right = farther<false>(ring, sector, kMirroredSectors);
     const std::int16_t are_both = mask(std::max(left, right) != Lows::kNothing);
@@ -168,10 +173,20 @@ void SurfaceWalk::expect(Bins bins, std::size_t bin, const Ring& lows) {
   // Of the last turn.
   const Ring& bin_start = ground_[bin];
   const Ring& bin_end = ground_[bin + 1];
+  // Where the last turn found no ground, its height is exactly 0.
+  const Around last_turn = around([&](std::size_t sector) {
+    const std::int16_t height = narrow((bin_start[sector] + bin_end[sector]) >> 1);
+    return pick(mask(height == 0), kUnknown, height);
+  });
   believe(bins, bin, lows, low_);
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
     const std::int16_t over_last = narrow(((bin_start[sector] + bin_end[sector]) >> 1) + kOverLast);
-    const std::int16_t first = std::max(start, std::min(steep_start, over_last));
+    const std::int16_t apart =
+        median(farther<true>(last_turn, sector, kApart), last_turn[kPadding + sector],
+               farther<false>(last_turn, sector, kApart));
+    const std::int16_t over_apart = narrow(std::max<std::int16_t>(apart, 0) + kStart);
+    const std::int16_t first =
+        std::min(std::max(start, std::min(steep_start, over_last)), over_apart);
     const std::int16_t last = last_[sector];
     const std::int16_t gap = std::min(narrow(number - last), kReach);
     const std::int16_t expected = narrow(height_[sector] + slope_[sector] * gap);
@@ -210,8 +225,8 @@ void SurfaceWalk::choose() {
   const Around lefts = nearest_beside<true>(ring);
   const Around rights = nearest_beside<false>(ring);
   for (std::size_t sector = 0; sector < kSectors; ++sector) {
-    const std::int16_t some_left = lefts[kAcross + sector];
-    const std::int16_t some_right = rights[kAcross + sector];
+    const std::int16_t some_left = lefts[kPadding + sector];
+    const std::int16_t some_right = rights[kPadding + sector];
     const std::int16_t left = pick(mask(some_left == Lows::kNothing), some_right, some_left);
     const std::int16_t right = pick(mask(some_right == Lows::kNothing), some_left, some_right);
     const std::int16_t low = low_[sector];
@@ -298,7 +313,7 @@ void SurfaceWalk::outvote() {
   for (Ring& ground : std::span(ground_).first(kBins)) {
     const Around ring = around([&](std::size_t sector) { return ground[sector]; });
     for (std::size_t sector = 0; sector < kSectors; ++sector) {
-      const std::int16_t* at = &ring[kAcross + sector];
+      const std::int16_t* at = &ring[kPadding + sector];
       ground[sector] = median(at[-1], at[0], at[1]);
     }
   }

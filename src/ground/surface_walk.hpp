@@ -4,7 +4,8 @@
 // In each sector, a walk moves outward bin by bin and tracks the height and the slope of the ground
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than the slope
 // predicts. The first ground in a sector must instead be close to the car's plane, or at most
-// slightly above the surface of the previous turn. After a first ground that is far away and high,
+// slightly above the surface of the previous turn, and not high above this surface in most of three
+// sectors. After a first ground that is far away and high,
 // only small height steps are accepted until the ground is confirmed. A lowest return far below the
 // prediction is always accepted as ground, because the ground found earlier must have been an
 // object. A lowest return that is too high still counts as ground if it is at most slightly above

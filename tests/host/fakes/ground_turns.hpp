@@ -149,6 +149,19 @@ inline Turn mirror_images(std::int32_t bin_mm) {
   return returns;
 }
 
+// Two turns. In the first, the ground rises to one side by a millimetre a sector. In the second,
+// some sectors have a first ground as high over it as it may be, or a millimetre higher.
+inline Turn ground_apart(std::int32_t bin_mm, int turn) {
+  Turn returns;
+  for (std::int32_t sector = 0; sector < kTestSectors; ++sector) {
+    const std::int32_t height = std::min(sector, 256 - sector) - 20;
+    for (std::int32_t bin = turn == 0 ? 8 : 12; bin < 14; ++bin) {
+      returns.push_back({sector, bin * bin_mm, height + (turn == 0 ? 0 : 145 + sector / 8 % 12)});
+    }
+  }
+  return returns;
+}
+
 // Two turns. In the first, sectors far from one another have ground as high as a first ground can
 // be, or higher. In the second, they have it just as much higher as it may be from turn to turn, or
 // a millimetre more, or just as high as it can ever be.

@@ -28,6 +28,8 @@ struct GroundRule {
   Whole start_rise = 20;
   Whole steep_start_rise = 80;
   Whole over_last = 60;
+  Whole over_apart = 150;
+  Whole apart = 24;
   Whole step = 100;
   Whole step_rise = 100;
   Whole widest = 300;
@@ -193,11 +195,26 @@ class ReferenceGround {
       const Whole widest = its.proofs_missing > 0 ? rule_.doubtful_widest : rule_.widest;
       return std::min(rule_.step + of_bin(rule_.step_rise) * gap, widest);
     }
-    const std::vector<Whole>& last_turn = rows_[at(sector)];
-    const Whole over_last =
-        floor_of(last_turn[at(bin)] + last_turn[at(bin + 1)], 2) + rule_.over_last;
+    const Whole over_last = last_turn(sector, bin) + rule_.over_last;
     const Whole steep = rule_.start + of_bin(rule_.steep_start_rise) * gap;
-    return std::max(rule_.start + of_bin(rule_.start_rise) * gap, std::min(steep, over_last));
+    const Whole most =
+        std::max(rule_.start + of_bin(rule_.start_rise) * gap, std::min(steep, over_last));
+    // The higher of two known heights, or the middle one of three.
+    std::vector<Whole> known;
+    for (const Whole distance : {-rule_.apart, Whole{0}, rule_.apart}) {
+      if (const Whole height = last_turn(around(sector + distance), bin); height != 0) {
+        known.push_back(height);
+      }
+    }
+    std::ranges::sort(known);
+    return known.size() < 2 ? most
+                            : std::min(most, std::max<Whole>(known[1], 0) + rule_.over_apart);
+  }
+
+  // How high the last turn's surface is in the middle of a bin.
+  [[nodiscard]] Whole last_turn(Whole sector, Whole bin) const {
+    const std::vector<Whole>& its = rows_[at(sector)];
+    return floor_of(its[at(bin)] + its[at(bin + 1)], 2);
   }
 
   void walk() {

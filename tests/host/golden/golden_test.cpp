@@ -196,7 +196,7 @@ TEST(Golden, AVlp16OfAHeightBandHasOneNameEverywhere) {
 // The second turn and the third are judged by surfaces. Whether those are right is for
 // ground/surface_walk_test.cpp and grid/over_ground_test.cpp.
 TEST(Golden, AVlp16ThatFollowsTheGroundHasOneNameEverywhere) {
-  EXPECT_EQ(name_of_turns(vehicles::car("roof_vlp16").vehicle, 3), 0xA022261DU);
+  EXPECT_EQ(name_of_turns(vehicles::car("roof_vlp16").vehicle, 3), 0x00C3AFD7U);
 }
 
 }  // namespace

@@ -95,6 +95,8 @@ std::vector<Turn> all_turns(Bins bins) {
     turns.push_back(tests::mirror_images(length_of(bins)));
     turns.push_back(tests::first_ground(length_of(bins), 0));
     turns.push_back(tests::first_ground(length_of(bins), 1));
+    turns.push_back(tests::ground_apart(length_of(bins), 0));
+    turns.push_back(tests::ground_apart(length_of(bins), 1));
   }
   return turns;
 }
@@ -130,7 +132,7 @@ TEST(SurfaceWalk, TakesHeightsOfAnySize) {
 // The turns of these tests meet each number of the rule: with any of them one larger or smaller,
 // the second implementation finds another surface.
 TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
-  constexpr int kNumbers = 22;
+  constexpr int kNumbers = 24;
   const auto number_of = [](GroundRule& rule, int number) -> tests::Whole& {
     const std::array<tests::Whole*, kNumbers> all{
         &rule.plausible,  &rule.plausible_rise,   &rule.most_plausible, &rule.start,
@@ -138,7 +140,7 @@ TEST(SurfaceWalk, ATestSeesEachOfItsNumbers) {
         &rule.step_rise,  &rule.widest,           &rule.slope_parts,    &rule.steepest,
         &rule.reach,      &rule.across,           &rule.beside,         &rule.over_lowest,
         &rule.high_start, &rule.near_starts,      &rule.proofs,         &rule.doubtful_widest,
-        &rule.mirrored,   &rule.mirrored_sectors};
+        &rule.mirrored,   &rule.mirrored_sectors, &rule.over_apart,     &rule.apart};
     return *all[static_cast<std::size_t>(number)];
   };
   const std::vector<Turn> turns = all_turns(kShort);
@@ -247,6 +249,37 @@ TEST(SurfaceWalk, ACarOrVanBesideAHighUnitIsNotTheFirstGround) {
             its.z_mm);
       }
     }
+  }
+}
+
+// The side of a car that the unit drives up to is as low as a first ground may be, but not over the
+// road that the last turn saw in most of the three sectors. With a mount that is 200 mm too low,
+// where only cars were seen the road is ground as soon as it comes into view.
+TEST(SurfaceWalk, ADoorOverTheLastTurnsRoadIsNotTheFirstGround) {
+  for (const std::int32_t road_mm : {-140, 200}) {
+    const auto road = [&](Turn& turn, std::int32_t from, std::int32_t to) {
+      for (std::int32_t sector = from; sector < to; ++sector) {
+        for (std::int32_t bin = 4; bin < 30; ++bin) {
+          turn.push_back({sector, bin * 1024, road_mm});
+        }
+      }
+    };
+    Turn turn;
+    road(turn, 0, 110);
+    road(turn, 130, 256);
+    for (std::int32_t sector = 110; sector < 130; ++sector) {
+      turn.push_back({sector, 6 * 1024, road_mm + 420});
+    }
+    SurfaceWalk walk;
+    Surface surface;
+    for (int turns = 0; turns < 3; ++turns) {
+      walk.close_turn(kShort, lows_of(kShort, turn), surface);
+    }
+    EXPECT_GT(surface.height_over(kShort, 120, 6 * 1024, road_mm + 420), 220);
+    Turn all;
+    road(all, 0, 256);
+    walk.close_turn(kShort, lows_of(kShort, all), surface);
+    EXPECT_LT(surface.height_over(kShort, 120, 6 * 1024, road_mm), 100);
   }
 }
 
