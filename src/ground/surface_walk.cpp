@@ -35,8 +35,7 @@ constexpr std::int32_t kSteepest = 180;
 constexpr std::int16_t kReach = 12;  // bins for which a slope continues without ground
 constexpr std::int32_t kBeside = 60;
 constexpr std::size_t kAcross = 8;  // sectors searched for ground on each side
-// Mirror images of a wall or of the car itself are up to three sectors wide.
-constexpr std::int16_t kMirroredMm = 1'000;
+// A mirror image, of a wall or of the car itself, is at most this wide.
 constexpr std::size_t kMirroredSectors = 3;
 
 static_assert(2 * Bins::kMostPlausibleMm + kReach * 2 * kSteepest <= 32'767);

@@ -13,10 +13,12 @@
 // sectors on either side, provided that this mean is close to the prediction. Otherwise, its ground
 // is interpolated between the nearest bins with ground.
 //
-// To suppress mirror images below the road, each height is the median of three sectors. In
-// addition, the surface is at most 150 mm above the lowest return of each bin. A return more than
-// `150 mm + Limits::low_mm` above the lowest return of its bin is therefore never classified as
-// ground. No other return, real or forged, can change this.
+// To suppress mirror images below the road, each height is the median of three sectors, and a
+// lowest return far below the car's plane and the lowest returns on both sides is ignored. In
+// addition, the surface is at most 150 mm above the other lowest returns. A return more than `150
+// mm + Limits::low_mm` above the lowest return of its bin is therefore never classified as ground,
+// unless this lowest return is more than kMirroredMm below the car's plane. No other return, real
+// or forged, can change this.
 //
 // Each register holds eight sectors, which are processed in parallel. A ring contains the same bin
 // of every sector.
@@ -34,6 +36,9 @@ namespace iog::ground {
 
 // The maximum height of the surface above the lowest plausible return of a bin.
 inline constexpr std::int32_t kMostOverLowestMm = 150;
+// A mirror image is more than this far below the car's plane, and below the lowest returns beside
+// it.
+inline constexpr std::int32_t kMirroredMm = 1'000;
 
 class SurfaceWalk {
  public:

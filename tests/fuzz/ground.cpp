@@ -61,7 +61,8 @@ void check_low(Bins bins, const Lows& real, const Surface& surface) {
     for (std::size_t sector = 0; sector < kSectors; ++sector) {
       const std::int32_t low = real.ring(bin)[sector];
       const Surface::Row& row = surface.row(sector);
-      law(low > most || std::max(row[bin], row[bin + 1]) <= low + ground::kMostOverLowestMm,
+      law(low > most || low < -ground::kMirroredMm ||
+              std::max(row[bin], row[bin + 1]) <= low + ground::kMostOverLowestMm,
           "the ground is low over what is real");
     }
   }
