@@ -3,7 +3,8 @@
 // A CRC is linear. If a byte is followed by d other bytes, it contributes the product of the byte
 // and x^(32 + 8 * d), modulo the polynomial. The contributions of the bytes in a block are
 // therefore independent of each other. The products of all bytes are summed, and only the sum is
-// reduced. Both halves of a block use the same factors, so each factor is loaded only once.
+// reduced. Both halves of a block use the same factors, so each factor is loaded only once. The sum
+// for the first half is not reduced either: its bytes are multiplied and added to the other sum.
 //
 // All polynomials are bit-reflected. Bit 0 of a state is x^31 and bit 0 of a byte is x^7, so bit 0
 // of the product of a state and a byte is x^38.
@@ -43,7 +44,24 @@ class ProductCrc32 {
   template <std::size_t kBytes, std::size_t kMost = 0>
   static std::uint32_t after_zeros(std::uint32_t state, std::size_t more = 0) {
     static constexpr auto kFirst = make_first<kBytes>(std::make_index_sequence<kMost + 1>());
-    return reduced(of_state(state, kFirst[more]));
+    return reduced(Products::of(state, kFirst[more]));
+  }
+
+  // Returns the state after `before`, which has kProductLanes to kMostBefore bytes, and kBytes zero
+  // bytes. The bytes before the last whole groups are moved to the end of a group of their own. If
+  // they are fewer than those of the state, the rest of the state lies in the next group.
+  template <std::size_t kBytes, std::size_t kMostBefore>
+  static std::uint32_t after_zeros(std::uint32_t state, std::span<const std::byte> before) {
+    static constexpr auto kFactors = make_factors<kBytes, kMostBefore / kProductLanes + 1>();
+    const std::size_t odd = before.size() % kProductLanes;
+    const auto factors = std::span(kFactors).last(before.size() / kProductLanes + 1);
+    const std::uint64_t eight = wire::load_le64(before.first<kProductLanes>()) ^ state;
+    std::uint64_t sum = Products::of_all((eight << 8) << (8 * (kProductLanes - 1 - odd)),
+                                         before.data() + odd, factors);
+    if (odd < sizeof state) {
+      sum ^= Products::of(state >> (8 * odd), factors[1]);
+    }
+    return reduced(sum);
   }
 
   // See ReflectedCrc32.
@@ -55,24 +73,18 @@ class ProductCrc32 {
   using Field = ReflectedField<kPolynomial>;
 
   static constexpr std::size_t kMostBlockBytes = 1408;  // a whole message
-  static constexpr std::size_t kLeastBlockBytes = 32;   // look-ups are faster for shorter blocks
+  static constexpr std::size_t kLeastBlockBytes = 2 * kProductLanes;
   static constexpr std::size_t kGroups = kMostBlockBytes / (2 * kProductLanes);
   using FactorsOfHalf = std::array<Factors, kGroups>;
 
-  // Adding a state to the first four bytes of a half is equivalent to starting the half with this
+  // Adding a state to the first four bytes of a block is equivalent to starting the block with this
   // state.
   static std::uint32_t after_block(std::uint32_t state, std::span<const std::byte> block) {
     const std::size_t half = block.size() / 2;
-    const auto factors = std::span(kFactors).last(half / kProductLanes);
-    const auto sums = Products::of_halves(block.data(), block.data() + half, factors);
-    const std::uint32_t between = reduced(sums.first ^ of_state(state, factors.front()));
-    return reduced(sums.second ^ of_state(between, factors.front()));
-  }
-
-  static std::uint64_t of_state(std::uint32_t state, const Factors& factors) {
-    std::array<std::byte, kProductLanes> bytes{};
-    wire::store_le32(std::span(bytes).template first<4>(), state);
-    return Products::of(bytes, factors);
+    const std::size_t groups = half / kProductLanes;
+    const auto factors = std::span(kFactors).last(groups);
+    return reduced(Products::of_halves(state, block.data(), block.data() + half, factors,
+                                       kJoins[kGroups - groups]));
   }
 
   // Bits 0 to 6 of the sum are x^38 to x^32. A table lookup reduces these bits as if they were the
@@ -82,19 +94,36 @@ class ProductCrc32 {
            static_cast<std::uint32_t>(sum >> 7);
   }
 
-  // The factor of the last byte is x^32. The factor of any other byte is x^8 times the factor of
-  // the byte after it.
-  static constexpr FactorsOfHalf make_factors() {
-    FactorsOfHalf factors{};
-    std::uint32_t factor = 0x8000'0000U;  // represents the polynomial 1
-    for (int byte = 0; byte < 4; ++byte) {
-      factor = Field::times_x8(factor);
-    }
-    for (std::size_t i = kGroups * kProductLanes; i > 0; --i) {
+  // The factor of a byte that is followed by d bytes is x^(32 + 8 * d). The last byte of the last
+  // group is followed by kBytes bytes.
+  template <std::size_t kBytes, std::size_t kCount>
+  static constexpr std::array<Factors, kCount> make_factors() {
+    std::array<Factors, kCount> factors{};
+    std::uint32_t factor = Field::power_of_x8(kBytes + sizeof(std::uint32_t));
+    for (std::size_t i = kCount * kProductLanes; i > 0; --i) {
       factors[(i - 1) / kProductLanes].set((i - 1) % kProductLanes, factor);
       factor = Field::times_x8(factor);
     }
     return factors;
+  }
+
+  // Computes the factors that join two halves, for each length of a half, the longest first. Bit j
+  // of byte k of a sum is x^(38 - 8 * k - j), so a second half of h bytes multiplies this byte by
+  // x^(8 * h + 31 - 8 * k).
+  static constexpr FactorsOfHalf make_joins() {
+    FactorsOfHalf joins{};
+    constexpr std::uint32_t kX7 = 0x0100'0000U;
+    std::uint32_t factor = Field::product(kX7, Field::power_of_x8(kProductLanes - 1));
+    for (std::size_t i = kGroups; i > 0; --i) {
+      for (std::size_t lane = kProductLanes; lane > 0; --lane) {
+        joins[i - 1].set(lane - 1, factor);
+        factor = lane % 2 == 0 ? Field::times_x8(factor) : factor;
+      }
+      for (std::size_t byte = kProductLanes / 2; byte > 0; --byte) {
+        factor = Field::times_x8(factor);
+      }
+    }
+    return joins;
   }
 
   // Computes the factors of the first eight bytes of a part, for each part length `kBytes + kMore`.
@@ -109,6 +138,7 @@ class ProductCrc32 {
   }
 
   static const FactorsOfHalf kFactors;
+  static const FactorsOfHalf kJoins;
 
   Bytewise rest_;
 };
@@ -116,6 +146,10 @@ class ProductCrc32 {
 template <std::uint32_t kPolynomial, typename Products>
 inline constexpr typename ProductCrc32<kPolynomial, Products>::FactorsOfHalf
     ProductCrc32<kPolynomial, Products>::kFactors =
-        ProductCrc32<kPolynomial, Products>::make_factors();
+        ProductCrc32<kPolynomial, Products>::template make_factors<0, kGroups>();
+
+template <std::uint32_t kPolynomial, typename Products>
+inline constexpr typename ProductCrc32<kPolynomial, Products>::FactorsOfHalf
+    ProductCrc32<kPolynomial, Products>::kJoins = ProductCrc32<kPolynomial, Products>::make_joins();
 
 }  // namespace iog::checksum

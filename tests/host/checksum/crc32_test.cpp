@@ -149,6 +149,30 @@ TEST(Crc32, APartIsAddedWithTheBytesBeforeIt) {
   (std::make_index_sequence<5>());
 }
 
+// The same for any number of bytes, around the shortest and the longest that have a way of their
+// own.
+template <typename Crc>
+void expect_the_slow_one_by_a_head_and_a_remainder(std::uint32_t mirrored_polynomial) {
+  tests::Random random(58);
+  for (std::size_t before = 0; before <= 140; ++before) {
+    std::vector<std::byte> bytes(3 + before + Crc::kPartBytes);
+    for (std::byte& byte : bytes) {
+      byte = static_cast<std::byte>(random.next());
+    }
+    const std::span<const std::byte> all = bytes;
+    Crc crc;
+    crc.update(all.first(3));
+    crc.add_remainder(all.subspan(3, before),
+                      Crc::remainder_of(all.template last<Crc::kPartBytes>()));
+    ASSERT_EQ(crc.value(), BitwiseCrc32(mirrored_polynomial).add(bytes).value()) << before;
+  }
+}
+
+TEST(Crc32, APartIsAddedWithAHead) {
+  expect_the_slow_one_by_a_head_and_a_remainder<Crc32>(BitwiseCrc32::kIsoHdlc);
+  expect_the_slow_one_by_a_head_and_a_remainder<Crc32P4>(BitwiseCrc32::kP4);
+}
+
 TEST(Crc32, APartIsAddedByItsRemainder) {
   expect_the_slow_one_by_a_remainder<Crc32>(BitwiseCrc32::kIsoHdlc);
   expect_the_slow_one_by_a_remainder<Crc32P4>(BitwiseCrc32::kP4);

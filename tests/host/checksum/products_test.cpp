@@ -1,6 +1,7 @@
 // Sums of carry-less products, and the CRC made of them.
 #include "checksum/products.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -12,24 +13,22 @@
 namespace iog::checksum {
 namespace {
 
-using Eight = std::array<std::byte, kProductLanes>;
+// Eight bytes of which one lane is not zero.
+std::uint64_t in_lane(std::size_t lane, std::uint64_t byte) { return byte << (8 * lane); }
 
 // By hand: (x + 1)(x^2 + 1) = x^3 + x^2 + x + 1, and nothing is carried; sums of equals vanish.
 TEST(Products, AreThoseOfPolynomials) {
-  Eight bytes{};
   Factors factors;
-  bytes[2] = std::byte{0b11};
   factors.set(2, 0b101);
-  EXPECT_EQ(PlainProducts::of(bytes, factors), 0b1111U);
-  bytes[2] = std::byte{0x80};
+  EXPECT_EQ(PlainProducts::of(in_lane(2, 0b11), factors), 0b1111U);
   factors.set(2, 0x8000'0001);
-  EXPECT_EQ(PlainProducts::of(bytes, factors), 0x40'0000'0080U);
-  bytes[5] = std::byte{0x80};
+  EXPECT_EQ(PlainProducts::of(in_lane(2, 0x80), factors), 0x40'0000'0080U);
   factors.set(5, 0x8000'0001);
-  EXPECT_EQ(PlainProducts::of(bytes, factors), 0U);
+  EXPECT_EQ(PlainProducts::of(in_lane(2, 0x80) | in_lane(5, 0x80), factors), 0U);
 }
 
-// Both halves take the factors in order: lane 2 of the second eight bytes has its own.
+// Both halves take the factors in order: lane 2 of the second eight bytes has its own. The first
+// half's sum, 0b0111 in byte 0, is joined by the factor of lane 0.
 TEST(Products, OfHalvesShareTheFactors) {
   std::array<Factors, 2> factors;
   factors[0].set(2, 0b101);
@@ -38,13 +37,18 @@ TEST(Products, OfHalvesShareTheFactors) {
   bytes[2] = std::byte{0b11};
   bytes[kProductLanes + 2] = std::byte{0b100};
   bytes[2 * kProductLanes + 2] = std::byte{0b1};
-  const auto sums =
-      PlainProducts::of_halves(bytes.data(), bytes.data() + 2 * kProductLanes, factors);
-  EXPECT_EQ(sums.first, 0b1111U ^ 0b1000U);
-  EXPECT_EQ(sums.second, 0b101U);
+  Factors join;
+  const auto sum = [&](std::uint32_t state) {
+    return PlainProducts::of_halves(state, bytes.data(), bytes.data() + 2 * kProductLanes, factors,
+                                    join);
+  };
+  EXPECT_EQ(sum(0), 0b101U);
+  join.set(0, 0b1000);
+  EXPECT_EQ(sum(0), 0b101U ^ (0b1111U ^ 0b1000U) << 3);
+  EXPECT_EQ(sum(0x10000), 0b101U ^ (0b1111U ^ 0b1000U ^ 0b101U) << 3);
 }
 
-// Blocks are of 32 to 1408 bytes: lengths around both, and several blocks.
+// Blocks are of 16 to 1408 bytes: lengths around both, and several blocks.
 template <typename Crc>
 void expect_the_bytewise_one(std::uint32_t (*bytewise)(std::span<const std::byte>)) {
   tests::Random random(54);
@@ -53,7 +57,7 @@ void expect_the_bytewise_one(std::uint32_t (*bytewise)(std::span<const std::byte
     byte = static_cast<std::byte>(random.next());
   }
   for (const std::size_t length :
-       {31U, 32U, 33U, 48U, 1'024U, 1'407U, 1'408U, 1'439U, 1'440U, 3'000U}) {
+       {15U, 16U, 17U, 31U, 32U, 33U, 48U, 1'024U, 1'407U, 1'408U, 1'439U, 1'440U, 3'000U}) {
     for (const std::size_t start : {0U, 4U, 13U}) {
       const auto part = std::span(bytes).first(length).subspan(start);
       Crc crc;
@@ -92,6 +96,24 @@ TEST(ProductCrc32, PassesOverZerosAsTheBytewiseOne) {
   expect_the_bytewise_zeros<0x04C11DB7, 8>();
   expect_the_bytewise_zeros<0x04C11DB7, 1024>();
   expect_the_bytewise_zeros<0xF4ACFB13, 1024>();
+}
+
+TEST(ProductCrc32, PassesOverZerosBehindBytesAsTheBytewiseOne) {
+  constexpr std::size_t kZeros = 1024;
+  constexpr std::size_t kMost = 40;
+  tests::Random random(55);
+  std::vector<std::byte> bytes(kMost + kZeros);
+  std::ranges::generate(std::span(bytes).first<kMost>(),
+                        [&] { return static_cast<std::byte>(random.next()); });
+  for (std::size_t before = kProductLanes; before <= kMost; ++before) {
+    const auto all = std::span<const std::byte>(bytes).subspan(kMost - before);
+    ReflectedCrc32<0xF4ACFB13, 1> crc;
+    const std::uint32_t state = crc.state();
+    crc.update(all);
+    using Products = ProductCrc32<0xF4ACFB13, PlainProducts>;
+    EXPECT_EQ((Products::after_zeros<kZeros, kMost>(state, all.first(before))), crc.state())
+        << before;
+  }
 }
 
 // On the target this is the twin.
