@@ -1,5 +1,6 @@
 #include "protection/profile4.hpp"
 
+#include "wire/byte_order.hpp"
 #include "wire/byte_reader.hpp"
 #include "wire/byte_writer.hpp"
 
@@ -7,17 +8,32 @@ namespace iog::protection {
 namespace {
 
 constexpr std::size_t kCrcOffset = 8;
+constexpr std::size_t kCrcBytes = sizeof(std::uint32_t);
 
-std::uint32_t crc_of(std::span<const std::byte> data, std::size_t header_offset,
-                     TailRemainder tail = {}) {
+std::uint32_t crc_of(std::span<const std::byte> data, std::size_t header_offset) {
   checksum::Crc32P4 crc;
   crc.update(data.first(header_offset + kCrcOffset));
-  const std::span<const std::byte> content = data.subspan(header_offset + kProfile4HeaderBytes);
-  if (tail) {
-    crc.update(content.first(content.size() - checksum::Crc32P4::kPartBytes));
-    crc.add_remainder(*tail);
-  } else {
-    crc.update(content);
+  crc.update(data.subspan(header_offset + kProfile4HeaderBytes));
+  return crc.value();
+}
+
+void move_word(std::span<std::byte> data, std::size_t from, std::size_t to) {
+  wire::store_le32(data.subspan(to).first<kCrcBytes>(),
+                   wire::load_le32(data.subspan(from).first<kCrcBytes>()));
+}
+
+// While the bytes before the CRC are moved up by its length, all bytes that it covers are
+// contiguous.
+std::uint32_t crc_of(std::span<std::byte> data, std::size_t header_offset, std::uint32_t tail) {
+  const std::size_t crc_offset = header_offset + kCrcOffset;
+  for (std::size_t at = crc_offset; at > 0; at -= kCrcBytes) {
+    move_word(data, at - kCrcBytes, at);
+  }
+  checksum::Crc32P4 crc;
+  const std::span covered = data.subspan(kCrcBytes);
+  crc.add_remainder(covered.first(covered.size() - checksum::Crc32P4::kPartBytes), tail);
+  for (std::size_t at = 0; at < crc_offset; at += kCrcBytes) {
+    move_word(data, at + kCrcBytes, at);
   }
   return crc.value();
 }
@@ -29,7 +45,8 @@ void Profile4Protector::protect(std::span<std::byte> data, TailRemainder tail) {
   out.u16_be(static_cast<std::uint16_t>(data.size()));
   out.u16_be(counter_++);
   out.u32_be(profile_.data_id);
-  out.u32_be(crc_of(data, profile_.offset_bytes, tail));
+  out.u32_be(tail ? crc_of(data, profile_.offset_bytes, *tail)
+                  : crc_of(data, profile_.offset_bytes));
 }
 
 CheckStatus Profile4Checker::check(std::span<const std::byte> data) {

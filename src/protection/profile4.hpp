@@ -23,7 +23,7 @@ inline constexpr std::size_t kProfile4HeaderBytes = 12;
 
 struct Profile4 {
   std::uint32_t data_id;
-  std::size_t offset_bytes;         // offset of the header within the data; 8 for SOME/IP
+  std::size_t offset_bytes;         // of the header within the data, a multiple of 4; 8 for SOME/IP
   std::uint16_t max_delta_counter;  // the maximum counter step that is reported as kOkSomeLost
 };
 
