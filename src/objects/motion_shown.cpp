@@ -132,14 +132,15 @@ void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
     return;
   }
   Snapshot& now = track.snapshots.begin(now_us, track.box());
-  const bool with_standing = track.may_have_a_standing_face();
-  const std::int32_t own = track.seen.hits + (with_standing ? track.seen.standing : 0);
-  const std::size_t every = (static_cast<std::size_t>(own) + kSnapshotHits - 1) / kSnapshotHits;
+  const auto is_its = [&, with_standing = track.may_have_a_standing_face()](std::uint16_t number) {
+    return with_standing || !hits[number].stands;
+  };
+  const auto own = static_cast<std::size_t>(std::ranges::count_if(numbers, is_its));
+  const std::size_t every = (own + kSnapshotHits - 1) / kSnapshotHits;
   std::size_t next = 0;
   for (const std::uint16_t number : numbers) {
-    const FrameHit& hit = hits[number];
-    if ((with_standing || !hit.stands) && next++ % every == 0 && now.count < now.cells.size()) {
-      now.cells[now.count++] = hit.cell;
+    if (is_its(number) && next++ % every == 0) {
+      now.cells[now.count++] = hits[number].cell;
     }
   }
 }
