@@ -150,6 +150,7 @@ inline constexpr std::size_t kSnapshotHits = 12;
 // intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
+inline constexpr std::int32_t kShownTrailMm = 1000;  // of a receding track
 inline constexpr std::int32_t kShownMostMs = 700;
 inline constexpr std::int32_t kShownLeastMs = 160;
 inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that is this far outside

@@ -76,7 +76,7 @@ Seen seen_of_receding(decision::Class grid, const std::vector<geometry::Cell>& o
                       const std::vector<std::int32_t>& rear = {-9, -5, -1, 3, 7},
                       const std::vector<geometry::Cell>& frame_before = {}, std::int32_t place = 80,
                       std::int32_t speed = 20'000) {
-  const std::uint64_t then_us = speed < 3'000 ? kNowUs - 400'000 : kThenUs;
+  const std::uint64_t then_us = speed < 3'000 ? kNowUs - 600'000 : kThenUs;
   const Sides sides{Interval{0, 400}, Interval{-900, 900}};
   Track track;
   track.begin(1, {.at = {12'000, 50}, .sides = sides}, then_us);
@@ -231,6 +231,27 @@ TEST(IsShown, ByTheGoodTheBadAndTheNeutral) {
   EXPECT_FALSE(shown(9, {7, 2, 0}));
   EXPECT_TRUE(shown(9, {3, 0, 6}));
   EXPECT_FALSE(shown(9, {3, 0, 7}));
+}
+
+// Standing hits that a track has released are counted as seen, but they are none of its cells.
+TEST(Remember, TwelveCellsOfTheHitsThatItHas) {
+  Track track;
+  track.begin(1, {.at = {8'000, 0}, .sides = {Interval{0, 2'000}, Interval{0, 1'000}}}, kThenUs);
+  track.correct(kAlong, {.place = 0, .speed = 1 << 16}, 5'000);
+  track.look_from(kCarBehind);
+  ASSERT_TRUE(track.may_have_a_standing_face());
+  std::vector<geometry::Cell> cells;
+  std::vector<std::uint16_t> numbers;
+  for (std::int32_t i = 0; i < 48; ++i) {
+    cells.push_back({80 + i % 8, i / 8});
+    numbers.push_back(static_cast<std::uint16_t>(i));
+  }
+  track.seen.hits = 48;
+  track.seen.standing = 135;
+  const auto hits = hits_of(cells, kCarBehind);
+  remember(kThenUs, numbers, hits->all(), track);
+  ASSERT_NE(track.snapshots.youngest_before(kThenUs), nullptr);
+  EXPECT_EQ(track.snapshots.youngest_before(kThenUs)->count, 12U);
 }
 
 }  // namespace
