@@ -5,9 +5,11 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
@@ -151,6 +153,12 @@ class PointTimes {
   std::vector<double> sorted_;  // the finite ones
 };
 
+// 0: it is no time of 2001 to 2096.
+std::uint64_t since_1970_us(double us) {
+  constexpr double kSeptember2001Us = 1e15;
+  return us >= kSeptember2001Us && us < 4 * kSeptember2001Us ? static_cast<std::uint64_t>(us) : 0;
+}
+
 // When each of the points that are kept was seen; the earliest is the cloud's time, if it is one
 // that counts from 1970, or from the scan's stamp.
 void add_times(const CloudRecords& records, const CloudField& field,
@@ -165,6 +173,10 @@ void add_times(const CloudRecords& records, const CloudField& field,
   }
   const double span = times.inner_span().value_or(times.span());
   if (span == 0) {
+    for (const double us : kUnits) {  // of which one at most fits
+      const std::uint64_t its_us = since_1970_us(times.first() * us);
+      cloud.since_1970_us = its_us > 0 ? its_us : cloud.since_1970_us;
+    }
     times.remove_untimed(cloud);
     return;
   }
@@ -187,10 +199,12 @@ void add_times(const CloudRecords& records, const CloudField& field,
   const auto stamp_us = static_cast<double>(records.stamp_us);
   const double first_us = first * us;
   const double begin_us = first_us < 1e12 ? stamp_us + first_us : first_us;
+  const double apart_us = std::abs(begin_us - stamp_us);
   cloud.has_times = true;
-  cloud.time_us = std::abs(begin_us - stamp_us) <= 1e6 && begin_us >= 0
-                      ? static_cast<std::uint64_t>(begin_us)
-                      : records.stamp_us;
+  cloud.since_1970_us = since_1970_us(first_us);
+  cloud.apart_us = apart_us > 1e6 ? apart_us : 0;
+  cloud.time_us =
+      apart_us <= 1e6 && begin_us >= 0 ? static_cast<std::uint64_t>(begin_us) : records.stamp_us;
 }
 
 }  // namespace
@@ -319,6 +333,13 @@ SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::strin
     add_times(records, *time_field, kept, unit, what, cloud);
   }
   return cloud;
+}
+
+std::string words_of_other_clock(double apart_us) {
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(1) << "points' times are " << apart_us / 1e6
+        << " s from their clouds' stamps; each cloud's first point is put at its stamp";
+  return words.str();
 }
 
 }  // namespace iog::tools

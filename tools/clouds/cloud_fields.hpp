@@ -16,10 +16,13 @@ namespace iog::tools {
 
 // What a lidar saw in one scan.
 struct SeenCloud {
-  std::string frame{};             // in which its points are; empty: not known
-  std::uint64_t time_us = 0;       // that of its first point
-  bool has_times = false;          // of its points
-  double time_span = 0;            // of its points, in their own unit
+  std::string frame{};              // in which its points are; empty: not known
+  std::uint64_t time_us = 0;        // that of its first point
+  bool has_times = false;           // of its points
+  bool is_assumed = false;          // time_us: neither a stamp nor a point gives it
+  std::uint64_t since_1970_us = 0;  // of its first point by its own time; 0: it has none
+  double apart_us = 0;   // the points' own times are this far from the stamp, which counts; 0: near
+  double time_span = 0;  // of its points, in their own unit
   bool has_unknown_times = false;  // its points' times are left out: their unit is not known
   double view_deg = 360;           // of a scan's beams
   bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
@@ -61,6 +64,9 @@ struct CloudRecords {
 // scan.
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
+
+// Of SeenCloud::apart_us.
+[[nodiscard]] std::string words_of_other_clock(double apart_us);
 
 // Farther than any unit can measure.
 inline constexpr std::int32_t kFarthestMm = 500'000;

@@ -4,10 +4,12 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <span>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "tools/clouds/cloud_set.hpp"
 #include "tools/clouds/pcd_file.hpp"
@@ -16,6 +18,8 @@
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/natural_order.hpp"
+#include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools {
 namespace {
@@ -63,6 +67,65 @@ std::string words_of_other(const std::string& path) {
          "read are .mcap, .db3, .pcd, .ply, KITTI's .bin, nuScenes' .pcd.bin, and folders of a "
          "bag, "
          "of such files or of KITTI";
+}
+
+// "000007" and what is before it in its path.
+std::pair<std::string_view, std::string_view> number_of(std::string_view path) {
+  const std::string_view stem = without_ending(path);
+  const std::size_t behind = stem.find_last_of(kDigits) + 1;  // 0 if there is no digit
+  const std::size_t begin = stem.substr(0, behind).find_last_not_of(kDigits) + 1;
+  return {stem.substr(begin, behind - begin), stem.substr(0, begin)};
+}
+
+// How far the number of the file is behind that of the one before; 0: not known.
+std::uint64_t step_between(const CloudFile& before, const CloudFile& file) {
+  constexpr std::size_t kMostDigits = 18;
+  const auto [from, from_head] = number_of(before.path);
+  const auto [to, to_head] = number_of(file.path);
+  const bool are_known = !from.empty() && from.size() <= kMostDigits && !to.empty() &&
+                         to.size() <= kMostDigits && from_head == to_head;
+  return are_known ? digits_as_number(to) - digits_as_number(from) : 0;
+}
+
+// If most numbers follow each other at one step, of those that do not; empty: none is missing.
+std::string words_of_missing(const std::vector<CloudFile>& files) {
+  std::map<std::uint64_t, std::size_t> steps;  // how often each occurs
+  std::size_t known = 0;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    if (const std::uint64_t step = step_between(files[i - 1], files[i]); step > 0) {
+      ++steps[step];
+      ++known;
+    }
+  }
+  if (steps.size() < 2 || 2 * steps.begin()->second <= known) {
+    return {};
+  }
+  const std::uint64_t usual = steps.begin()->first;
+  std::uint64_t missing = 0;
+  std::string first;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    if (const std::uint64_t step = step_between(files[i - 1], files[i]); step > usual) {
+      missing += step / usual - 1;
+      first = first.empty() ? std::filesystem::path(files[i - 1].path).filename().string() : first;
+    }
+  }
+  return counted(missing, "file|files is|are missing") +
+         " by the numbers in their names, the first after " + printable(first) +
+         ": clouds after it are timed too early";
+}
+
+SeenCloud read_with_stamp(const CloudFile& file, TimeUnit& unit) {
+  const std::string_view ending = ending_of(file.path);
+  if (ending == ".pcd") {
+    return read_pcd(file.path, unit, file.time_us);
+  }
+  if (ending == ".ply") {
+    return read_ply(file.path, unit, file.time_us);
+  }
+  if (ending == ".bin") {
+    return read_kitti_cloud(file.path, file.time_us);
+  }
+  throw UsageError(file.path + ": " + words_of_other(file.path));
 }
 
 }  // namespace
@@ -145,9 +208,13 @@ CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second
     std::ostringstream words;
     words << "files have no times: " << clouds_per_second
           << " per second assumed (--rate), from 2024-05-01 12:00:00 UTC";
-    all.remarks.push_back(words.str());
+    all.remarks_if_assumed.push_back(words.str());
+    if (const std::string missing = words_of_missing(all.files); !missing.empty()) {
+      all.remarks_if_assumed.push_back(missing);
+    }
     for (std::size_t i = 0; i < all.files.size(); ++i) {
       const double us = 1e6 * static_cast<double>(i) / clouds_per_second;
+      all.files[i].is_assumed = true;
       all.files[i].time_us = kDriveStartUs + static_cast<std::uint64_t>(us);
     }
   }
@@ -155,17 +222,13 @@ CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second
 }
 
 SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit) {
-  const std::string_view ending = ending_of(file.path);
-  if (ending == ".pcd") {
-    return read_pcd(file.path, unit, file.time_us);
+  SeenCloud cloud = read_with_stamp(file, unit);
+  if (file.is_assumed) {
+    cloud.is_assumed = cloud.since_1970_us == 0;
+    cloud.time_us = cloud.is_assumed ? file.time_us : cloud.since_1970_us;
+    cloud.apart_us = 0;
   }
-  if (ending == ".ply") {
-    return read_ply(file.path, unit, file.time_us);
-  }
-  if (ending == ".bin") {
-    return read_kitti_cloud(file.path, file.time_us);
-  }
-  throw UsageError(file.path + ": " + words_of_other(file.path));
+  return cloud;
 }
 
 }  // namespace iog::tools

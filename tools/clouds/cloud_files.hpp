@@ -13,11 +13,13 @@ namespace iog::tools {
 struct CloudFile {
   std::string path;
   std::uint64_t time_us = 0;  // since 1970
+  bool is_assumed = false;    // its time
 };
 
 struct CloudFiles {
   std::vector<CloudFile> files{};
-  std::vector<std::string> remarks{};  // what was assumed or changed
+  std::vector<std::string> remarks{};             // what was changed
+  std::vector<std::string> remarks_if_assumed{};  // if SeenCloud::is_assumed of one of them
 };
 
 // By its name.
@@ -35,7 +37,8 @@ struct CloudFiles {
 // so many clouds per second from kDriveStartUs.
 [[nodiscard]] CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second);
 
-// A file of a cloud. UsageError if it cannot be read, or is none.
+// A file of a cloud, whose points' own times since 1970 count before an assumed one. UsageError if
+// it cannot be read, or is none.
 [[nodiscard]] SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit);
 
 }  // namespace iog::tools

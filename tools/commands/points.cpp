@@ -183,8 +183,14 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
                       std::back_inserter(remarks));
   };
   std::ranges::for_each(inputs.before, read);
+  bool is_assumed = false;
   for (const CloudFile& file : inputs.clouds.files) {
-    take(read_cloud_of(file, unit));
+    SeenCloud cloud = read_cloud_of(file, unit);
+    is_assumed = is_assumed || cloud.is_assumed;
+    take(std::move(cloud));
+  }
+  if (is_assumed) {
+    std::ranges::copy(inputs.clouds.remarks_if_assumed, std::back_inserter(remarks));
   }
   std::ranges::for_each(inputs.behind, read);
   return remarks;
@@ -300,7 +306,7 @@ void add_points(CLI::App& program) {
       ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
       ->check(is_unit);
   add_option(*command, "--rate", "HZ  (default 10)", options->clouds_per_second,
-             "Files of clouds per second, if their names have no times")
+             "Files of clouds per second, if neither their names nor points have times")
       ->check(CLI::Range(0.1, 100.0));
   add_vehicle_options(*command, options->vehicle);
   command->footer(

@@ -25,10 +25,24 @@ TEST(CloudFiles, AShellsOrderIsNotThatOfTheDrive) {
             (std::vector<std::string>{"a/1.bin", "a/02.bin", "a/2.bin", "a/10.bin", "a/11.bin"}));
   EXPECT_EQ(all.files[4].time_us, kDriveStartUs + 200'000);
   EXPECT_EQ(all.remarks,
-            (std::vector<std::string>{"files were put in the order of the numbers in their names",
-                                      "files have no times: 20 per second assumed (--rate), from "
-                                      "2024-05-01 12:00:00 UTC"}));
-  EXPECT_EQ(timed({"1.bin", "2.bin"}, 10).remarks.size(), 1U);
+            std::vector<std::string>{"files were put in the order of the numbers in their names"});
+  EXPECT_EQ(all.remarks_if_assumed,
+            (std::vector<std::string>{"files have no times: 20 per second assumed (--rate), from "
+                                      "2024-05-01 12:00:00 UTC",
+                                      "7 files are missing by the numbers in their names, the "
+                                      "first after 2.bin: clouds after it are timed too early"}));
+  EXPECT_EQ(timed({"1532402927.bin"}, 10).remarks_if_assumed.size(), 0U);
+}
+
+TEST(CloudFiles, OnlyAGapInEvenNumbersIsMissingFiles) {
+  for (const std::vector<std::string>& paths :
+       std::vector<std::vector<std::string>>{{"1.bin", "2.bin"},
+                                             {"0.pcd", "5.pcd", "10.pcd"},
+                                             {"3.pcd", "104.pcd", "203.pcd", "305.pcd"},
+                                             {"a1.pcd", "a2.pcd", "b7.pcd", "b8.pcd"},
+                                             {"map.pcd", "x.pcd"}}) {
+    EXPECT_EQ(timed(paths, 10).remarks_if_assumed.size(), 1U) << paths[0];
+  }
 }
 
 TEST(CloudFiles, ATimeInANameCounts) {
@@ -76,6 +90,29 @@ TEST_F(CloudFolder, ItsFilesComeInTheOrderOfTheirNumbers) {
               static_cast<void>(cloud_files_in(folder_ / ""));
             }).find("it has files .bin and .pcd; give those of one drive"),
             std::string::npos);
+}
+
+// Points' own times count if they are those since 1970, in any unit; those of a scan do not.
+TEST_F(CloudFolder, AFileWithoutATimeHasThatOfItsFirstPoint) {
+  constexpr std::uint64_t kUs = 1'700'000'000'250'000;
+  const auto time_of = [&](const std::string& type, const std::string& first,
+                           const std::string& last, bool is_assumed) {
+    OutputFile file(folder_ / "7.pcd");
+    file.write("FIELDS x y z timestamp\nSIZE 4 4 4 8\nTYPE F F F " + type +
+               "\nPOINTS 2\nDATA ascii\n5 0 0 " + last + "\n0 5 0 " + first + "\n");
+    file.finish();
+    TimeUnit unit = type == "U" ? TimeUnit::kNanoseconds : TimeUnit::kSeconds;
+    const SeenCloud cloud = read_cloud_of(
+        {.path = folder_ / "7.pcd", .time_us = kDriveStartUs, .is_assumed = is_assumed}, unit);
+    EXPECT_EQ(cloud.is_assumed, is_assumed && cloud.time_us == kDriveStartUs);
+    EXPECT_EQ(cloud.apart_us != 0, !is_assumed && first.size() > 2);
+    return cloud.time_us;
+  };
+  EXPECT_EQ(time_of("F", "1700000000.25", "1700000000.35", true), kUs);
+  EXPECT_EQ(time_of("U", "1700000000250000000", "1700000000350000000", true), kUs);
+  EXPECT_EQ(time_of("U", "1700000000250000000", "1700000000250000000", true), kUs);
+  EXPECT_EQ(time_of("F", "0", ".1", true), kDriveStartUs);
+  EXPECT_EQ(time_of("F", "1700000000.25", "1700000000.35", false), kDriveStartUs);
 }
 
 // x, y, z, intensity and ring of each point.
