@@ -10,7 +10,7 @@ import subprocess
 import numpy
 
 START_NS = 1_700_000_000_000_000_000
-FORMATS = {"x": 7, "y": 7, "z": 7, "ring": 4, "time": 7, "t": 6}  # sensor_msgs/PointField
+FORMATS = {"x": 7, "y": 7, "z": 7, "ring": 4, "time": 7, "timestamp": 8, "t": 6}  # sensor_msgs/PointField
 
 
 class Cdr:

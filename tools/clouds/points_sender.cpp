@@ -125,6 +125,9 @@ void PointsSender::add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
   sent_.beyond_width += cloud.outside;
+  if (cloud.apart_us > 0 && cloud.time_us != 0 && sent_.other_clock++ == 0) {
+    sent_.apart_us = cloud.apart_us;
+  }
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
   const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
   sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;

@@ -27,6 +27,8 @@ struct SentClouds {
   std::uint64_t same_stamps = 0;    // clouds: it is that of the one before
   std::uint64_t without_times = 0;  // clouds of a spinning unit: their points have none
   std::uint64_t wrong_times = 0;    // scans: SeenCloud::has_wrong_times
+  std::uint64_t other_clock = 0;    // clouds: SeenCloud::apart_us
+  double apart_us = 0;              // of the first one of these
   std::uint64_t out_of_order = 0;   // clouds: not sent
   std::uint64_t strays = 0;         // clouds: not sent (CloudOrder::strays)
   std::uint64_t furthest_back_us = 0;

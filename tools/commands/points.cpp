@@ -127,6 +127,9 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "moves, a "
          "spinning unit's points are misplaced",
          words);
+  if (sent.other_clock > 0) {
+    words.push_back(words_of_other_clock(sent.apart_us));
+  }
   remark(sent.wrong_times,
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",

@@ -39,6 +39,7 @@ struct CloudTopic {
   std::vector<std::string> frames{};  // some of them, if there are many
   bool is_scan = false;
   bool has_times = true;  // in each message
+  double apart_us = 0;    // SeenCloud's, of the first one that has it
   std::uint64_t messages = 0;
   std::uint64_t most_points = 0;
   std::uint64_t first_us = UINT64_MAX;
@@ -60,6 +61,7 @@ struct CloudTopic {
 
 void CloudTopic::look_into(const SeenCloud& cloud) {
   has_times = has_times && cloud.has_times;
+  apart_us = apart_us == 0 && cloud.time_us != 0 ? cloud.apart_us : apart_us;
   most_points =
       std::max(most_points, cloud.points.size() + cloud.not_finite + cloud.nowhere + cloud.untimed);
   first_us = std::min(first_us, cloud.time_us);
@@ -235,7 +237,8 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Cen
   text << std::fixed << std::setprecision(2);
   text << row("clouds on", printable(name)) << words_of_frames(topic.frames, census.of_odometry);
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
-                            (topic.has_times ? "with times" : "without times"));
+                            (topic.has_times ? "with times" : "without times"))
+       << row_if(topic.apart_us > 0, "TIMES?", words_of_other_clock(topic.apart_us));
   if (topic.elevations.empty()) {
     return text.str() + "no point in its first messages\n";
   }

@@ -45,6 +45,20 @@ TEST(PointTimes, AFewPointsWithoutATimeAreLeftOut) {
   }
 }
 
+// The stamp is 1'700'000'000.5: a stamp at a scan's end is no other clock.
+TEST(PointTimes, ThoseOfAnotherClockAreTold) {
+  TimeUnit unit = TimeUnit::kSeconds;
+  for (const double base : {0.0, 1'700'000'000.5, 1'700'000'000.4, -0.1}) {
+    EXPECT_EQ(cloud_with(0, base, kPoints + 1, unit).apart_us, 0) << base;
+  }
+  EXPECT_NEAR(cloud_with(0, 1'700'000'037.5, kPoints + 1, unit).apart_us, 37e6, 1e3);
+  EXPECT_NEAR(cloud_with(0, 1'699'999'990.5, kPoints + 1, unit).apart_us, 10e6, 1e3);
+  EXPECT_NEAR(cloud_with(0, 100, kPoints + 1, unit).apart_us, 100e6, 1e3);
+  EXPECT_EQ(words_of_other_clock(37e6),
+            "points' times are 37.0 s from their clouds' stamps; each cloud's first point is put "
+            "at its stamp");
+}
+
 TEST(PointTimes, ManyWithoutATimeAreTold) {
   TimeUnit unit = TimeUnit::kSeconds;
   EXPECT_EQ(told_by([&] { static_cast<void>(cloud_with(0, 100, 5, unit)); }),
