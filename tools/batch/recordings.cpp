@@ -14,14 +14,23 @@ namespace {
 
 namespace files = std::filesystem;
 
+// In lower case, as some loggers and disks write it in capitals.
+std::string ending_of(const files::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char letter) {
+    return 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  });
+  return ending;
+}
+
 // Without the ending of a packer: "drive.pcap" for "drive.pcap.gz".
 files::path unpacked(const files::path& path) {
-  return path.extension() == ".gz" || path.extension() == ".zst" ? path.parent_path() / path.stem()
-                                                                 : path;
+  const std::string ending = ending_of(path);
+  return ending == ".gz" || ending == ".zst" ? path.parent_path() / path.stem() : path;
 }
 
 bool is_capture(const files::path& path) {
-  const files::path ending = unpacked(path).extension();
+  const std::string ending = ending_of(unpacked(path));
   return ending == ".pcap" || ending == ".pcapng";
 }
 
@@ -59,7 +68,7 @@ std::vector<ListedCapture> in_folder(const files::path& folder) {
   std::error_code error;
   for (files::recursive_directory_iterator next(folder, error), end; !error && next != end;
        next.increment(error)) {
-    if (is_capture(next->path()) && !next->is_directory()) {
+    if (is_capture(next->path()) && next->is_regular_file(error)) {
       found.push_back(recording_of(next->path().lexically_relative(folder).string(), next->path()));
     }
   }

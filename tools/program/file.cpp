@@ -62,6 +62,9 @@ std::vector<std::string> read_lines(const std::string& path) {
   for (std::string line; std::getline(stream, line);) {
     lines.push_back(line);
   }
+  if (!lines.empty() && lines.front().starts_with("\xEF\xBB\xBF")) {
+    lines.front().erase(0, 3);
+  }
   return lines;
 }
 

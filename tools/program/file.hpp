@@ -20,6 +20,7 @@ namespace iog::tools {
 
 // UsageError if the file cannot be read.
 [[nodiscard]] std::vector<std::byte> read_file(const std::string& path);
+// Leaves out the byte order mark of UTF-8.
 [[nodiscard]] std::vector<std::string> read_lines(const std::string& path);
 
 // The number of files in a folder that have this suffix, minus the `known` ones.

@@ -125,6 +125,13 @@ void expect_pose(const PoseLog& log) {
   EXPECT_NEAR(log.poses[0].heading_rad.value_or(0), 30 * kRadians, 1e-9);
 }
 
+TEST_F(Trajectories, AByteOrderMarkIsNoPartOfANumber) {
+  const std::string row = std::string("1") + kTumRow;
+  const PoseLog log = read_tum_log(write("bom.tum", "\xEF\xBB\xBF" + row));
+  ASSERT_EQ(log.poses.size(), 1U);
+  EXPECT_EQ(log.poses[0].time_us, 1'000'000U);
+}
+
 TEST_F(Trajectories, OfTumAreReadByTheirColumns) {
   for (const char* const time : {"1700000000.500000999", "1.7000000005e+09"}) {
     const PoseLog log = read_tum_log(write("a.tum", std::string("# time\n\n") + time + kTumRow));
