@@ -137,7 +137,7 @@ void remember(std::uint64_t now_us, std::span<const std::uint16_t> numbers,
     return with_standing || !hits[number].stands;
   };
   const auto own = static_cast<std::size_t>(std::ranges::count_if(numbers, is_its));
-  const std::size_t every = (own + kSnapshotHits - 1) / kSnapshotHits;
+  const std::size_t every = std::max<std::size_t>((own + kSnapshotHits - 1) / kSnapshotHits, 1);
   std::size_t next = 0;
   for (const std::uint16_t number : numbers) {
     if (is_its(number) && next++ % every == 0) {
