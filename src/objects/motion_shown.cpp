@@ -9,7 +9,7 @@ namespace {
 
 // The time after which motion at this speed is visible.
 std::uint64_t shown_after_us(const Track& track) {
-  const std::int32_t way_mm = track.is_receding ? kShownTrailMm : kShownWayMm;
+  const std::int32_t way_mm = track.may_have_a_standing_face() ? kShownTrailMm : kShownWayMm;
   const std::int32_t ms = way_mm * 1000 / std::max<std::int32_t>(track.speed(), 1);
   return static_cast<std::uint64_t>(std::clamp(ms, kShownLeastMs, kShownMostMs)) * 1000;
 }

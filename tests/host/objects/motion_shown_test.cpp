@@ -233,6 +233,20 @@ TEST(IsShown, ByTheGoodTheBadAndTheNeutral) {
   EXPECT_FALSE(shown(9, {3, 0, 7}));
 }
 
+// With frames of 40 ms, too, in which each second one is due.
+TEST(Remember, FarEnoughBackForTheSlowest) {
+  const auto hits = hits_of({kLeft}, kCarBehind);
+  constexpr std::array<std::uint16_t, 1> kNumbers{0};
+  Track track;
+  track.begin(1, {}, kThenUs);
+  for (std::uint64_t now_us = kThenUs; now_us < kThenUs + 2'000'000; now_us += 40'000) {
+    const std::uint64_t after_us = std::uint64_t{kShownMostMs} * 1000;
+    const Snapshot* const then = track.snapshots.youngest_before(now_us - after_us);
+    EXPECT_EQ(then != nullptr, now_us >= kThenUs + after_us) << now_us;
+    remember(now_us, kNumbers, hits->all(), track);
+  }
+}
+
 // Standing hits that a track has released are counted as seen, but they are none of its cells.
 TEST(Remember, TwelveCellsOfTheHitsThatItHas) {
   Track track;
