@@ -5,13 +5,13 @@
 // (docs/ground.md). The lowest return of a bin is ground unless it is much higher than the slope
 // predicts. The first ground in a sector must instead be close to the car's plane, or at most
 // slightly above the surface of the previous turn, and not high above this surface in most of three
-// sectors. After a first ground that is far away and high,
-// only small height steps are accepted until the ground is confirmed. A lowest return far below the
-// prediction is always accepted as ground, because the ground found earlier must have been an
-// object. A lowest return that is too high still counts as ground if it is at most slightly above
-// the ground in a nearby sector. A bin without its own ground takes the mean ground of the nearest
-// sectors on either side, provided that this mean is close to the prediction. Otherwise, its ground
-// is interpolated between the nearest bins with ground.
+// sectors. After a first ground that is far away and high, only small height steps are accepted
+// until the ground is confirmed. A lowest return far below the prediction is always accepted as
+// ground, because the ground found earlier must have been an object. A lowest return that is too
+// high still counts as ground if it is at most slightly above the ground in a nearby sector. A bin
+// without its own ground takes the mean ground of the nearest sectors on either side, provided that
+// this mean is close to the prediction. Otherwise, its ground is interpolated between the nearest
+// bins with ground.
 //
 // To suppress mirror images below the road, each height is the median of three sectors, and a
 // lowest return far below the car's plane and the lowest returns on both sides is ignored. In

@@ -5,16 +5,15 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
 #include "wire/byte_order.hpp"
@@ -336,10 +335,8 @@ SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::strin
 }
 
 std::string words_of_other_clock(double apart_us) {
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(1) << "points' times are " << apart_us / 1e6
-        << " s from their clouds' stamps; each cloud's first point is put at its stamp";
-  return words.str();
+  return "points' times are " + fixed(apart_us / 1e6, 1) +
+         " s from their clouds' stamps; each cloud's first point is put at its stamp";
 }
 
 }  // namespace iog::tools

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 
+#include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
 
 namespace iog::tools {
@@ -71,14 +70,11 @@ std::string words_of_clock_step(const std::vector<LoggedPose>& poses, std::strin
   const double period_s = middle_value_of(spans_s);
   for (std::size_t i = kNeighbours; period_s > 0 && i + kNeighbours + 1 < poses.size(); ++i) {
     if (const double step_s = step_behind(poses, i, period_s); step_s != 0) {
-      std::ostringstream text;
-      text << std::fixed << std::setprecision(3) << "the log's clock steps by " << step_s << " s";
-      if (poses[i + 1].place > 0) {
-        text << " at " << unit << ' ' << poses[i + 1].place;
-      }
-      text << ", as if it was set, while the positions run on: no single offset fits. Cut the log "
-              "there";
-      return text.str();
+      const std::size_t place = poses[i + 1].place;
+      return "the log's clock steps by " + fixed(step_s, 3) + " s" +
+             (place > 0 ? " at " + std::string(unit) + ' ' + std::to_string(place) : "") +
+             ", as if it was set, while the positions run on: no single offset fits. Cut the log "
+             "there";
     }
   }
   return {};
