@@ -154,6 +154,7 @@ def parts_of(kind: str, steps: typing.Iterable[str]) -> list[str]:
 
 def measure(kind: str, parts: typing.Sequence[str], recordings: typing.Sequence[str] = ()) -> None:
     """Into lab/data, once all of it is there."""
+    measured_at = commit()  # before the tables change
     folder = WORK / "measured" / kind
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -163,7 +164,7 @@ def measure(kind: str, parts: typing.Sequence[str], recordings: typing.Sequence[
         keep_other_parts(folder / COUNTED, parts)
     for path in sorted(folder.iterdir()):
         shutil.move(path, DATA / path.name)
-    write_stamps(f"{kind}/{part}" if part else kind for part in parts)
+    write_stamps((f"{kind}/{part}" if part else kind for part in parts), measured_at)
 
 
 def keep_other_parts(found: pathlib.Path, parts: typing.Sequence[str]) -> None:
@@ -203,8 +204,8 @@ def stamps() -> dict[str, str]:
     return dict(line.split(" ", 1) for line in MADE_FROM.read_text().splitlines()) if MADE_FROM.is_file() else {}
 
 
-def write_stamps(steps: typing.Iterable[str]) -> None:
-    now = {**stamps(), **dict.fromkeys(steps, commit())}
+def write_stamps(steps: typing.Iterable[str], measured_at: str) -> None:
+    now = {**stamps(), **dict.fromkeys(steps, measured_at)}
     MADE_FROM.write_text("".join(f"{name} {now[name]}\n" for name in sorted(now) if name in STEPS))
 
 

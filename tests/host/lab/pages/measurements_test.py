@@ -33,8 +33,16 @@ class Stamp(unittest.TestCase):
 
     def test_a_step_keeps_its_commit_until_it_is_measured_again(self):
         measurements.MADE_FROM.write_text("gone 123\none/x 123\ntwo 123\n")
-        measurements.write_stamps(["two"])
+        measurements.write_stamps(["two"], "abc")
         self.assertEqual(measurements.stamps(), {"one/x": "123", "two": "abc"})
+
+    def test_the_commit_is_that_of_before_the_tables_change(self):
+        kind = measurements.Kind("", lambda folder, _parts, _recordings: (folder / "two.csv").write_text("a\n"))
+        with mock.patch.multiple(measurements, KINDS={"two": kind}, WORK=self.root / "work",
+                                 commit=lambda: "changed" if (self.root / "two.csv").exists() else "clean"):
+            measurements.measure("two", [""])
+        self.assertTrue((self.root / "two.csv").exists())
+        self.assertEqual(measurements.stamps(), {"two": "clean"})
 
     def test_what_was_measured_of_one_part_of_the_target_leaves_the_others(self):
         head = ",".join(a9_runs.Row._fields)
