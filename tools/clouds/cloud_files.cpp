@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <set>
 #include <span>
 #include <sstream>
@@ -17,6 +16,7 @@
 #include "tools/formats/capture/file_hint.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/middle.hpp"
 #include "tools/program/natural_order.hpp"
 #include "tools/program/printable.hpp"
 #include "tools/program/table.hpp"
@@ -87,31 +87,34 @@ std::uint64_t step_between(const CloudFile& before, const CloudFile& file) {
   return are_known ? digits_as_number(to) - digits_as_number(from) : 0;
 }
 
-// If most numbers follow each other at one step, of those that do not; empty: none is missing.
+// If most numbers advance by one step, how many files are missing; empty: none.
 std::string words_of_missing(const std::vector<CloudFile>& files) {
-  std::map<std::uint64_t, std::size_t> steps;  // how often each occurs
-  std::size_t known = 0;
+  std::vector<std::uint64_t> steps;  // known ones
   for (std::size_t i = 1; i < files.size(); ++i) {
     if (const std::uint64_t step = step_between(files[i - 1], files[i]); step > 0) {
-      ++steps[step];
-      ++known;
+      steps.push_back(step);
     }
   }
-  if (steps.size() < 2 || 2 * steps.begin()->second <= known) {
+  if (steps.empty()) {
     return {};
   }
-  const std::uint64_t usual = steps.begin()->first;
+  const std::uint64_t usual = middle_value_of(steps);
+  if (2 * std::ranges::count(steps, usual) <= std::ssize(steps)) {
+    return {};
+  }
   std::uint64_t missing = 0;
   std::string first;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    if (const std::uint64_t step = step_between(files[i - 1], files[i]); step > usual) {
-      missing += step / usual - 1;
+    const std::uint64_t its = (step_between(files[i - 1], files[i]) + usual / 4) / usual;
+    if (its > 1) {
+      missing += its - 1;
       first = first.empty() ? std::filesystem::path(files[i - 1].path).filename().string() : first;
     }
   }
-  return counted(missing, "file|files is|are missing") +
-         " by the numbers in their names, the first after " + printable(first) +
-         ": clouds after it are timed too early";
+  return missing == 0 ? ""
+                      : counted(missing, "file|files is|are missing") +
+                            " by the numbers in their names, the first after " + printable(first) +
+                            ": clouds after it are timed too early";
 }
 
 SeenCloud read_with_stamp(const CloudFile& file, TimeUnit& unit) {

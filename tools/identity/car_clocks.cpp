@@ -110,8 +110,11 @@ std::string CarClocks::words_of_step() const {
   };
   for (const auto& [sensor, step] : steps_) {
     if (step.found() && !is_of_capture(*step.found())) {
+      const std::int64_t found_us = step.found()->step_us;
+      const std::int64_t step_us =
+          std::abs(found_us) < kWholeSecondUs ? found_us : without_way(found_us);
       return "the clock of " + std::string(car_->sensors[sensor].name) + " steps by " +
-             fixed(static_cast<double>(step.found()->step_us) / 1e6, 3) + " s at " +
+             fixed(static_cast<double>(step_us) / 1e6, 3) + " s at " +
              fixed(static_cast<double>(step.found()->time_us) / 1e6, 3) +
              " s of the capture, as if it was set: no single offset fits. Cut the capture there";
     }

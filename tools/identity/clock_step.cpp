@@ -6,20 +6,24 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::size_t kPacketsInARow = 25;  // packets: one may be damaged
 constexpr std::int64_t kLongStepUs = 1'000'000;
 constexpr std::int64_t kLeastStepUs = 100'000;
-constexpr std::int64_t kSteadierThanStep = 4;  // each side is steadier than this part of the step
+constexpr std::int64_t kStepOverSpread = 4;  // of the leads on each side
 constexpr std::int64_t kWindowUs = 500'000;
-constexpr std::int64_t kLongWindowUs = 5'000'000;  // clocks drift in longer ones
+constexpr std::int64_t kLongWindowUs = 5'000'000;  // windows before a longer one do not count
+// Beyond this, 36,000 years, leads are alike. So their differences do not overflow.
+constexpr std::int64_t kMostAheadUs = std::int64_t{1} << 60;
 
 }  // namespace
 
-void ClockStep::add(std::int64_t ahead_us, std::uint64_t capture_us) {
+void ClockStep::add(std::int64_t given_us, std::uint64_t capture_us) {
+  const std::int64_t ahead_us = std::clamp(given_us, -kMostAheadUs, kMostAheadUs);
+  if (!found_) {
+    add_long(ahead_us, capture_us);
+  }
   if (found_) {
     return;
   }
-  add_long(ahead_us, capture_us);
   const auto lasts_us =
       static_cast<std::int64_t>(capture_us - (open_ ? open_->begin_us : capture_us));
   if (std::abs(lasts_us) >= kWindowUs) {  // packets may change places
@@ -32,22 +36,35 @@ void ClockStep::add(std::int64_t ahead_us, std::uint64_t capture_us) {
 }
 
 void ClockStep::add_long(std::int64_t ahead_us, std::uint64_t capture_us) {
-  if (first_packets_ < kPacketsInARow) {
-    first_ahead_us_ = first_packets_++ == 0 ? ahead_us : first_ahead_us_;
+  const bool is_usual = usual_us_ && std::abs(ahead_us - *usual_us_) <= kLongStepUs;
+  const bool is_alike = std::abs(ahead_us - row_us_.front()) <= kLongStepUs;
+  if (is_usual || (usual_us_ && !is_alike)) {
+    row_packets_ = 0;
+  }
+  if (is_usual) {
     return;
   }
-  const std::int64_t off_us = ahead_us - first_ahead_us_;
-  if (long_packets_ == 0 || std::abs(off_us - long_.step_us) > kLongStepUs) {
-    long_ = {.step_us = off_us, .time_us = capture_us};
-    long_packets_ = 0;
+  row_begin_us_ = row_packets_ == 0 ? capture_us : row_begin_us_;
+  row_us_[row_packets_++] = ahead_us;
+  if (row_packets_ < kPacketsInARow) {
+    return;
   }
-  long_packets_ = std::abs(off_us) > kLongStepUs ? long_packets_ + 1 : 0;
-  if (long_packets_ == kPacketsInARow) {
-    found_ = long_;
+  const auto middle = row_us_.begin() + kPacketsInARow / 2;
+  std::ranges::nth_element(row_us_, middle);
+  row_packets_ = 0;
+  if (usual_us_) {
+    found_ = {.step_us = *middle - *usual_us_, .time_us = row_begin_us_};
+  } else {
+    usual_us_ = *middle;
   }
 }
 
 void ClockStep::close_window() {
+  // A slow drift is no step.
+  const std::int64_t drift_us = open_->ahead_us - windows_.back().ahead_us;
+  if (usual_us_ && windows_.back().begin_us > 0 && std::abs(drift_us) <= kLongStepUs) {
+    *usual_us_ += drift_us;
+  }
   std::shift_left(windows_.begin(), windows_.end(), 1);
   windows_.back() = *open_;
   open_.reset();
@@ -61,8 +78,9 @@ void ClockStep::close_window() {
       std::minmax({windows_[4].ahead_us, windows_[5].ahead_us, windows_[6].ahead_us});
   const std::int64_t step_us = (after_least + after_most) / 2 - (least + most) / 2;
   const std::int64_t spread_us = std::max(most - least, after_most - after_least);
-  if (std::abs(step_us) <= kLeastStepUs || std::abs(step_us) > kLongStepUs ||
-      kSteadierThanStep * spread_us > std::abs(step_us)) {
+  // Long steps are found by add_long(), but for those of about a second.
+  if (std::abs(step_us) <= kLeastStepUs || std::abs(step_us) > 2 * kLongStepUs ||
+      spread_us > std::abs(step_us) / kStepOverSpread) {
     return;
   }
   const Window& middle = windows_[kSide];

@@ -1,4 +1,4 @@
-// Whether a clock in a capture was set while it was recorded, as a lidar's by PPS or PTP.
+// Detects that a clock was set during a recording, such as a lidar's by PPS or PTP.
 #pragma once
 
 #include <array>
@@ -8,23 +8,25 @@
 
 namespace iog::tools {
 
-// Of one clock beside the capture's. Packets come late, in batches or not at all, but of half a
-// second at least one comes without delay: in each window the greatest lead is the clock's.
+// Compares one clock with the capture's. Packets are delayed, batched or lost, but at least one in
+// half a second comes without delay: the greatest lead in each window is the clock's.
 class ClockStep {
  public:
   struct Found {
-    std::int64_t step_us = 0;
-    std::uint64_t time_us = 0;  // of the capture
+    std::int64_t step_us = 0;   // positive if the clock was set forward
+    std::uint64_t time_us = 0;  // of the capture, to about half a second
   };
 
-  // The next packet: how far its own time is ahead of the capture's.
+  // Takes the next packet. `ahead_us` is how far its own time is ahead of the capture's. Times of
+  // the capture may go back.
   void add(std::int64_t ahead_us, std::uint64_t capture_us);
 
-  // The first step by more than 0.1 s between 1.5 s without one; by more than a second, the
-  // step from the first packets that 25 packets in a row agree on.
+  // Returns the first step: by more than 0.1 s, with 1.5 s of steady time on both sides; or by more
+  // than a second, in 25 successive packets.
   [[nodiscard]] const std::optional<Found>& found() const { return found_; }
 
  private:
+  static constexpr std::size_t kPacketsInARow = 25;       // one may be damaged
   static constexpr std::size_t kSide = 3;                 // windows before a step, and after it
   static constexpr std::size_t kWindows = 2 * kSide + 1;  // the step is in the middle one
   struct Window {
@@ -37,12 +39,12 @@ class ClockStep {
 
   std::optional<Found> found_;
   std::array<Window, kWindows> windows_{};  // the newest last
-  std::size_t closed_ = 0;                  // of them are filled
+  std::size_t closed_ = 0;                  // the number of filled windows
   std::optional<Window> open_;
-  std::int64_t first_ahead_us_ = 0;
-  std::size_t first_packets_ = 0;
-  Found long_{};
-  std::size_t long_packets_ = 0;  // in a row that are so much off
+  std::optional<std::int64_t> usual_us_;  // the lead before a long step; follows a slow drift
+  std::array<std::int64_t, kPacketsInARow> row_us_{};  // of the first packets, then of such a step
+  std::uint64_t row_begin_us_ = 0;
+  std::size_t row_packets_ = 0;
 };
 
 }  // namespace iog::tools

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t kNeighbours = 5;  // spans on each side that tell the speed
 constexpr double kLeastStepS = 0.1;
-constexpr double kMostStepS = 2;  // a log that pauses for longer may go on where it was
+constexpr double kMostForwardS = 2;  // a log that pauses for longer may go on where it was
 constexpr double kLeastMps = 2;
-constexpr double kStepPart = 0.2;   // how exactly the way says the span, of the step
+constexpr double kStepPart = 0.2;   // tolerance of the time by the distance, of the step
 constexpr double kSpeedPart = 0.2;  // how much the speeds on both sides differ at most
 
 double seconds_from(const LoggedPose& from, const LoggedPose& to) {
@@ -25,7 +25,7 @@ double way_from(const LoggedPose& from, const LoggedPose& to) {
   return std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
 }
 
-// From one pose to the next, over some; nothing if the log's period is not kept in between.
+// The mean speed over kNeighbours poses; nothing if the log's period is not kept between them.
 std::optional<double> speed_from(const std::vector<LoggedPose>& poses, std::size_t begin,
                                  double period_s) {
   double way_m = 0;
@@ -39,10 +39,10 @@ std::optional<double> speed_from(const std::vector<LoggedPose>& poses, std::size
   return way_m / seconds_from(poses[begin], poses[begin + kNeighbours]);
 }
 
-// Of the log's clock behind a pose; 0: none.
+// The step of the log's clock after pose i; 0: none.
 double step_behind(const std::vector<LoggedPose>& poses, std::size_t i, double period_s) {
   const double step_s = seconds_from(poses[i], poses[i + 1]) - period_s;
-  if (std::abs(step_s) < std::max(kLeastStepS, period_s / 2) || std::abs(step_s) > kMostStepS) {
+  if (std::abs(step_s) < std::max(kLeastStepS, period_s / 2) || step_s > kMostForwardS) {
     return 0;
   }
   const auto before = speed_from(poses, i - kNeighbours, period_s);

@@ -9,9 +9,11 @@
 
 namespace iog::tools {
 
-// "the log's clock steps by -0.500 s at line 201: ...": between two poses that follow each other in
-// the log, time passes by another span than between their neighbours, and the way of the moving car
-// does not. In the order of the log. Empty if there is none.
+// Returns "the log's clock steps by -0.500 s at line 201, ..." for the first step: the time between
+// two successive poses differs from the log's period, although the distance of the moving car does
+// not. `poses` is in the order of the log, and `unit` is the word for LoggedPose::place. Returns an
+// empty text if there is none. Steps are found from 0.1 s and half a period on, up to 2 s forward,
+// if the car drives 2 m/s or more and five poses on each side keep the period.
 [[nodiscard]] std::string words_of_clock_step(const std::vector<LoggedPose>& poses,
                                               std::string_view unit);
 

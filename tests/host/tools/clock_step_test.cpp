@@ -42,6 +42,43 @@ TEST(ClockStep, JitterBatchesLossAndDriftAreNone) {
   }
 }
 
+// By a second, as of a leap second, or by a little more or less. In sparse packets, too.
+TEST(ClockStep, AClockThatIsSetByASecondIsFound) {
+  for (const std::int64_t set_us : {-1'001'000, -1'000'200, -1'000'000, 1'000'000, 1'000'200}) {
+    for (const std::uint64_t period_us : {1'300U, 10'000U}) {
+      for (std::uint64_t seed = 1; seed < 20; ++seed) {
+        ClockStep step;
+        for (std::uint64_t true_us = 0; true_us < 20'000'000; true_us += period_us) {
+          const auto delay_us = static_cast<std::int64_t>(true_us * seed * 7 % 2'003);
+          step.add((true_us > 10'000'000 ? set_us : 0) - delay_us,
+                   true_us + static_cast<std::uint64_t>(delay_us));
+        }
+        ASSERT_TRUE(step.found()) << set_us << ' ' << period_us << ' ' << seed;
+        EXPECT_NEAR(static_cast<double>(step.found()->step_us), static_cast<double>(set_us), 3'000);
+      }
+    }
+  }
+}
+
+TEST(ClockStep, ADamagedPacketOrHoursOfDriftAreNone) {
+  ClockStep damaged;
+  ClockStep drifting;
+  for (std::int64_t i = 0; i < 2'000; ++i) {
+    damaged.add(i % 500 == 0 ? -5'000'000 : 0, static_cast<std::uint64_t>(i) * 10'000);
+    drifting.add(i * 1'000, static_cast<std::uint64_t>(i) * 10'000'000);  // 100 ppm for 5 hours
+  }
+  EXPECT_FALSE(damaged.found());
+  EXPECT_FALSE(drifting.found());
+}
+
+TEST(ClockStep, TakesAnyTimes) {
+  ClockStep step;
+  for (int i = 0; i < 100; ++i) {
+    step.add(i % 2 == 0 ? INT64_MIN : INT64_MAX, i % 3 == 0 ? UINT64_MAX : 0);
+  }
+  EXPECT_FALSE(step.found());
+}
+
 // A recorder that stands still for a second, and then takes all that has waited.
 TEST(ClockStep, APauseOfTheRecorderIsNone) {
   ClockStep step;

@@ -33,6 +33,13 @@ TEST(LogClock, AStepThatThePositionsDoNotShareIsTold) {
   EXPECT_NE(words_of_log(1'000'000, 1'000'000).find("steps by 1.000 s"), std::string::npos);
 }
 
+// GPS and TAI to UTC.
+TEST(LogClock, AStepBackMayBeLong) {
+  EXPECT_NE(words_of_log(-18'000'000, 50'000).find("steps by -18.000 s at line 102"),
+            std::string::npos);
+  EXPECT_NE(words_of_log(-37'000'000, 100'000).find("steps by -37.000 s"), std::string::npos);
+}
+
 TEST(LogClock, LostPosesJitterAndAStandingCarAreNone) {
   EXPECT_EQ(words_of_log(0, 50'000), "");
   EXPECT_EQ(words_of_log(0, 50'000, 10), "");

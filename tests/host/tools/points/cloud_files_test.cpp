@@ -39,10 +39,20 @@ TEST(CloudFiles, OnlyAGapInEvenNumbersIsMissingFiles) {
        std::vector<std::vector<std::string>>{{"1.bin", "2.bin"},
                                              {"0.pcd", "5.pcd", "10.pcd"},
                                              {"3.pcd", "104.pcd", "203.pcd", "305.pcd"},
+                                             {"0.pcd", "2.pcd", "4.pcd", "6.pcd", "9.pcd"},
+                                             {"0.pcd", "100.pcd", "200.pcd", "300.pcd", "401.pcd"},
                                              {"a1.pcd", "a2.pcd", "b7.pcd", "b8.pcd"},
                                              {"map.pcd", "x.pcd"}}) {
     EXPECT_EQ(timed(paths, 10).remarks_if_assumed.size(), 1U) << paths[0];
   }
+}
+
+TEST(CloudFiles, OneSmallStepHidesNoMissingFiles) {
+  const std::vector<std::string> remarks =
+      timed({"0.pcd", "100.pcd", "199.pcd", "299.pcd", "399.pcd", "699.pcd"}, 10)
+          .remarks_if_assumed;
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_TRUE(remarks[1].starts_with("2 files are missing")) << remarks[1];
 }
 
 TEST(CloudFiles, ATimeInANameCounts) {
