@@ -8,20 +8,14 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/letter_case.hpp"
 
 namespace iog::tools {
 namespace {
 
 namespace files = std::filesystem;
 
-// In lower case, as some loggers and disks write it in capitals.
-std::string ending_of(const files::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char letter) {
-    return 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return ending;
-}
+std::string ending_of(const files::path& path) { return in_lower_case(path.extension().string()); }
 
 // Without the ending of a packer: "drive.pcap" for "drive.pcap.gz".
 files::path unpacked(const files::path& path) {
@@ -34,16 +28,22 @@ bool is_capture(const files::path& path) {
   return ending == ".pcap" || ending == ".pcapng";
 }
 
-// "drive.poses.csv" for "drive.pcap.gz"; a folder is "drive.poses".
+// "drive.poses.csv" or "drive.POSES.CSV" for "drive.pcap.gz"; a folder is "drive.poses".
 std::string poses_beside(const files::path& capture) {
   constexpr std::array kEndings{"", ".csv", ".nmea", ".ubx", ".txt", ".tum", ".mcap", ".db3"};
   std::string found;
-  for (const char* const ending : kEndings) {
-    const std::string log = unpacked(capture).replace_extension().string() + ".poses" + ending;
-    std::error_code error;
-    if (!files::exists(log, error)) {
+  const std::string stem = unpacked(capture).replace_extension().string();
+  for (const std::string ending : kEndings) {
+    const std::array<std::string, 3> written{".poses" + ending, ".poses" + in_capitals(ending),
+                                             ".POSES" + in_capitals(ending)};
+    const auto its = std::ranges::find_if(written, [&](const std::string& behind) {
+      std::error_code error;
+      return files::exists(stem + behind, error);
+    });
+    if (its == written.end()) {
       continue;
     }
+    const std::string log = stem + *its;
     if (!found.empty()) {
       throw UsageError(capture.string() + ": there are two logs of its poses: " + found + " and " +
                        log);

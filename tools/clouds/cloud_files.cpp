@@ -16,6 +16,7 @@
 #include "tools/formats/capture/file_hint.hpp"
 #include "tools/formats/capture/made_capture.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/letter_case.hpp"
 #include "tools/program/middle.hpp"
 #include "tools/program/natural_order.hpp"
 #include "tools/program/printable.hpp"
@@ -27,9 +28,11 @@ namespace {
 constexpr std::array<std::string_view, 3> kEndings{".bin", ".pcd", ".ply"};
 constexpr std::string_view kDigits = "0123456789";
 
+// One of kEndings, whatever its case.
 std::string_view ending_of(std::string_view path) {
+  const std::string lower = in_lower_case(std::string(path.substr(path.find_last_of('/') + 1)));
   const auto found =
-      std::ranges::find_if(kEndings, [&](auto ending) { return path.ends_with(ending); });
+      std::ranges::find_if(kEndings, [&](auto ending) { return lower.ends_with(ending); });
   return found == kEndings.end() ? std::string_view{} : *found;
 }
 

@@ -47,6 +47,12 @@ TEST(CloudFiles, OnlyAGapInEvenNumbersIsMissingFiles) {
   }
 }
 
+TEST(CloudFiles, EndingsMayHaveCapitals) {
+  EXPECT_TRUE(is_cloud_file("SCAN.PCD"));
+  EXPECT_EQ(time_in_name("1532402927.5.BIN"), 1'532'402'927'500'000);
+  EXPECT_FALSE(is_cloud_file("SCAN.PCD/readme.txt"));
+}
+
 TEST(CloudFiles, OneSmallStepHidesNoMissingFiles) {
   const std::vector<std::string> remarks =
       timed({"0.pcd", "100.pcd", "199.pcd", "299.pcd", "399.pcd", "699.pcd"}, 10)
