@@ -189,6 +189,9 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   bool is_assumed = false;
   for (const CloudFile& file : inputs.clouds.files) {
     SeenCloud cloud = read_cloud_of(file, unit);
+    if (cloud.is_assumed && cloud.points.empty()) {
+      continue;  // the others may have times of their own
+    }
     is_assumed = is_assumed || cloud.is_assumed;
     take(std::move(cloud));
   }
