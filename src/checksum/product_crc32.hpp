@@ -48,8 +48,8 @@ class ProductCrc32 {
   }
 
   // Returns the state after `before`, which has kProductLanes to kMostBefore bytes, and kBytes zero
-  // bytes. The bytes before the last whole groups are moved to the end of a group of their own. If
-  // they are fewer than those of the state, the rest of the state lies in the next group.
+  // bytes. The odd leading bytes fill the end of a group of their own. If they are fewer than four,
+  // the state continues in the next group.
   template <std::size_t kBytes, std::size_t kMostBefore>
   static std::uint32_t after_zeros(std::uint32_t state, std::span<const std::byte> before) {
     static constexpr auto kFactors = make_factors<kBytes, kMostBefore / kProductLanes + 1>();

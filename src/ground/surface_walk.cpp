@@ -12,10 +12,10 @@ namespace {
 
 // Limits of the first ground of a sector, and of later ground over its expected height. Rises are
 // per 1,024 mm along the line. A car beside a high unit hides the road and could become the first
-// ground. The first ground therefore rises by at most kStartRise above the car's plane. It may rise
-// by up to kSteepStartRise if it is at most kOverLast above the surface of the last turn. It is
-// also at most kStart above the last turn's ground in most of three sectors, which are so far apart
-// that few cars are in two of them.
+// ground. The first ground is therefore at most kStart plus kStartRise above the car's plane. The
+// rise may be kSteepStartRise if it is at most kOverLast above the surface of the last turn. It is
+// also at most kStart above the car's plane and the last turn's ground in most of three sectors, if
+// that is known. The sectors are so far apart that few cars are in two of them.
 constexpr std::int32_t kStart = 150;
 constexpr std::int32_t kStartRise = 20;
 constexpr std::int32_t kSteepStartRise = 80;

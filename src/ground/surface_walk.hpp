@@ -34,10 +34,10 @@
 
 namespace iog::ground {
 
-// The maximum height of the surface above the lowest plausible return of a bin.
+// The maximum height of the surface above the lowest believed return of a bin.
 inline constexpr std::int32_t kMostOverLowestMm = 150;
-// A mirror image is more than this far below the car's plane, and below the lowest returns beside
-// it.
+// A mirror image is more than this far below the car's plane, and below the lowest returns three
+// sectors away on both sides.
 inline constexpr std::int32_t kMirroredMm = 1'000;
 
 class SurfaceWalk {
@@ -74,7 +74,7 @@ class SurfaceWalk {
   Ring last_{};
   Ring doubt_{};  // own grounds that are still needed before steps may be large
   // The state of the current bin. The value Lows::kNothing means that there is no value.
-  Ring low_{};       // lowest plausible return
+  Ring low_{};       // lowest believed return
   Ring expected_{};  // expected height of the ground
   Ring most_{};      // maximum height above the expected ground at which a return is still ground
   Ring own_{};       // lowest return, if it is ground by this rule

@@ -144,13 +144,14 @@ inline constexpr std::int32_t kMergeWidestMm = 3200;
 inline constexpr std::int32_t kMergeReachMm = 20'000;
 
 // Parameters for using the grid to confirm the motion of a track.
-inline constexpr std::size_t kSnapshots = 10;  // the oldest is over kShownMostMs old
+inline constexpr std::size_t kSnapshots =
+    10;  // reach back over kShownMostMs with frames of 25 ms or more
 inline constexpr std::size_t kSnapshotHits = 12;
 // The interval between snapshots is shorter than an epoch because frames do not end at regular
 // intervals.
 inline constexpr std::uint64_t kSnapshotUs = 75'000;
 inline constexpr std::int32_t kShownWayMm = 700;
-inline constexpr std::int32_t kShownTrailMm = 1000;  // of a receding track that is no pedestrian
+inline constexpr std::int32_t kShownTrailMm = 1000;  // of a receding track of at least kSmallMm
 inline constexpr std::int32_t kShownMostMs = 700;
 inline constexpr std::int32_t kShownLeastMs = 160;
 inline constexpr std::int32_t kLeftMm = 250;  // the track has left a place that is this far outside

@@ -20,8 +20,8 @@ struct SeenCloud {
   std::uint64_t time_us = 0;        // that of its first point
   bool has_times = false;           // of its points
   bool is_assumed = false;          // time_us: neither a stamp nor a point gives it
-  std::uint64_t since_1970_us = 0;  // of its first point by its own time; 0: it has none
-  double apart_us = 0;   // the points' own times are this far from the stamp, which counts; 0: near
+  std::uint64_t since_1970_us = 0;  // of its first point by its own time, 2001 to 2096; else 0
+  double apart_us = 0;   // from the points' own times to the stamp, which is used; 0: below 1 s
   double time_span = 0;  // of its points, in their own unit
   bool has_unknown_times = false;  // its points' times are left out: their unit is not known
   double view_deg = 360;           // of a scan's beams
@@ -65,7 +65,7 @@ struct CloudRecords {
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 
-// Of SeenCloud::apart_us.
+// Returns a sentence on SeenCloud::apart_us, which is above 0.
 [[nodiscard]] std::string words_of_other_clock(double apart_us);
 
 // Farther than any unit can measure.

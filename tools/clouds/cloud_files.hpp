@@ -19,7 +19,7 @@ struct CloudFile {
 struct CloudFiles {
   std::vector<CloudFile> files{};
   std::vector<std::string> remarks{};             // what was changed
-  std::vector<std::string> remarks_if_assumed{};  // if SeenCloud::is_assumed of one of them
+  std::vector<std::string> remarks_if_assumed{};  // if one cloud's time is assumed
 };
 
 // By its name.
@@ -37,8 +37,8 @@ struct CloudFiles {
 // so many clouds per second from kDriveStartUs.
 [[nodiscard]] CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second);
 
-// A file of a cloud, whose points' own times since 1970 count before an assumed one. UsageError if
-// it cannot be read, or is none.
+// Reads a cloud. Its points' Unix times override an assumed time. UsageError if the file cannot be
+// read or is no cloud.
 [[nodiscard]] SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit);
 
 }  // namespace iog::tools

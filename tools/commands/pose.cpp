@@ -85,7 +85,7 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
       .sigma = wire_sigma(*options.map_sigma_mm / 1000, options.map_heading_sigma_mrad / 1000)};
 }
 
-// With as many poses as the log has used; the others are interpolated.
+// `used`: how many poses are those of the log; the others are interpolated.
 void write(const std::vector<CapturedDatagram>& datagrams, std::size_t used,
            const std::string& path) {
   PcapWriter capture(path, PcapWriter::Unfinished::kNothing);

@@ -7,6 +7,7 @@
 
 namespace iog::tools {
 
+// "1.50" of 1.5 and 2, and "nan" of no number. `decimals` is 0 or more.
 [[nodiscard]] inline std::string fixed(double value, int decimals) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << value;

@@ -7,7 +7,8 @@
 
 namespace iog::tools {
 
-// The parts in their order, or what `words` says of each, with `by` between them.
+// Returns the parts, or the result of `words` for each, in their order with `by` between them. The
+// first part is not empty.
 template <typename Parts, typename Words = std::identity>
 [[nodiscard]] std::string joined(const Parts& parts, std::string_view by, Words words = {}) {
   std::string text;
