@@ -51,6 +51,7 @@ bool Children::are_running() const {
 
 void Children::start(std::size_t place, std::size_t work, std::vector<std::string> arguments) {
   std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
   for (std::string& word : arguments) {
     words.push_back(word.data());
   }
