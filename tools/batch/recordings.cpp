@@ -45,8 +45,8 @@ std::string poses_beside(const files::path& capture) {
     }
     const std::string log = stem + *its;
     if (!found.empty()) {
-      throw UsageError(capture.string() + ": there are two logs of its poses: " +
-                       found.append(" and ").append(log));
+      throw UsageError(capture.string() +
+                       ": there are two logs of its poses: " + found.append(" and ").append(log));
     }
     found = log;
   }
