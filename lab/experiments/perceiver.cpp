@@ -1,5 +1,8 @@
 #include "lab/experiments/perceiver.hpp"
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace iog::lab {
@@ -39,7 +42,9 @@ std::vector<std::int8_t> Perceiver::classes() const {
 
 void Perceiver::close_frame(std::uint64_t now_us) {
   engine_->finish(now_us, work::Crew(), [](auto /*stage*/) {});
-  frame_->release([](std::size_t /*tile*/, auto /*cells*/) {});
+  std::array<std::byte, geometry::kTileCells> unused{};
+  frame_->release([&unused] { return std::span(unused); },
+                  [](std::size_t /*tile*/, auto /*cells*/) {});
   engine_->describe(end_);
   ++frames_;
   frame_->start_next(now_us);

@@ -125,9 +125,9 @@ class Frame {
   void describe(std::uint64_t now_us, stream::Header& header, stream::FrameEnd& end);
 
   // Equivalent to SharedFusion::release().
-  template <typename Visit>
-  void release(Visit&& visit) {
-    fusion_.release(visit);
+  template <typename Place, typename Visit>
+  void release(Place&& place, Visit&& visit) {
+    fusion_.release(place, visit);
   }
 
   // Begins the next frame. The current frame must be closed, and the grid must be cleared.

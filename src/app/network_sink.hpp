@@ -31,6 +31,9 @@ class NetworkSink {
     tiles_.begin(header_);
   }
 
+  // Returns a place for the cells of the next tile (see TileSender::place()).
+  [[nodiscard]] tile_coding::MutableTileCells tile_place() { return tiles_.place(); }
+
   // Sends and counts a tile, and adds the tile to the grid's CRC.
   void take_tile(std::size_t tile, tile_coding::TileCells cells) {
     tiles_.add(tile, cells, CellsStay::kForTheCall);

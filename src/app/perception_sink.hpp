@@ -28,6 +28,7 @@ class PerceptionSink : private NetworkSink<P> {
 
   using Indexes::begin_frame;
   using Indexes::end;
+  using Indexes::tile_place;
 
   // Callers must fill in the class end message, class_end(), before the classes are encoded, and
   // objects() before the objects are sent.

@@ -264,9 +264,10 @@ class FramePipeline {
   // Visits each known tile of the frame's grid once, and then clears the tile.
   void take_tiles(const stream::Header& header) {
     for_each_sink([&](auto& sink) { sink.begin_frame(header); });
-    frame_.release([this](std::size_t tile, tile_coding::TileCells cells) {
-      for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
-    });
+    frame_.release([this] { return network_.tile_place(); },
+                   [this](std::size_t tile, tile_coding::TileCells cells) {
+                     for_each_sink([&](auto& sink) { sink.take_tile(tile, cells); });
+                   });
   }
 
   // Sends the objects and the list of the datagrams received in the frame.

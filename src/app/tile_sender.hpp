@@ -77,6 +77,15 @@ class TileSender {
     end_tile_ = extent.tile_count();
   }
 
+  // Returns a place for the cells of the next tile. add() does not copy cells that are there.
+  [[nodiscard]] tile_coding::MutableTileCells place() {
+    if (coding_ == Coding::kRaw) {
+      return tiles_.raw_place();
+    }
+    require(waiting_count_ < copies_.size());
+    return copies_[waiting_count_].cells;
+  }
+
   // Adds a tile. Tiles must be added in ascending order. A tile of indexes must have at least one
   // known cell.
   void add(std::size_t tile, tile_coding::TileCells cells, CellsStay cells_stay) {
@@ -182,7 +191,9 @@ class TileSender {
 
   void add_to_batch(const Added& added) {
     Copy& copy = copies_[waiting_count_];
-    std::ranges::copy(added.cells, copy.cells.begin());
+    if (added.cells.data() != copy.cells.data()) {
+      std::ranges::copy(added.cells, copy.cells.begin());
+    }
     std::optional<Added>& waiting = waiting_[waiting_count_++];
     waiting = added;
     waiting->cells = copy.cells;

@@ -123,20 +123,30 @@ class FrameFusion {
   // by row from the lowest y, and are valid only during the call.
   template <typename Visit>
   void release(Visit&& visit) {
-    release_with_heights([&](std::size_t tile, auto indexes,
-                             const grid::TileBits& /*low_and_tall*/) { visit(tile, indexes); });
+    release_into([this](std::size_t /*tile*/) { return std::span(tile_cells_); }, visit);
   }
   // Same as release(), but calls visit(number, indexes, low_and_tall).
   template <typename Visit>
   void release_with_heights(Visit&& visit) {
-    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
-      if (!grids_.indexes.is_touched(tile)) {
-        continue;
+    grid::TileBits bits{};
+    const auto place = [&](std::size_t tile) {
+      if (grids_.keep_heights) {
+        bits = grids_.low_and_tall(tile);
       }
-      const grid::TileBits bits =
-          grids_.keep_heights ? grids_.low_and_tall(tile) : grid::TileBits{};
-      if (take_tile(tile, tile_cells_)) {
-        visit(tile, std::span<const grid::OccupancyIndex, geometry::kTileCells>(tile_cells_), bits);
+      return std::span(tile_cells_);
+    };
+    release_into(place, [&](std::size_t tile, auto indexes) { visit(tile, indexes, bits); });
+  }
+  // Same as release(), but first copies the indexes of each tile to place(number), a span of
+  // kTileCells indexes. The tile may turn out to be unknown.
+  template <typename Place, typename Visit>
+  void release_into(Place&& place, Visit&& visit) {
+    for (std::size_t tile = 0; tile < geometry::kTileCount; ++tile) {
+      if (grids_.indexes.is_touched(tile)) {
+        const std::span<grid::OccupancyIndex, geometry::kTileCells> cells = place(tile);
+        if (take_tile(tile, cells)) {
+          visit(tile, std::span<const grid::OccupancyIndex, geometry::kTileCells>(cells));
+        }
       }
     }
   }

@@ -157,13 +157,19 @@ class SharedFusion {
 
   // Visits the tiles of the frame's grid, and then clears the grid. The frame's grid is the joined
   // grid. If no parts were joined, it is core 0's own grid, which must be finished. Calls
-  // visit(number, cells) for each tile with a known cell, in ascending order.
-  template <typename Visit>
-  void release(Visit&& visit) {
+  // visit(number, cells) for each tile with a known cell, in ascending order. place() returns the
+  // bytes to which core 0's own grid may copy a tile's cells.
+  template <typename Place, typename Visit>
+  void release(Place&& place, Visit&& visit) {
     if (is_joined_) {
       joined_.release(visit);
     } else {
-      own_.release(
+      own_.release_into(
+          [&place](std::size_t /*tile*/) {
+            const std::span<std::byte, geometry::kTileCells> bytes = place();
+            return std::span<index::OccupancyIndex, geometry::kTileCells>(
+                reinterpret_cast<index::OccupancyIndex*>(bytes.data()), bytes.size());
+          },
           [&visit](std::size_t tile, auto indexes) { visit(tile, std::as_bytes(indexes)); });
     }
     is_joined_ = false;

@@ -62,7 +62,9 @@ void TilesWriter::begin_grid(const Header& header, const Geometry& geometry) {
 void TilesWriter::begin_classes(const Header& header, const ClassWindow& window,
                                 std::uint16_t cell_mm, window::Extent extent) {
   write_head(header, geometry_of_classes(cell_mm, extent));
-  write_class_window(window, std::span(message_).subspan<kRecords, kClassWindowBytes>());
+  for (Buffer& buffer : buffers_) {
+    write_class_window(window, std::span(buffer.message).subspan<kRecords, kClassWindowBytes>());
+  }
   records_ = kRecords + kClassWindowBytes;
   begin_message(0);
 }
@@ -70,15 +72,25 @@ void TilesWriter::begin_classes(const Header& header, const ClassWindow& window,
 void TilesWriter::write_head(const Header& header, const Geometry& geometry) {
   Header of_tiles = header;
   of_tiles.type = MessageType::kTiles;
-  const std::span content = std::span(message_).subspan<kContent>();
-  write_header(of_tiles, content);
-  write_geometry(geometry, header.epsilon_e5, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
+  for (Buffer& buffer : buffers_) {
+    const std::span content = std::span(buffer.message).subspan<kContent>();
+    write_header(of_tiles, content);
+    write_geometry(geometry, header.epsilon_e5, content.subspan<kHeaderBytes, kTilesHeaderBytes>());
+  }
 }
 
 void TilesWriter::begin_message(std::size_t first_tile) {
   first_tile_ = static_cast<std::uint16_t>(first_tile);
   tile_count_ = 0;
   bytes_ = records_;
+}
+
+tile_coding::MutableTileCells TilesWriter::raw_place() {
+  static_assert(kRawPayload + kTileRecordBytes + 2 * tile_coding::kTileBytes >
+                protection::kMaxMessageBytes);
+  require(records_ == kRecords);
+  Buffer& buffer = buffers_[tile_count_ == 0 ? current_ : 1 - current_];
+  return std::span(buffer.message).subspan<kRawPayload, tile_coding::kTileBytes>();
 }
 
 bool TilesWriter::append(std::size_t tile, Encoding encoding, std::span<const std::byte> payload) {
@@ -95,14 +107,18 @@ bool TilesWriter::append(std::size_t tile, Encoding encoding, std::uint8_t age_f
 bool TilesWriter::append_record(std::size_t tile, Encoding encoding,
                                 std::optional<std::uint8_t> age,
                                 std::span<const std::byte> payload) {
-  wire::ByteWriter out{std::span(message_).subspan(bytes_)};
+  wire::ByteWriter out{message().subspan(bytes_)};
   out.u16_be(static_cast<std::uint16_t>(tile));
   out.u8(static_cast<std::uint8_t>(encoding));
   if (age) {
     out.u8(*age);
   }
   out.u16_be(static_cast<std::uint16_t>(payload.size()));
-  out.bytes(payload);
+  if (payload.data() == out.written().data() + out.written().size()) {
+    out.skip(payload.size());
+  } else {
+    out.bytes(payload);
+  }
   if (!out.ok()) {
     require(tile_count_ > 0);
     return false;
@@ -113,14 +129,15 @@ bool TilesWriter::append_record(std::size_t tile, Encoding encoding,
 }
 
 std::span<std::byte> TilesWriter::finish(std::size_t end_tile, std::uint32_t sequence) {
-  const std::span message = std::span(message_).first(bytes_);
-  set_sequence(message.subspan<kContent, kHeaderBytes>(), sequence);
-  const std::span header = message.subspan<kContent + kHeaderBytes, kTilesHeaderBytes>();
+  const std::span finished = message().first(bytes_);
+  set_sequence(finished.subspan<kContent, kHeaderBytes>(), sequence);
+  const std::span header = finished.subspan<kContent + kHeaderBytes, kTilesHeaderBytes>();
   wire::store_be16(header.subspan<kFirstTileOffset, 2>(), first_tile_);
   wire::store_be16(header.subspan<kEndTileOffset, 2>(), static_cast<std::uint16_t>(end_tile));
   wire::store_be16(header.subspan<kTileCountOffset, 2>(), tile_count_);
+  current_ = 1 - current_;
   begin_message(end_tile);
-  return message;
+  return finished;
 }
 
 bool TileRecords::next(TileRecord& record) {

@@ -125,7 +125,7 @@ static_assert(protection::kProtectionBytes + kHeaderBytes + kTilesHeaderBytes + 
               protection::kMaxMessageBytes);
 
 // Composes tile messages one at a time, and leaves space for the protection header at the start of
-// each message.
+// each message. A caller can write the cells of a raw tile directly into its message.
 class TilesWriter {
  public:
   // Starts a grid and begins its first message at tile 0. `header` is the frame's header. Its type
@@ -137,6 +137,11 @@ class TilesWriter {
   // Discards the tiles of the current message and restarts the message at another tile.
   void begin_message(std::size_t first_tile);
 
+  // Returns the place of the next raw tile's cells if all tiles of the grid are raw. append() does
+  // not copy a payload that is already there. The place is aligned to 32 bytes, and keeps its cells
+  // and its address until append() accepts a tile.
+  [[nodiscard]] tile_coding::MutableTileCells raw_place();
+
   // Appends a tile. Tile numbers must be in ascending order. If the tile does not fit, returns
   // false and changes nothing. An empty message always has enough space, even for a raw tile.
   [[nodiscard]] bool append(std::size_t tile, Encoding encoding,
@@ -147,7 +152,7 @@ class TilesWriter {
                             std::span<const std::byte> payload);
 
   // Ends the message and starts the next one at `end_tile`. The ended message covers all tiles
-  // before `end_tile`. The returned bytes are valid until the next call to append(),
+  // before `end_tile`. The returned bytes are valid until the next call to raw_place(), append(),
   // begin_message(), begin_grid() or begin_classes().
   [[nodiscard]] std::span<std::byte> finish(std::size_t end_tile, std::uint32_t sequence);
 
@@ -164,7 +169,22 @@ class TilesWriter {
                                    std::optional<std::uint8_t> age,
                                    std::span<const std::byte> payload);
 
-  alignas(8) std::array<std::byte, protection::kMaxMessageBytes> message_{};
+  // The first raw payload of a message without classes is aligned to 32 bytes.
+  static constexpr std::size_t kRawPayload = kRecords + kTileRecordBytes;
+  struct Buffer {
+    alignas(32) std::array<std::byte, (kRawPayload + 31) / 32 * 32 - kRawPayload> unused;
+    std::array<std::byte, protection::kMaxMessageBytes> message;
+  };
+  static_assert(offsetof(Buffer, message) + kRawPayload == (kRawPayload + 31) / 32 * 32);
+
+  [[nodiscard]] std::span<std::byte, protection::kMaxMessageBytes> message() {
+    return buffers_[current_].message;
+  }
+
+  // The current message is in one buffer. The other one contains the message before it, until the
+  // cells of the next message's tile are put there.
+  std::array<Buffer, 2> buffers_{};
+  std::size_t current_ = 0;
   std::size_t records_ = kRecords;  // offset of the first tile record
   std::size_t bytes_ = kRecords;
   std::uint16_t first_tile_ = 0;

@@ -3,6 +3,7 @@
 #include "stream/tiles.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -63,6 +64,38 @@ TEST(TilesWriter, TheNextMessageBeginsWhereTheLastOneEnds) {
   ASSERT_EQ(read_tiles(body, header, records), ReadStatus::kOk);
   EXPECT_EQ(header.first_tile, 2);
   EXPECT_EQ(header.end_tile, 1024);
+}
+
+// Cells that are put into their place make the same messages as cells that are copied, and a tile
+// that turns out to be unknown leaves its place to the next one.
+TEST(TilesWriter, RawCellsMayBeInTheirPlaceAlready) {
+  tests::Random random(22);
+  TilesWriter copying;
+  TilesWriter in_place;
+  copying.begin_grid({.frame_number = 5}, geometry_of_level(0));
+  in_place.begin_grid({.frame_number = 5}, geometry_of_level(0));
+  int messages = 0;
+  for (std::size_t tile = 0; tile < 40; ++tile) {
+    Bytes cells(tile_coding::kTileBytes);
+    std::ranges::generate(cells, [&] { return static_cast<std::byte>(random.next()); });
+    const auto place = in_place.raw_place();
+    ASSERT_EQ(reinterpret_cast<std::uintptr_t>(place.data()) % 32, 0U);
+    std::ranges::copy(cells, place.begin());
+    if (tile % 3 == 1) {
+      continue;
+    }
+    if (!copying.append(tile, Encoding::kRaw, cells)) {
+      ASSERT_FALSE(in_place.append(tile, Encoding::kRaw, place));
+      const auto expected = copying.finish(tile, 0);
+      ASSERT_TRUE(std::ranges::equal(in_place.finish(tile, 0), expected));
+      ASSERT_EQ(in_place.raw_place().data(), place.data());
+      ASSERT_TRUE(copying.append(tile, Encoding::kRaw, cells));
+      ++messages;
+    }
+    ASSERT_TRUE(in_place.append(tile, Encoding::kRaw, place));
+  }
+  EXPECT_TRUE(std::ranges::equal(in_place.finish(40, 0), copying.finish(40, 0)));
+  EXPECT_EQ(messages, 26);  // before the last one, with one tile each
 }
 
 // No message is longer than a datagram may be, and none has room for the tile that opens the next.
