@@ -103,10 +103,15 @@ class Signs {
   }
 
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
-  // crowd: as of CarCapture.
-  [[nodiscard]] std::string rows(const RunStatistics& statistics, const std::string& crowd) {
+  [[nodiscard]] std::string rows(const RunStatistics& statistics, const CarCapture& capture) {
     const std::string motion = motion_.words();
-    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + sensors_.rows_of_silence() +
+    const std::string crowd = capture.words_of_crowd();
+    std::string lost;
+    for (const std::string& words : capture.words_of_lost()) {
+      lost += row("LOST?", words);
+    }
+    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + lost +
+           sensors_.rows_of_silence() +
            sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
@@ -279,7 +284,7 @@ void fuse(const FuseOptions& options) {
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
-            << signs.rows(statistics, capture.words_of_crowd());
+            << signs.rows(statistics, capture);
   write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
