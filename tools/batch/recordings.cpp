@@ -8,6 +8,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/joined.hpp"
 #include "tools/program/letter_case.hpp"
 
 namespace iog::tools {
@@ -29,26 +30,23 @@ bool is_capture(const files::path& path) {
 }
 
 // "drive.poses.csv" or "drive.POSES.CSV" for "drive.pcap.gz"; a folder is "drive.poses".
-std::string poses_beside(const files::path& capture) {
+std::vector<std::string> poses_beside(const files::path& capture) {
   constexpr std::array kEndings{"", ".csv", ".nmea", ".ubx", ".txt", ".tum", ".mcap", ".db3"};
-  std::string found;
+  std::vector<std::string> found;
   const std::string stem = unpacked(capture).replace_extension().string();
   for (const std::string ending : kEndings) {
     const std::array<std::string, 3> written{".poses" + ending, ".poses" + in_capitals(ending),
                                              ".POSES" + in_capitals(ending)};
-    const auto its = std::ranges::find_if(written, [&](const std::string& behind) {
+    for (const std::string& behind : written) {
       std::error_code error;
-      return files::exists(stem + behind, error);
-    });
-    if (its == written.end()) {
-      continue;
+      const std::string log = stem + behind;
+      const auto is_same = [&](const std::string& other) {
+        return files::equivalent(log, other, error);
+      };
+      if (files::exists(log, error) && std::ranges::none_of(found, is_same)) {
+        found.push_back(log);
+      }
     }
-    const std::string log = stem + *its;
-    if (!found.empty()) {
-      throw UsageError(capture.string() +
-                       ": there are two logs of its poses: " + found.append(" and ").append(log));
-    }
-    found = log;
   }
   return found;
 }
@@ -57,10 +55,15 @@ ListedCapture recording_of(const std::string& name, const files::path& path) {
   const files::path place = files::absolute(path).lexically_normal();
   std::error_code error;
   const auto bytes = files::is_regular_file(place, error) ? files::file_size(place, error) : 0;
+  const std::vector<std::string> logs = poses_beside(place);
   return {.name = name,
           .path = place.string(),
-          .poses = poses_beside(place),
-          .bytes = error ? 0 : bytes};
+          .poses = logs.empty() ? "" : logs.front(),
+          .bytes = error ? 0 : bytes,
+          .refusal = logs.size() < 2 ? ""
+                                     : "there are " + std::to_string(logs.size()) +
+                                           " logs of its poses, and only one can be used: " +
+                                           joined(logs, ", ")};
 }
 
 std::vector<ListedCapture> in_folder(const files::path& folder) {

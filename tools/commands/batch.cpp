@@ -153,6 +153,9 @@ class Batch {
       while (next_ < all_.size() && children.free_place()) {
         start(children, *children.free_place());
       }
+      if (!children.are_running()) {
+        break;  // the last ones were refused
+      }
       if (const auto ended = children.wait()) {
         take(*ended, children);
         progress.show(done_, bytes_ > 0 ? std::optional(static_cast<double>(bytes_done_) /
@@ -191,6 +194,11 @@ class Batch {
  private:
   void start(Children& children, std::size_t place) {
     const ListedCapture& recording = all_[next_];
+    if (!recording.refusal.empty()) {
+      ++next_;
+      add({.name = recording.name, .reason = recording.refusal}, recording);
+      return;
+    }
     std::vector<std::string> words{
         "iog",    "fuse",        "--quiet", "--summary", children.file(place, ".facts"),
         "--pcap", recording.path};
@@ -212,6 +220,12 @@ class Batch {
       outcome.remarks = remarks_of(children.file(ended.place, ".out"));
     } else {
       outcome.reason = reason_of(ended, children.file(ended.place, ".err"), recording.path);
+    }
+    add(outcome, recording);
+  }
+
+  void add(const Outcome& outcome, const ListedCapture& recording) {
+    if (!outcome.reason.empty()) {
       std::cerr << (isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "")
                 << "iog: " << printable(recording.name + ": " + outcome.reason) << '\n';
     }

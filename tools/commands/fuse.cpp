@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "pose/message.hpp"
 #include "tools/commands/next_steps.hpp"
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
@@ -100,23 +101,48 @@ class Signs {
     sensors_.take(datagram);
     mount_.take(datagram);
     motion_.take(datagram);
+    const std::uint16_t port = datagram.destination.port;
+    has_poses_ = has_poses_ || is_pose_port(*car_, port);
+    if (!has_poses_ && !takes_port(*car_, port) &&
+        pose::decode(datagram.payload).fate == pose::Fate::kUsed) {
+      port_of_poses_ = port;
+    }
   }
 
   [[nodiscard]] std::string words_of_other_car() const { return identity_.words(*car_); }
-  // crowd: as of CarCapture.
-  [[nodiscard]] std::string rows(const RunStatistics& statistics, const std::string& crowd) {
+  [[nodiscard]] std::string rows(const RunStatistics& statistics, const CarCapture& capture) {
     const std::string motion = motion_.words();
-    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + sensors_.rows_of_silence() +
+    const std::string crowd = capture.words_of_crowd();
+    std::string lost;
+    for (const std::string& words : capture.words_of_lost()) {
+      lost += row("LOST?", words);
+    }
+    const std::string wrong_port =
+        words_of_other_car().empty() ? identity_.words_of_wrong_port(*car_) : "";
+    return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + lost +
+           row_if(!wrong_port.empty(), "PORT?", wrong_port) + row_of_pose_port() +
+           sensors_.rows_of_silence() +
            sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
 
  private:
+  [[nodiscard]] std::string row_of_pose_port() const {
+    const vehicle::Vehicle& vehicle = *car_->vehicle;
+    return row_if(!has_poses_ && port_of_poses_ > 0 && vehicle::have_classes(vehicle.grids),
+                  "PORT?",
+                  "no pose comes to UDP port " + std::to_string(vehicle.poses.udp_port) +
+                      ", and poses come to port " + std::to_string(port_of_poses_) +
+                      ": is udp_port of `poses` in the car file right?");
+  }
+
   const CatalogueEntry* car_;
   CaptureIdentity identity_;
   SensorWatch sensors_;
   MountWatch mount_;
   MotionWatch motion_;
+  bool has_poses_ = false;
+  std::uint16_t port_of_poses_ = 0;  // of a pose that the car does not take
 };
 
 // What the target has no port for is left out.
@@ -279,7 +305,7 @@ void fuse(const FuseOptions& options) {
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
-            << signs.rows(statistics, capture.words_of_crowd());
+            << signs.rows(statistics, capture);
   write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +

@@ -16,6 +16,7 @@
 #include "tools/commands/subcommands.hpp"
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/formats/capture/pcap_writer.hpp"
+#include "tools/poses/jumps.hpp"
 #include "tools/poses/pose_encoder.hpp"
 #include "tools/poses/pose_log.hpp"
 #include "tools/poses/standing_car.hpp"
@@ -26,6 +27,7 @@
 #include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
+#include "tools/report/words.hpp"
 
 namespace iog::tools {
 namespace {
@@ -166,7 +168,13 @@ void convert(const PoseLogOptions& options) {
     catch_interrupts();
   }
   const CommandSigner signer = signer_of(options.signing);
-  for (const std::string& words : words_of(log)) {
+  std::vector<std::string> all = words_of(log);
+  if (const JumpTime jumps = time_lost_by_jumps(datagrams);
+      kOfManyLost * jumps.lost_us > jumps.all_us) {
+    all.push_back(percent(jumps.lost_us, jumps.all_us) + " % of the time is " +
+                  std::string(kLostByJumps));
+  }
+  for (const std::string& words : all) {
     std::cout << options.from << ": " << words << '\n';
   }
   options.out.empty() ? send(datagrams, options, signer) : write(datagrams, log.poses, options.out);

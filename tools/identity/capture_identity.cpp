@@ -233,6 +233,26 @@ std::string CaptureIdentity::words(const CatalogueEntry& car) const {
          joined(misfits(car), "; ");
 }
 
+std::string CaptureIdentity::words_of_wrong_port(const CatalogueEntry& car) const {
+  std::vector<std::string> silent;
+  std::vector<std::string> other;
+  for (const description::SensorConfig& sensor : car.sensors) {
+    if (!ports_.contains(sensor.udp_port)) {
+      silent.push_back(std::to_string(sensor.udp_port));
+    }
+  }
+  for (const auto& [number, port] : ports_) {
+    if (port.has_ours && sensor_of_port(car, number) == car.sensors.size()) {
+      other.push_back(std::to_string(number));
+    }
+  }
+  other.resize(std::min(other.size(), kNamedPorts));
+  return silent.empty() || other.empty()
+             ? ""
+             : "nothing comes to UDP port " + joined(silent, ", ") + ", and scans come to port " +
+                   joined(other, ", ") + ": is udp_port in the car file right?";
+}
+
 std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
   for (std::size_t i = 0; i < car.sensors.size(); ++i) {
     const description::SensorConfig& sensor = car.sensors[i];

@@ -38,6 +38,10 @@ class CaptureIdentity {
   // if no vehicle fits better than the car.
   [[nodiscard]] std::string words(const CatalogueEntry& car) const;
 
+  // "nothing comes to UDP port 2370, and scans come to port 2369: ..."; empty unless a sensor of
+  // the car is silent and scans come to a port that none of them has.
+  [[nodiscard]] std::string words_of_wrong_port(const CatalogueEntry& car) const;
+
   // That several units send at the same time to a port of a sensor whose address in the car's file
   // is none of theirs; empty if none do. A unit whose address changes is one.
   [[nodiscard]] std::string words_of_crowd(const CatalogueEntry& car) const;

@@ -251,7 +251,9 @@ void warn_of(const DriveFiles& drive, const CarCapture& capture) {
   for (const std::string& words : capture.remarks()) {
     std::cerr << "iog: " << drive.poses << ": " << words << '\n';
   }
-  for (const std::string& words : {capture.clock_words(), capture.words_of_crowd()}) {
+  std::vector<std::string> all = capture.words_of_lost();
+  all.insert(all.begin(), {capture.clock_words(), capture.words_of_crowd()});
+  for (const std::string& words : all) {
     if (!words.empty()) {
       std::cerr << "iog: " << drive.name() << ": " << words << '\n';
     }

@@ -53,6 +53,7 @@ class CarCapture {
   [[nodiscard]] std::string clock_words() const;
   // As of CarClocks. Complete when everything has been read.
   [[nodiscard]] std::string words_of_crowd() const { return clocks_.words_of_crowd(); }
+  [[nodiscard]] std::vector<std::string> words_of_lost() const { return clocks_.words_of_lost(); }
   // What is to be told of the log.
   [[nodiscard]] std::vector<std::string> remarks() const;
 
@@ -91,7 +92,7 @@ class CarCapture {
   std::optional<CapturedDatagram> packet_;  // that comes behind them
 };
 
-// As of PcapReader, remarks(), clock_words() and words_of_crowd().
+// As of PcapReader, remarks(), clock_words(), words_of_crowd() and words_of_lost().
 void warn_of(const DriveFiles& drive, const CarCapture& capture);
 
 }  // namespace iog::tools

@@ -5,6 +5,7 @@
 
 #include "intake/measurement_time.hpp"
 #include "intake/packet.hpp"
+#include "lidar/scanner_facts.hpp"
 #include "pose/message.hpp"
 #include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
@@ -81,7 +82,12 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
   const intake::Packet packet =
       intake::Packet::decode(sensor.format, datagram.payload, sensor.unit());
   if (!packet.is_sound()) {
+    lost_[number].skip();
     return;
+  }
+  const lidar::ScannerFacts facts = lidar::facts_of(sensor.format);
+  if (!facts.is_points && !facts.marks_arcs()) {
+    lost_[number].add(packet.info(), datagram.source.ipv4, facts.turns ? facts.ticks_per_turn : 0);
   }
   paces_[number].add(packet.info().sweep.begin_us, datagram.time_us);
   note(datagram.source.ipv4, datagram.time_us, heard_[number]);
@@ -99,6 +105,15 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
     ahead_us.push_back(its_us);
   }
   steps_[number].add(its_us, datagram.time_us);
+}
+
+std::vector<std::string> CarClocks::words_of_lost() const {
+  std::vector<std::string> all;
+  for (const auto& [sensor, lost] : lost_) {
+    all.push_back(lost.words(std::string(car_->sensors[sensor].name)));
+  }
+  std::erase(all, "");
+  return all;
 }
 
 // If the capture's clock was set, that of its poses steps with the sensor's.

@@ -13,6 +13,7 @@
 #include "tools/formats/capture/clock_pace.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/identity/clock_step.hpp"
+#include "tools/identity/lost_packets.hpp"
 #include "tools/vehicles/named_senders.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -59,6 +60,8 @@ class CarClocks {
     }
     return words;
   }
+  // As of LostPackets, of each sensor that has any. Complete when everything has been read.
+  [[nodiscard]] std::vector<std::string> words_of_lost() const;
   // That they have no time in common, with both spans.
   [[nodiscard]] std::string words_apart() const;
 
@@ -87,6 +90,7 @@ class CarClocks {
   std::map<std::size_t, ClockStep> steps_;
   ClockStep pose_step_;
   std::map<std::size_t, ClockPace> paces_;
+  std::map<std::size_t, LostPackets> lost_;
   std::map<std::size_t, std::map<std::uint32_t, Heard>> heard_;  // by sensor, by source
 };
 

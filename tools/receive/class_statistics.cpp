@@ -6,10 +6,12 @@
 #include <iterator>
 #include <numeric>
 #include <span>
+#include <string_view>
 
 #include "tools/program/hexadecimal.hpp"
 #include "tools/report/map_words.hpp"
 #include "tools/report/names.hpp"
+#include "tools/report/words.hpp"
 #include "tools/vehicles/grid_words.hpp"
 
 namespace iog::tools {
@@ -30,11 +32,10 @@ std::array<std::uint32_t, pose::kCauseCount> spells_of(const stream::ClassEnd& e
   return spells;
 }
 
-// Of more than 5 % of the slices.
-std::string row_of_lost(std::uint64_t lost, std::uint64_t all, const std::string& why) {
+std::string row_of_lost(std::uint64_t lost, std::uint64_t all, std::string_view why) {
   return row_if(
-      20 * lost > all, "POSES?",
-      percent(lost, std::max<std::uint64_t>(all, 1)) + " % of the slices are lost " + why);
+      kOfManyLost * lost > all, "POSES?",
+      percent(lost, std::max<std::uint64_t>(all, 1)) + " % of the slices are " + std::string(why));
 }
 
 }  // namespace
@@ -133,14 +134,9 @@ std::string ClassStatistics::table() const {
          row_if(tiles_not_sent_ > 0, "class tiles not sent", std::to_string(tiles_not_sent_)) +
          row("packets placed", std::to_string(packets_placed_) + ", and " +
                                    std::to_string(packets_not_placed_) + " without a place") +
-         row("slices", list_of(slices, kPoseCauseNames)) +
-         row_of_lost(
-             jumped, all,
-             "by jumps: from pose to pose, the motion departs from the speeds and yaw rates "
-             "by more than 300 mm or 6 mrad in a second. Check units, signs (headings count "
-             "counter-clockwise from x) and noise; `iog odometry` makes smooth poses") +
+         row("slices", list_of(slices, kPoseCauseNames)) + row_of_lost(jumped, all, kLostByJumps) +
          row_of_lost(imprecise, all,
-                     "because the poses state standard deviations above 150 mm or 3 mrad in a "
+                     "lost because the poses state standard deviations above 150 mm or 3 mrad in a "
                      "second; for a log that is better than it states, --poses-sigma MM MRAD says "
                      "so") +
          row_if(slices_over_budget_ + groups_left_ > 0, "over budget",

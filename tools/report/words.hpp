@@ -7,11 +7,20 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace iog::tools {
 
 inline constexpr std::int16_t kWarmDc = 850;
 inline constexpr std::int16_t kTooHotDc = 950;
+
+// After "N % of ... ".
+inline constexpr std::string_view kLostByJumps =
+    "lost by jumps: from pose to pose, the motion departs from the speeds and yaw rates by more "
+    "than 300 mm or 6 mrad in a second. Check units, signs (headings count counter-clockwise from "
+    "x) and noise; `iog odometry` makes smooth poses";
+// As a user has to see them; fewer are usual.
+inline constexpr std::uint64_t kOfManyLost = 20;
 
 // "61.2 degrees Celsius", of the target's chip.
 [[nodiscard]] std::string words_of_temperature(std::int16_t dc);

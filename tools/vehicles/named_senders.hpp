@@ -43,6 +43,7 @@ struct Heard {
 
 // Of a map by sender, with room for so many: each has a watch or a span of times.
 inline constexpr std::size_t kMostSenders = 64;
+inline constexpr std::size_t kNamedSenders = 8;  // in words; more would hide what matters
 
 // Packets of further senders are not noted.
 inline void note(std::uint32_t source_ipv4, std::uint64_t time_us,
@@ -60,13 +61,12 @@ inline void note(std::uint32_t source_ipv4, std::uint64_t time_us,
 [[nodiscard]] inline std::string words_of_crowd(const description::SensorConfig& sensor,
                                                 const std::map<std::uint32_t, Heard>& senders,
                                                 bool has_others) {
-  constexpr std::size_t kNamed = 8;  // more would hide what matters
   std::vector<std::string> addresses = senders_at_once(senders);
   if (addresses.empty() || senders.contains(sensor.source_ipv4)) {
     return {};
   }
   const std::size_t count = addresses.size();
-  addresses.resize(std::min(count, kNamed));
+  addresses.resize(std::min(count, kNamedSenders));
   return std::to_string(count) + " units send to UDP port " + std::to_string(sensor.udp_port) +
          " (" + joined(addresses, ", ") + (has_others ? ", and packets of further senders" : "") +
          "): set source_ipv4 of sensor " + std::string(sensor.name) + " in the car file";
@@ -89,16 +89,26 @@ class NamedSenders {
     }
     const bool is_stranger = !is_named && heard_.contains(sensor);
     strangers_ += is_stranger ? 1U : 0U;
-    used_[sensor] += is_named || is_stranger ? 0U : 1U;
+    if (!is_named && !is_stranger) {
+      Others& others = used_[sensor];
+      ++others.packets;
+      if (others.addresses.size() < kMostSenders) {
+        others.addresses.insert(source_ipv4);
+      }
+    }
     return is_stranger;
   }
 
-  // How many packets of theirs have come, also before the named sender was heard; empty if none, or
-  // if no named sender was heard.
+  // How many packets of theirs have come, also before the named sender was heard, and which named
+  // senders were not heard; empty if there is nothing to tell.
   [[nodiscard]] std::string words() const {
     std::size_t before = 0;
-    for (const auto& [sensor, packets] : used_) {
-      before += heard_.contains(sensor) ? packets : 0;
+    std::string unheard;
+    for (const auto& [sensor, others] : used_) {
+      before += heard_.contains(sensor) ? others.packets : 0;
+      unheard += heard_.contains(sensor)
+                     ? ""
+                     : (unheard.empty() ? "" : "; ") + words_of_unheard(sensor, others);
     }
     constexpr std::string_view kLeftOut =
         "packet|packets of another sender than `source_ipv4` is|are not used";
@@ -108,13 +118,34 @@ class NamedSenders {
     if (before > 0) {
       text.append(text.empty() ? "" : "; ").append(counted(before, kUsed));
     }
-    return text;
+    return text + (text.empty() || unheard.empty() ? "" : "; ") + unheard;
   }
 
  private:
+  // Senders that are not the named one.
+  struct Others {
+    std::size_t packets = 0;
+    std::set<std::uint32_t> addresses;
+  };
+
+  [[nodiscard]] std::string words_of_unheard(std::size_t number, const Others& others) const {
+    const description::SensorConfig& sensor = car_->sensors[number];
+    std::vector<std::string> addresses;
+    for (const std::uint32_t address : others.addresses) {
+      if (addresses.size() < kNamedSenders) {
+        addresses.push_back(dotted(address));
+      }
+    }
+    return "what comes to UDP port " + std::to_string(sensor.udp_port) + " is from " +
+           joined(addresses, ", ") +
+           (others.addresses.size() > kNamedSenders ? " and others" : "") +
+           ", not from source_ipv4 " + dotted(sensor.source_ipv4) + " of sensor " +
+           std::string(sensor.name) + ": it is used here, but a target drops it";
+  }
+
   const CatalogueEntry* car_;
-  std::set<std::size_t> heard_;              // sensors of the car
-  std::map<std::size_t, std::size_t> used_;  // packets of a sensor's other senders
+  std::set<std::size_t> heard_;         // sensors of the car
+  std::map<std::size_t, Others> used_;  // by sensor
   std::size_t strangers_ = 0;
 };
 

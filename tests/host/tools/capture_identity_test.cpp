@@ -363,6 +363,11 @@ TEST(CaptureIdentity, AVehicleWithSilentSensorsIsNoOther) {
     add_scan(identity, port, scan(1, 201, 16));
   }
   EXPECT_EQ(identity.better_than(reference()), nullptr) << identity.words(reference());
+  EXPECT_EQ(identity.words_of_wrong_port(reference()), "");
+  add_scan(identity, 12014, scan(1, 201, 16));
+  EXPECT_EQ(identity.words_of_wrong_port(reference()),
+            "nothing comes to UDP port 12004, 12005, and scans come to port 12014: is udp_port in "
+            "the car file right?");
 }
 
 TEST(CaptureIdentity, WithoutAScanItSaysNothing) {
