@@ -134,6 +134,11 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",
          words);
+  remark(
+      sent.at_once,
+      "scan|scans has|have no time_increment: all its|their beams are taken as seen at the stamp",
+      words);
+  remark(sent.at_range_max, "beam|beams at range_max was|were sent as without a return", words);
   remark(sent.out_of_order,
          "cloud|clouds out of order skipped (time goes back by up to " +
              std::to_string(sent.furthest_back_ms()) + " ms)",
