@@ -107,6 +107,7 @@ class Signs {
   [[nodiscard]] std::string rows(const RunStatistics& statistics, const std::string& crowd) {
     const std::string motion = motion_.words();
     return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + sensors_.rows_of_silence() +
+           sensors_.rows_of_turns() +
            sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }
