@@ -49,11 +49,11 @@ bool is_dense(const SensorConfig& sensor) {
          sensor.format != lidar::kFormat<lidar::VelodyneVls128>;
 }
 
-std::uint32_t turn_us(const SensorConfig& sensor) {
+}  // namespace
+
+std::uint32_t usual_turn_us(const SensorConfig& sensor) {
   return sensor.mode.is_valid() ? 1'000'000 / sensor.mode.turns_per_second : 100'000;
 }
-
-}  // namespace
 
 std::uint16_t usual_port(std::string_view type) {
   const auto* const found = std::ranges::find_if(
@@ -102,7 +102,7 @@ std::uint32_t usual_frame_period_us(std::span<const SensorConfig> sensors, vehic
   std::uint32_t longest_us = 0;
   for (const SensorConfig& sensor : sensors) {
     if (turns(sensor)) {
-      longest_us = std::max(longest_us, turn_us(sensor));
+      longest_us = std::max(longest_us, usual_turn_us(sensor));
     } else if (!facts_of(sensor.format).marks_arcs()) {
       return Description{}.frame_period_us;
     }

@@ -31,6 +31,9 @@ namespace iog::description {
 [[nodiscard]] vehicle::Grids usual_grids(const Description& car,
                                          std::span<const SensorConfig> sensors);
 
+// Of a unit that turns: by its mode or, if its format has none, at 10 Hz.
+[[nodiscard]] std::uint32_t usual_turn_us(const SensorConfig& sensor);
+
 // 40 ms, a scan of a LUX. If all lidars spin, 1.5 turns, so that a whole turn ends its frame
 // itself. A car with classes and a unit of 40 layers or more has 40 ms, too: a turn of such a unit
 // hits more cells than the tracker has room for (objects::kMostHits), so distant cars would not be

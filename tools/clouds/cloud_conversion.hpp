@@ -18,7 +18,7 @@ namespace iog::tools {
 class CloudConversion {
  public:
   // The car outlives it, and its sensor is a Velodyne. mount_x_m, mount_y_m: where in the vehicle
-  // frame the receiver of the poses is; poses of the unit itself need none.
+  // frame the receiver of the poses is, in metres; poses of the unit itself need none.
   // UsageError as read_cloud_set().
   CloudConversion(const std::string& folder, const CatalogueEntry& car, std::size_t sensor,
                   double mount_x_m, double mount_y_m);

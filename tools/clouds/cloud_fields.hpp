@@ -17,20 +17,23 @@ namespace iog::tools {
 // What a lidar saw in one scan.
 struct SeenCloud {
   std::string frame{};              // in which its points are; empty: not known
-  std::uint64_t time_us = 0;        // that of its first point
+  std::uint64_t time_us = 0;        // that of its first point, since 1970; 0: no stamp
   bool has_times = false;           // of its points
+  std::string viewpoint{};          // of a PCD file, if it is not the origin: not used
   bool is_assumed = false;          // time_us: neither a stamp nor a point gives it
   std::uint64_t since_1970_us = 0;  // of its first point by its own time, 2001 to 2096; else 0
   double apart_us = 0;   // from the points' own times to the stamp, which is used; 0: below 1 s
   double time_span = 0;  // of its points, in their own unit
-  bool has_unknown_times = false;  // its points' times are left out: their unit is not known
-  double view_deg = 360;           // of a scan's beams
-  bool has_wrong_times = false;    // those of its beams are left out: they are of no scan
-  std::vector<WirePoint> points{};
-  std::uint64_t not_finite = 0;  // left out: a coordinate is no number
-  std::uint64_t nowhere = 0;     // left out: at the sensor itself, or nearer than it measures
-  std::uint64_t outside = 0;     // left out: outside of the car file's field of view
-  std::uint64_t untimed = 0;     // left out: their time is no number, or 0 among others since 1970
+  bool has_unknown_times = false;   // its points' times are left out: their unit is not known
+  double view_deg = 360;            // of a scan's beams
+  bool has_wrong_times = false;     // those of its beams are left out: they are of no scan
+  bool is_at_once = false;          // a scan of several beams whose times from beam to beam are 0
+  std::vector<WirePoint> points{};  // azimuths, elevations and ranges
+  std::uint64_t not_finite = 0;     // left out: a coordinate is no number
+  std::uint64_t nowhere = 0;        // left out: at the sensor itself, or nearer than it measures
+  std::uint64_t outside = 0;        // left out: outside of the car file's field of view
+  std::uint64_t at_range_max = 0;   // kept as beams without a return: LaserRanges::most_m away
+  std::uint64_t untimed = 0;  // left out: their time is no number, or 0 among others since 1970
 };
 
 // A unit with a wider view spins, even with a small gap in it.
@@ -56,12 +59,13 @@ struct CloudRecords {
   std::size_t count = 0;  // of points
   std::span<const std::byte> bytes{};
   bool is_big_endian = false;
-  std::uint64_t stamp_us = 0;  // of the scan
+  std::uint64_t stamp_us = 0;  // of the scan, since 1970
 };
 
-// Sets unit if it is kFound and this cloud shows the unit. UsageError, which begins with `what`: no
-// x or y, more points than a unit sees, fields outside of the bytes, times that are those of no
-// scan.
+// Coordinates become directions and ranges, and the points' times count from the first one. Points
+// without a place, a direction or a time are left out and counted. Sets unit if it is kFound and
+// this cloud shows the unit. UsageError, which begins with `what`: no x or y, more points than a
+// unit sees, fields outside of the bytes, times that are those of no scan.
 [[nodiscard]] SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit,
                                  const std::string& what);
 

@@ -22,7 +22,7 @@ struct CloudFiles {
   std::vector<std::string> remarks_if_assumed{};  // if one cloud's time is assumed
 };
 
-// By its name.
+// Whether the name ends with .pcd, .ply or .bin, in letters of either case.
 [[nodiscard]] bool is_cloud_file(const std::string& path);
 
 // The clouds of a folder, in the order of their numbers. Empty if it has none. UsageError if they
@@ -37,8 +37,8 @@ struct CloudFiles {
 // so many clouds per second from kDriveStartUs.
 [[nodiscard]] CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second);
 
-// Reads a cloud. Its points' Unix times override an assumed time. UsageError if the file cannot be
-// read or is no cloud.
+// Reads a cloud. Its points' Unix times override an assumed time. Sets unit as cloud_of() does, if
+// the format has times. UsageError if the file cannot be read or is no cloud.
 [[nodiscard]] SeenCloud read_cloud_of(const CloudFile& file, TimeUnit& unit);
 
 }  // namespace iog::tools

@@ -10,23 +10,26 @@
 
 namespace iog::tools {
 
+// Times are those of SeenCloud::time_us, in microseconds since 1970.
 class CloudOrder {
  public:
   // Clouds of two units or of two threads of a driver are less far out of order than this.
   static constexpr std::uint64_t kMostDisorderUs = 1'000'000;
 
-  // Returns the clouds that are now known to be in order. Skips a cloud that is a little older than
-  // one before it, and a cloud whose stamp is far from those on both sides. A cloud is far from
-  // another if it is more than kMostDisorderUs away. UsageError if several clouds are far behind
-  // those before them.
+  // The next cloud of a recording. Returns the clouds that are now known to be in order: none, one
+  // or two, whose times do not fall. Skips a cloud that is a little older than one before it, and a
+  // cloud whose stamp is far from those on both sides. A cloud is far from another if it is more
+  // than kMostDisorderUs away. UsageError if several clouds are far behind those before them.
   [[nodiscard]] std::vector<SeenCloud> take(SeenCloud&& cloud);
 
-  // After the last cloud: the one that waits, unless it is far behind those before it.
+  // After the last cloud: returns the one that waits, unless it is far behind those before it.
   [[nodiscard]] std::vector<SeenCloud> finish();
 
+  // Clouds that were skipped because they are older than one before them.
   [[nodiscard]] std::uint64_t out_of_order() const { return out_of_order_; }
+  // How much older the oldest of these is than the newest cloud before it; 0: there are none.
   [[nodiscard]] std::uint64_t furthest_back_us() const { return furthest_back_us_; }
-  // Clouds whose stamp is far from those on both sides.
+  // Clouds that were skipped because their stamp is far from those on both sides.
   [[nodiscard]] std::uint64_t strays() const { return strays_; }
 
  private:

@@ -11,12 +11,17 @@
 
 namespace iog::tools {
 
-// UsageError, which begins with `what`, for one that is cut off, and as cloud_of().
+// A message is in CDR, or else in Protocol Buffers. The functions throw a UsageError that begins
+// with `what` for one that is cut off.
+
+// Sets unit as cloud_of() does. UsageError as cloud_of().
 [[nodiscard]] SeenCloud cloud_of_foxglove(std::span<const std::byte> message, bool is_cdr,
                                           TimeUnit& unit, const std::string& what);
+// Beams are evenly apart from the first angle to the last, and have no times. UsageError as
+// cloud_of_ranges().
 [[nodiscard]] SeenCloud scan_of_foxglove(std::span<const std::byte> message, bool is_cdr,
                                          const std::string& what);
-// UsageError, which begins with `what`, for one that is cut off.
+// The name of the frame of a message of either kind.
 [[nodiscard]] std::string frame_of_foxglove(std::span<const std::byte> message, bool is_cdr,
                                             const std::string& what);
 

@@ -71,6 +71,8 @@ SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
   }
   cloud.has_times = scan.apart_s > 0 && scan.apart_s * static_cast<double>(count) <= 1;
   cloud.has_wrong_times = scan.apart_s != 0 && count > 0 && !cloud.has_times;
+  cloud.is_at_once = scan.apart_s == 0 && count > 1;
+  const double most_mm = std::round(scan.most_m * 1000);
   for (std::size_t i = 0; i < count; ++i) {
     const double range_m = scan.ranges_m[i];
     if (std::isnan(range_m)) {
@@ -84,8 +86,10 @@ SeenCloud cloud_of_ranges(const LaserRanges& scan, const std::string& what) {
     const double angle = scan.first_rad + static_cast<double>(i) * scan.step_rad;
     WirePoint& point = cloud.points.emplace_back();
     point.first = azimuth_parts(std::remainder(angle * 180 / std::numbers::pi, 360));
-    const bool is_seen = range_m <= scan.most_m && range_m * 1000 < lidar::kMaxRangeMm;
-    point.third = is_seen ? static_cast<std::int32_t>(std::lround(range_m * 1000)) : 0;
+    const double range_mm = std::round(range_m * 1000);
+    const bool is_seen = range_mm < most_mm && range_mm < lidar::kMaxRangeMm;
+    cloud.at_range_max += range_mm == most_mm ? 1U : 0U;
+    point.third = is_seen ? static_cast<std::int32_t>(range_mm) : 0;
     point.flags = is_seen ? std::uint8_t{0} : lidar::PointsPacket::kNothing;
     if (cloud.has_times) {
       point.after_us =

@@ -8,6 +8,8 @@
 #include "tools/clouds/point_cloud.hpp"
 #include "tools/poses/text_fields.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/joined.hpp"
+#include "tools/program/printable.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -105,6 +107,22 @@ Bytes rows_of(const PcdFile& file, CloudRecords& records) {
   return doubles;
 }
 
+// Where the unit was, and how it was turned: x, y, z, and a quaternion whose w comes first. Empty
+// if that is the points' own frame.
+std::string viewpoint_of(const PcdFile& file) {
+  constexpr std::size_t kW = 3;
+  const auto found = file.head.find("VIEWPOINT");
+  if (found == file.head.end()) {
+    return {};
+  }
+  const Words& words = found->second;
+  bool is_origin = words.size() == 7;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    is_origin = is_origin && (i == kW || number_in(words[i]) == 0.0);
+  }
+  return is_origin ? std::string() : printable(joined(words, " "));
+}
+
 // LZF (M. Lehmann): runs of up to 32 bytes, and repetitions of earlier ones. Whatever is wrong with
 // it, at most `size` bytes and a repetition.
 Bytes unpacked(std::span<const std::byte> packed, std::size_t size) {
@@ -187,7 +205,9 @@ SeenCloud read_pcd(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
   } else {
     throw file.error("DATA is " + data + "; read are ascii, binary, binary_compressed");
   }
-  return cloud_of(records, unit, path);
+  SeenCloud cloud = cloud_of(records, unit, path);
+  cloud.viewpoint = viewpoint_of(file);
+  return cloud;
 }
 
 }  // namespace iog::tools

@@ -9,8 +9,8 @@
 
 namespace iog::tools {
 
-// stamp_us: of the scan, which the file does not have. UsageError if the file cannot be read or is
-// no such file, and as cloud_of().
+// stamp_us: of the scan since 1970, which the file does not have. Sets unit as cloud_of() does.
+// UsageError if the file cannot be read or is no such file, and as cloud_of().
 [[nodiscard]] SeenCloud read_pcd(const std::string& path, TimeUnit& unit, std::uint64_t stamp_us);
 
 }  // namespace iog::tools

@@ -129,6 +129,8 @@ void PointsSender::add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram
     sent_.apart_us = cloud.apart_us;
   }
   sent_.wrong_times += cloud.has_wrong_times ? 1U : 0U;
+  sent_.at_once += cloud.is_at_once ? 1U : 0U;
+  sent_.at_range_max += cloud.at_range_max;
   const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
   sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
   sent_.points += cloud.points.size();

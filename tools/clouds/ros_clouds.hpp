@@ -15,14 +15,18 @@
 
 namespace iog::tools {
 
-// UsageError, which begins with `what`, for one that is cut off or not little endian, and as
-// cloud_of().
+// Messages in CDR, with the four bytes of its encapsulation. The functions below throw a UsageError
+// that begins with `what` for one that is cut off or not little endian.
+
+// Sets unit as cloud_of() does. UsageError as cloud_of().
 [[nodiscard]] SeenCloud cloud_of_point_cloud2(std::span<const std::byte> message, TimeUnit& unit,
                                               const std::string& what);
 
+// UsageError as cloud_of_ranges().
 [[nodiscard]] SeenCloud cloud_of_laser_scan(std::span<const std::byte> message,
                                             const std::string& what);
 
+// UsageError as cloud_of(), and if its counts of points differ or do not fill its bytes.
 [[nodiscard]] SeenCloud cloud_of_livox(std::span<const std::byte> message, const std::string& what);
 
 // Whether messages of this type are clouds or scans.
@@ -40,9 +44,9 @@ std::vector<std::string> for_each_cloud_or_frame(
 // The frame that its header names, in which its points are. UsageError if it is cut off.
 [[nodiscard]] std::string frame_of(const ros::RecordedMessage& message);
 
-// Calls take(cloud) with each of a topic; of none, if the only one with clouds is meant. Returns
-// remarks: what is not there. UsageError if the recording cannot be read, or if several topics have
-// clouds and none is chosen.
+// Calls take(cloud) with each cloud of a topic. An empty topic means the only one that has clouds.
+// Sets unit as cloud_of() does. Returns remarks: what is not there. UsageError if the recording
+// cannot be read, or if several topics have clouds and none is chosen.
 std::vector<std::string> for_each_cloud(const std::string& path, const std::string& topic,
                                         TimeUnit& unit,
                                         const std::function<void(SeenCloud&&)>& take);

@@ -16,8 +16,8 @@ class Track {
 
   [[nodiscard]] bool is_empty() const { return poses_.size() < 2; }
 
-  // Between two poses it moves and turns evenly, and beyond its ends as it did there. Microseconds
-  // since 1970. Not if it is empty.
+  // The pose at a time. Between two poses it moves and turns evenly, and beyond its ends as it did
+  // there. Microseconds since 1970. Not if it is empty.
   [[nodiscard]] LoggedPose at(double time_us) const;
 
   // A pose each period_us from the first one on; none between two poses that are further apart than

@@ -121,7 +121,7 @@ class Signs {
         words_of_other_car().empty() ? identity_.words_of_wrong_port(*car_) : "";
     return mount_.rows() + row_if(!crowd.empty(), "SENSOR?", crowd) + lost +
            row_if(!wrong_port.empty(), "PORT?", wrong_port) + row_of_pose_port() +
-           sensors_.rows_of_silence() +
+           sensors_.rows_of_silence() + sensors_.rows_of_turns() +
            sensors_.rows_of_late(statistics.packets_fused(), statistics.packets_late()) +
            row_if(!motion.empty(), "POSES?", motion + "; `iog odometry --poses` compares them");
   }

@@ -134,6 +134,11 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",
          words);
+  remark(
+      sent.at_once,
+      "scan|scans has|have no time_increment: all its|their beams are taken as seen at the stamp",
+      words);
+  remark(sent.at_range_max, "beam|beams at range_max was|were sent as without a return", words);
   remark(sent.out_of_order,
          "cloud|clouds out of order skipped (time goes back by up to " +
              std::to_string(sent.furthest_back_ms()) + " ms)",
@@ -187,16 +192,27 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   };
   std::ranges::for_each(inputs.before, read);
   bool is_assumed = false;
+  std::uint64_t viewpoints = 0;
+  std::string first_viewpoint;
   for (const CloudFile& file : inputs.clouds.files) {
     SeenCloud cloud = read_cloud_of(file, unit);
     if (cloud.is_assumed && cloud.points.empty()) {
       continue;  // the others may have times of their own
     }
     is_assumed = is_assumed || cloud.is_assumed;
+    if (!cloud.viewpoint.empty() && viewpoints++ == 0) {
+      first_viewpoint = file.path + ": VIEWPOINT " + cloud.viewpoint;
+    }
     take(std::move(cloud));
   }
   if (is_assumed) {
     std::ranges::copy(inputs.clouds.remarks_if_assumed, std::back_inserter(remarks));
+  }
+  if (viewpoints > 0) {
+    remarks.push_back(counted(viewpoints, "file|files has|have") +
+                      " a VIEWPOINT other than 0 0 0 1 0 0 0, which is not used: points must be in "
+                      "the lidar's frame; " +
+                      first_viewpoint);
   }
   std::ranges::for_each(inputs.behind, read);
   return remarks;

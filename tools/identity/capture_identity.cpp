@@ -1,7 +1,9 @@
 #include "tools/identity/capture_identity.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "intake/packet.hpp"
@@ -9,6 +11,7 @@
 #include "lidar/scanner_facts.hpp"
 #include "pose/message.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/identity/unit_words.hpp"
 #include "tools/program/joined.hpp"
 #include "tools/vehicles/network_words.hpp"
 
@@ -49,21 +52,6 @@ std::string degrees(std::int32_t ticks) {
   return text.substr(0, text.find('.') + 3);
 }
 
-// "an Ouster OS"
-std::string one(std::string_view name) {
-  const bool is_spoken_open =
-      std::string_view("AEIOUaeiou").find(name.front()) != std::string::npos;
-  return (is_spoken_open ? "an " : "a ") + std::string(name);
-}
-
-bool is_name_of_ours(std::string_view name) {
-  bool is_one = false;
-  for (unsigned number = 0; number < lidar::kFormatCount; ++number) {
-    is_one = is_one || lidar::name_of(static_cast<lidar::Format>(number)) == name;
-  }
-  return is_one;
-}
-
 bool has_points_only(const CatalogueEntry& car) {
   return std::ranges::all_of(car.sensors, [](const description::SensorConfig& sensor) {
     return lidar::facts_of(sensor.format).is_points;
@@ -74,8 +62,12 @@ std::string port_words(std::uint16_t number) { return "UDP port " + std::to_stri
 
 }  // namespace
 
-std::string CaptureIdentity::Port::name() const {
-  return names.empty() ? doubted : joined(names, ", ");
+std::string CaptureIdentity::Port::words(std::uint16_t number) const {
+  return "what comes to " + port_words(number) + " is of " +
+         (names.empty() ? with_article(doubted)
+                        : joined(names, " and ", [](const auto& name_and_fault) {
+                            return with_article(name_and_fault.first).append(name_and_fault.second);
+                          }));
 }
 
 void CaptureIdentity::add(const CapturedDatagram& datagram) {
@@ -99,15 +91,14 @@ void CaptureIdentity::add(const CapturedDatagram& datagram) {
   if (seen.name.empty()) {
     return;
   }
-  port.has_ours = port.has_ours || !seen.formats.is_empty();
-  port.has_other_mode =
-      port.has_other_mode || (seen.formats.is_empty() && is_name_of_ours(seen.name));
+  port.has_ours = port.has_ours || seen.is_sound;
   if (seen.is_in_doubt) {
     port.doubted = seen.name;
     port.doubted_formats = seen.formats;
     return;
   }
-  port.names.insert(seen.name);
+  const auto its = port.names.try_emplace(seen.name, fault_of(seen)).first;
+  its->second = seen.is_sound ? std::string_view() : its->second;
   for (const vehicle::Sensor* sensor : sensors_on(datagram.destination.port)) {
     if (seen.formats.has(sensor->format) &&
         intake::Packet::decode(sensor->format, datagram.payload, sensor->unit()).is_sound()) {
@@ -153,19 +144,21 @@ CaptureIdentity::Misfit CaptureIdentity::misfit_of(const CatalogueEntry& car,
   }
   const Port& port = found->second;
   if (!port.its_senders.contains(&car.vehicle->sensors[number])) {
-    const bool is_in_doubt = port.names.empty() && port.doubted_formats.has(sensor.format);
-    std::string words = "what comes to " + its_port + " is of " + one(port.name()) +
-                        ", and sensor " + std::string(sensor.name) + " of " +
-                        std::string(car.vehicle->name) + " is " +
-                        one(lidar::name_of(sensor.format));
-    if (sensor.mode != lidar::TurnMode{}) {
-      words += " " + std::to_string(car.vehicle->sensors[number].layer_count) + ", " +
-               std::to_string(sensor.mode.columns_per_turn) + "x" +
-               std::to_string(sensor.mode.turns_per_second);
+    const std::string words = port.words(sensor.udp_port);
+    const auto its = port.names.find(std::string(lidar::name_of(sensor.format)));
+    if (its != port.names.end() && !its->second.empty()) {
+      return {Kind::kRefused, words};
     }
-    return {
-        is_in_doubt ? Kind::kInDoubt : Kind::kOther,
-        words + (is_in_doubt ? ": too few packets to tell which, and in doubt none is fused" : "")};
+    const std::string own = sensor_words(car, number);
+    const bool is_in_other_mode = std::ranges::any_of(port.names, [&](const auto& name_and_fault) {
+      return own.starts_with(name_and_fault.first + ", ");
+    });
+    const bool is_in_doubt = port.names.empty() && port.doubted_formats.has(sensor.format);
+    return {is_in_doubt ? Kind::kInDoubt : Kind::kOther,
+            words + (is_in_other_mode ? " in another mode" : "") + ", and sensor " +
+                std::string(sensor.name) + " of " + std::string(car.vehicle->name) + " is " +
+                with_article(own) +
+                (is_in_doubt ? ": too few packets to tell which, and in doubt none is fused" : "")};
   }
   const auto usual = std::ranges::max_element(
       port.steps, {}, [](const auto& step_and_count) { return step_and_count.second; });
@@ -212,16 +205,39 @@ bool CaptureIdentity::has_ours() const {
       ports_, [](const auto& number_and_port) { return number_and_port.second.has_ours; });
 }
 
-const CatalogueEntry* CaptureIdentity::better_than(const CatalogueEntry& car) const {
-  const CatalogueEntry* best = nullptr;
+bool CaptureIdentity::has_sender_on_ports_of(const CatalogueEntry& other,
+                                             const CatalogueEntry& car) const {
+  return std::ranges::any_of(other.vehicle->sensors, [&](const vehicle::Sensor& sensor) {
+    const auto port = ports_.find(sensor.udp_port);
+    return sensor_of_port(car, sensor.udp_port) < car.sensors.size() && port != ports_.end() &&
+           port->second.its_senders.contains(&sensor);
+  });
+}
+
+std::vector<const CatalogueEntry*> CaptureIdentity::better_ones(const CatalogueEntry& car) const {
+  std::vector<const CatalogueEntry*> best;
   std::size_t fewest = misfits(car).size();
   for (const CatalogueEntry& entry : all_vehicles()) {
-    if (const std::size_t count = misfits(entry).size(); count < fewest && has_sender(entry)) {
-      fewest = count;
-      best = &entry;
+    const std::size_t count = misfits(entry).size();
+    if (count > fewest || (count == fewest && best.empty()) || !has_sender(entry)) {
+      continue;
     }
+    if (count < fewest) {
+      best.clear();
+    }
+    fewest = count;
+    best.push_back(&entry);
+  }
+  const auto is_on_ports = [&](const auto* other) { return has_sender_on_ports_of(*other, car); };
+  if (std::ranges::any_of(best, is_on_ports)) {
+    std::erase_if(best, std::not_fn(is_on_ports));
   }
   return best;
+}
+
+const CatalogueEntry* CaptureIdentity::better_than(const CatalogueEntry& car) const {
+  const std::vector<const CatalogueEntry*> best = better_ones(car);
+  return best.empty() ? nullptr : best.front();
 }
 
 std::string CaptureIdentity::words(const CatalogueEntry& car) const {
@@ -309,25 +325,27 @@ std::string CaptureIdentity::words_of_ports() const {
   std::vector<std::string> parts;
   for (const auto& [number, port] : ports_) {
     if (port.is_of_lidar() && parts.size() < kNamedPorts) {
-      parts.push_back("what comes to " + port_words(number) + " is of " + one(port.name()) +
-                      (port.has_other_mode ? " in a mode that iogrid does not take" : ""));
+      parts.push_back(port.words(number));
     }
   }
   if (parts.empty() || has_ours()) {
     return joined(parts, "; ");
   }
-  const bool has_other_mode = std::ranges::any_of(
-      ports_, [](const auto& number_and_port) { return number_and_port.second.has_other_mode; });
-  return joined(parts, "; ") +
-         (has_other_mode
-              ? " (docs/sensors.md, \"Two returns\")"
-              : ", and iogrid takes none of such a unit (docs/sensors.md lists those it takes)");
+  const std::string words = joined(parts, "; ");
+  if (words.find(kOfOtherMode) != std::string::npos) {
+    return words + " (docs/sensors.md, \"Two returns\")";
+  }
+  return words.find(kDamaged) != std::string::npos
+             ? words
+             : words +
+                   ", and iogrid takes none of such a unit (docs/sensors.md lists those it takes)";
 }
 
 std::string CaptureIdentity::advice(const CatalogueEntry& car) const {
-  const CatalogueEntry* const other = better_than(car);
-  if (other != nullptr) {
-    return ": try --vehicle " + std::string(other->vehicle->name);
+  const std::vector<const CatalogueEntry*> others = better_ones(car);
+  if (!others.empty()) {
+    return ": try --vehicle " +
+           joined(others, " or ", [](const CatalogueEntry* other) { return other->vehicle->name; });
   }
   return has_ours()
              ? ": no car that iog knows has it there; docs/vehicles.md says how to describe one"
@@ -335,12 +353,16 @@ std::string CaptureIdentity::advice(const CatalogueEntry& car) const {
 }
 
 std::string CaptureIdentity::words_without_packet_for(const CatalogueEntry& car) const {
+  std::vector<std::string> units;
   std::vector<std::string> own;
-  for (const description::SensorConfig& sensor : car.sensors) {
-    own.push_back(std::to_string(sensor.udp_port));
+  for (std::size_t i = 0; i < car.sensors.size(); ++i) {
+    if (std::string unit = sensor_words(car, i); std::ranges::find(units, unit) == units.end()) {
+      units.push_back(std::move(unit));
+    }
+    own.push_back(std::to_string(car.sensors[i].udp_port));
   }
-  std::string text = "no packet is for a sensor of " + std::string(car.vehicle->name) +
-                     " (UDP port " + joined(own, ", ") + "); ";
+  std::string text = "no packet is for a sensor of " + std::string(car.vehicle->name) + " (" +
+                     joined(units, "; ") + "; UDP port " + joined(own, ", ") + "); ";
   if (ports_.empty()) {
     return text + "it holds no whole UDP packet";
   }
@@ -374,6 +396,9 @@ std::string CaptureIdentity::refusal(const CatalogueEntry& car) const {
   }
   const std::vector<Misfit> all = all_misfits(car);
   const auto first_of = [&](Kind kind) { return std::ranges::find(all, kind, &Misfit::kind); };
+  if (first_of(Kind::kRefused) != all.end()) {
+    return words_of_ports();
+  }
   if (const auto other = first_of(Kind::kOther); other != all.end()) {
     return (has_ours() ? other->words : words_of_ports()) + advice(car);
   }

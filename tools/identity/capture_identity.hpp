@@ -6,9 +6,9 @@
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
@@ -31,7 +31,7 @@ class CaptureIdentity {
   [[nodiscard]] std::vector<std::string> misfits(const CatalogueEntry& car) const;
 
   // The vehicle with the fewest misfits of those of which at least one sensor sends, if it has
-  // fewer than the car; nullptr: none.
+  // fewer than the car; of several, one of the units on the car's ports; nullptr: none.
   [[nodiscard]] const CatalogueEntry* better_than(const CatalogueEntry& car) const;
 
   // "the packets look like those of two_lux_parking: no scan comes to UDP port 12004; ..."; empty
@@ -65,18 +65,20 @@ class CaptureIdentity {
     std::uint64_t datagrams = 0;
     std::map<std::uint32_t, Sender> senders;  // by source, the first 64
     std::uint64_t of_others = 0;              // datagrams of further sources
-    std::set<std::string> names;              // of the units that are certain
-    std::string doubted;                      // of the last one that is in doubt
+    // Of the units that are certain: why none of its packets is taken; empty: some are, or the unit
+    // is none of ours.
+    std::map<std::string, std::string_view> names;
+    std::string doubted;  // of the last one that is in doubt
     lidar::FormatSet doubted_formats;
-    bool has_ours = false;        // of a unit that iogrid takes
-    bool has_other_mode = false;  // of such a unit, in a mode that is not taken
+    bool has_ours = false;  // of a unit that iogrid takes
     // Those that would send what came, of any vehicle, and from which sources it came.
     std::map<const vehicle::Sensor*, std::map<std::uint32_t, Heard>> its_senders;
     // How often two neighbouring directions of a message were so many ticks apart.
     std::map<std::int32_t, std::uint64_t> steps;
 
     [[nodiscard]] bool is_of_lidar() const { return !names.empty() || !doubted.empty(); }
-    [[nodiscard]] std::string name() const;
+    // "what comes to UDP port 2368 is of a Velodyne VLP-16"
+    [[nodiscard]] std::string words(std::uint16_t number) const;
   };
 
   struct Misfit {
@@ -86,6 +88,7 @@ class CaptureIdentity {
       kCoarser,  // directions are farther apart
       kFiner,    // nearer together
       kInDoubt,  // of two units it may be either
+      kRefused,  // of this unit, and none of its packets is taken
       kOther,    // of another unit
     };
     Kind kind = Kind::kNone;
@@ -99,6 +102,10 @@ class CaptureIdentity {
   [[nodiscard]] bool has_ours() const;
   // Whether anything is of one of the car's sensors.
   [[nodiscard]] bool has_sender(const CatalogueEntry& car) const;
+  // All that are as better_than() says.
+  [[nodiscard]] std::vector<const CatalogueEntry*> better_ones(const CatalogueEntry& car) const;
+  [[nodiscard]] bool has_sender_on_ports_of(const CatalogueEntry& other,
+                                            const CatalogueEntry& car) const;
   [[nodiscard]] std::string words_of_ports() const;
   [[nodiscard]] std::string words_without_packet_for(const CatalogueEntry& car) const;
   [[nodiscard]] std::string advice(const CatalogueEntry& car) const;

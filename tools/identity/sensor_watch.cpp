@@ -5,6 +5,7 @@
 
 #include "intake/packet.hpp"
 #include "lidar/formats.hpp"
+#include "tools/car/defaults.hpp"
 #include "tools/program/fixed.hpp"
 #include "tools/program/middle.hpp"
 #include "tools/program/table.hpp"
@@ -14,12 +15,30 @@ namespace {
 
 constexpr std::uint64_t kSilenceUs = 1'000'000;
 constexpr std::uint64_t kOfManyLate = 10;
+// Packets may be missing in one of them.
+constexpr std::size_t kFewestTurns = 3;
 
 std::string milliseconds(std::uint64_t micros) {
   return std::to_string((micros + 500) / 1000) + " ms";
 }
 
+// One and a half scans or turns, in whole milliseconds, as far as a car file may say.
+std::string words_of_enough(std::uint64_t period_us) {
+  constexpr std::uint64_t kMostUs = 1'000'000;
+  const std::uint64_t enough_us = (period_us * 3 / 2 + 500) / 1000 * 1000;
+  return ": set frame_period_us = " + std::to_string(std::min(enough_us, kMostUs)) +
+         " in the car file";
+}
+
 }  // namespace
+
+SensorWatch::SensorWatch(const CatalogueEntry& car) : car_(&car), logs_(car.sensors.size()) {
+  for (std::size_t i = 0; i < logs_.size(); ++i) {
+    if (lidar::turns(car.sensors[i].format)) {
+      logs_[i].cutter.emplace(car.sensors[i].format);
+    }
+  }
+}
 
 // A pause of all sensors is one of the recording, so the clock of sending stands.
 void SensorWatch::take(const CapturedDatagram& datagram) {
@@ -40,20 +59,29 @@ void SensorWatch::take(const CapturedDatagram& datagram) {
     log.longest = silence;
   }
   log.newest = now_;
-  if (!lidar::turns(car_->sensors[sensor].format)) {
-    take_scan(datagram, sensor);
+  const vehicle::Sensor& unit = car_->vehicle->sensors[sensor];
+  const intake::Packet packet = intake::Packet::decode(unit.format, datagram.payload, unit.unit());
+  if (packet.is_sound()) {
+    if (log.cutter) {
+      take_turn(packet.info(), log);
+    } else {
+      take_scan(packet.info(), log);
+    }
   }
 }
 
-void SensorWatch::take_scan(const CapturedDatagram& datagram, std::size_t sensor) {
-  const vehicle::Sensor& unit = car_->vehicle->sensors[sensor];
-  const intake::Packet packet = intake::Packet::decode(unit.format, datagram.payload, unit.unit());
-  if (!packet.is_sound()) {
-    return;
+void SensorWatch::take_turn(const lidar::PacketInfo& info, Log& log) const {
+  if (log.cutter->ends_before(info) || !log.turn_begin_us) {
+    if (log.turn_begin_us) {
+      log.turns_us.push_back(now_.capture_us - *log.turn_begin_us);
+    }
+    log.turn_begin_us = now_.capture_us;
   }
-  Log& log = logs_[sensor];
+}
+
+void SensorWatch::take_scan(const lidar::PacketInfo& info, Log& log) const {
   ++log.packets;
-  const std::uint32_t number = packet.info().scan_number;
+  const std::uint32_t number = info.scan_number;
   if (!log.scan || log.scan->number != number) {
     if (log.scan) {
       log.lengths_us.push_back(log.scan->last_us - log.scan->first_us);
@@ -97,13 +125,26 @@ std::string SensorWatch::cause_of_late(const Log& log) const {
   const std::uint64_t frame_us = car_->vehicle->frame_period_us;
   const std::uint64_t scan_us = log.lengths_us.empty() ? 0 : middle_value_of(log.lengths_us);
   if (scan_us > frame_us) {
-    const std::uint64_t enough_us = middle_value_of(log.periods_us) * 3 / 2;
     return ": a scan lasts " + milliseconds(scan_us) + ", and a frame ends after " +
-           milliseconds(frame_us) +
-           ": set frame_period_us = " + std::to_string((enough_us + 500) / 1000 * 1000) +
-           " in the car file";
+           milliseconds(frame_us) + words_of_enough(middle_value_of(log.periods_us));
   }
   return logs_.size() > 1 ? ": the next scan of another sensor ends the frame" : "";
+}
+
+// A car file may say a part of a turn instead, as the tracker needs of dense units.
+std::string SensorWatch::rows_of_turns() const {
+  const std::uint64_t frame_us = car_->vehicle->frame_period_us;
+  std::string rows;
+  for (std::size_t i = 0; i < logs_.size(); ++i) {
+    const description::SensorConfig& sensor = car_->sensors[i];
+    const std::vector<std::uint64_t>& turns_us = logs_[i].turns_us;
+    const std::uint64_t turn_us = turns_us.size() < kFewestTurns ? 0 : middle_value_of(turns_us);
+    rows +=
+        row_if(turn_us > frame_us && frame_us >= description::usual_turn_us(sensor), "PARTIAL?",
+               "a turn of " + std::string(sensor.name) + " takes " + milliseconds(turn_us) +
+                   ", and a frame ends after " + milliseconds(frame_us) + words_of_enough(turn_us));
+  }
+  return rows;
 }
 
 std::string SensorWatch::rows_of_late(std::span<const std::uint64_t> fused,

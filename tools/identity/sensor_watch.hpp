@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/mount/turn_cutter.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
 namespace iog::tools {
@@ -16,7 +17,7 @@ namespace iog::tools {
 class SensorWatch {
  public:
   // The car outlives it.
-  explicit SensorWatch(const CatalogueEntry& car) : car_(&car), logs_(car.sensors.size()) {}
+  explicit SensorWatch(const CatalogueEntry& car);
 
   // The next datagram of the capture, of whatever port.
   void take(const CapturedDatagram& datagram);
@@ -29,6 +30,10 @@ class SensorWatch {
   // ended. fused: packets of each sensor that were fused; late: such packets of all sensors.
   [[nodiscard]] std::string rows_of_late(std::span<const std::uint64_t> fused,
                                          std::uint64_t late) const;
+
+  // A row for each spinning unit whose turns do not fit into the car's frames, although they would
+  // if it turned as fast as a frame's usual length assumes. The capture is over.
+  [[nodiscard]] std::string rows_of_turns() const;
 
  private:
   // When something came: by the capture's clock, and by one that stands while no sensor sends.
@@ -50,13 +55,19 @@ class SensorWatch {
   struct Log {
     std::optional<Instant> newest{};
     Silence longest{};
-    std::uint64_t packets = 0;  // sound ones of a unit that does not turn, as all that follows
+    // Of a unit that turns.
+    std::optional<TurnCutter> cutter{};
+    std::optional<std::uint64_t> turn_begin_us{};
+    std::vector<std::uint64_t> turns_us{};  // how long they took, by when their packets came
+    // Of a unit that does not turn.
+    std::uint64_t packets = 0;  // sound ones
     std::optional<Scan> scan{};
     std::vector<std::uint64_t> lengths_us{};  // of scans, by when their packets came
     std::vector<std::uint64_t> periods_us{};  // from scan to scan
   };
 
-  void take_scan(const CapturedDatagram& datagram, std::size_t sensor);
+  void take_turn(const lidar::PacketInfo& info, Log& log) const;
+  void take_scan(const lidar::PacketInfo& info, Log& log) const;
   [[nodiscard]] std::string words_of_silence(const Log& log) const;
   [[nodiscard]] std::string cause_of_late(const Log& log) const;
 

@@ -120,6 +120,7 @@ SeenUnit seen_velodyne(lidar::FormatSet possible, Payload payload) {
           .formats = possible,
           .is_in_doubt = possible != lidar::FormatSet(possible.first()),
           .is_sound = packet.is_sound(),
+          .status = packet.status(),
           .info = packet.info(),
           .ticks_per_turn = lidar::VelodynePacket::kTicksPerTurn,
           .turns = true};

@@ -19,8 +19,10 @@ struct SeenUnit {
   lidar::FormatSet formats;
   // Of two units of Velodyne's it may be either's.
   bool is_in_doubt = false;
-  // Whether a decoder believes it; what follows is of such a packet alone.
+  // Whether a decoder believes it; what follows is of such a packet alone. A packet of one of our
+  // formats that its decoder does not believe has the decoder's reason.
   bool is_sound = false;
+  lidar::DecodeStatus status = lidar::DecodeStatus::kOk;
   lidar::PacketInfo info{};
   std::uint32_t ticks_per_turn = 0;
   bool is_numbered = false;  // whether its packets say in which scan they are

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fakes/points_packet.hpp"
+#include "fakes/velodyne_packet.hpp"
 #include "tools/program/table.hpp"
 
 namespace iog::tools {
@@ -105,6 +106,37 @@ TEST(SensorWatch, ScansThatAreLongerThanAFrameAreTold) {
             row("LATE?", "120 of 200 packets of front come after their frame has ended"));
   EXPECT_EQ(told_of_late(40'000, 180, 20), "");
   EXPECT_EQ(told_of_late(40'000, 80, 0), "");  // dropped for another reason
+}
+
+// 12 blocks of so many hundredths of a degree, 1327 us from packet to packet (VLP-16 User Manual).
+std::string told_of_turns(std::uint32_t frame_period_us, int step, int packets) {
+  CatalogueEntry car = find_vehicle("roof_vlp16");
+  vehicle::Vehicle vehicle = *car.vehicle;
+  vehicle.frame_period_us = frame_period_us;
+  car.vehicle = &vehicle;
+  SensorWatch watch(car);
+  for (int i = 0; i < packets; ++i) {
+    const std::vector<std::byte> bytes =
+        tests::VelodynePacket{.first_azimuth = i * 12 * step % 36'000, .step = step}.bytes();
+    watch.take({.time_us = kBeginUs + static_cast<std::uint64_t>(i) * 1'327,
+                .source = {},
+                .destination = {.ipv4 = 0, .port = car.sensors[0].udp_port},
+                .payload = bytes});
+  }
+  return watch.rows_of_turns();
+}
+
+// 150 packets are a turn at 5 Hz.
+TEST(SensorWatch, TurnsThatAreLongerThanAFrameAreTold) {
+  const std::string words = row(
+      "PARTIAL?",
+      "a turn of roof takes 199 ms, and a frame ends after 150 ms: set frame_period_us = 299000 "
+      "in the car file");
+  EXPECT_EQ(told_of_turns(150'000, 20, 460), words);
+  EXPECT_EQ(told_of_turns(299'000, 20, 460), "");
+  EXPECT_EQ(told_of_turns(150'000, 40, 460), "");
+  EXPECT_EQ(told_of_turns(40'000, 20, 460), "");  // a part of a turn by intention
+  EXPECT_EQ(told_of_turns(150'000, 20, 440), "");
 }
 
 }  // namespace

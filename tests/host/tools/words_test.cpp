@@ -102,9 +102,10 @@ TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
   }
   capture.finish();
   EXPECT_EQ(complaint_of([&] { demand_fit({path}, car); }), "");
-  EXPECT_TRUE(contains(complaint_of([&] { demand_fit({path}, find_vehicle("roof_vlp16")); }),
-                       path + ": no packet is for a sensor of roof_vlp16 (UDP port 2368); what "
-                              "comes to UDP port 12002 is of an ibeo LUX"));
+  EXPECT_TRUE(contains(
+      complaint_of([&] { demand_fit({path}, find_vehicle("roof_vlp16")); }),
+      path + ": no packet is for a sensor of roof_vlp16 (Velodyne VLP-16; UDP port 2368); what "
+             "comes to UDP port 12002 is of an ibeo LUX"));
   EXPECT_TRUE(complaint_of([&] {
                 demand_fit({path}, find_vehicle("roof_vlp16"));
               }).ends_with("try --vehicle reference_car"));

@@ -98,6 +98,39 @@ TEST_F(PcdFile, ReadPcdOfEachKind) {
             path_ + ": its compressed points are damaged");
 }
 
+// By PCL's description of the format the pose of the unit, of the quaternion first w: some programs
+// put the points into its frame and others do not, so it is told.
+TEST_F(PcdFile, AViewpointThatIsNotTheOriginIsNamed) {
+  const std::string head = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\n";
+  const auto viewpoint_of = [&](const std::string& line) {
+    file(head + line + "DATA ascii\n1 0 1\n");
+    return pcd().viewpoint;
+  };
+  EXPECT_EQ(viewpoint_of(""), "");
+  for (const std::string same : {"0 0 0 1 0 0 0", "0.0 -0 0 -1 0 0 0", "0 0 0 0 0 0 0"}) {
+    EXPECT_EQ(viewpoint_of("VIEWPOINT " + same + "\n"), "") << same;
+  }
+  for (const std::string other : {"0 0 1.73 1 0 0 0", "0 0 0 0.7071 0 0 0.7071", "1 0 0", "a"}) {
+    EXPECT_EQ(viewpoint_of("VIEWPOINT  " + other + "\r\n"), other);
+  }
+}
+
+TEST_F(PcdFile, OfDoublesSmallNumbersAndRowsIsRead) {
+  Bytes points;
+  for (const auto& [x, y, z] :
+       std::vector<std::array<double, 3>>{{0, 10, 0}, {1, 0, 1}, {kNan, 0, 0}, {0, 0, 0}}) {
+    add(points, 200, 1);
+    add(points, x);
+    add(points, y);
+    add(points, z);
+  }
+  file(
+      "FIELDS intensity x y z\nSIZE 1 8 8 8\nTYPE U F F F\nWIDTH 2\nHEIGHT 2\nPOINTS 4\n"
+      "DATA binary\n",
+      points);
+  expect_four(pcd());
+}
+
 TEST_F(PcdFile, TellWhatIsWrongWithPcd) {
   EXPECT_EQ(told_of("ply\n"), ": this is no PCD file: its head has no FIELDS");
   EXPECT_EQ(told_of(kHead + "DATA zip\n"),

@@ -312,6 +312,35 @@ TEST(RosClouds, ReadLaserScan) {
   EXPECT_EQ(cloud.points[2].after_us, 4'000U);
 }
 
+// Simulators and drivers also give range_max for nothing; what is sent is rounded to millimetres.
+TEST(RosClouds, ABeamAtRangeMaxHasNoReturn) {
+  const SeenCloud cloud =
+      cloud_of_laser_scan(laser_scan({19.999F, 20, 20.0003F, 19.9997F, 20.1F}), "it");
+  ASSERT_EQ(cloud.points.size(), 5U);
+  EXPECT_EQ(cloud.points[0].third, 19'999);
+  EXPECT_EQ(cloud.points[0].flags, 0);
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_EQ(cloud.points[i].third, 0) << i;
+    EXPECT_EQ(cloud.points[i].flags, 4) << i;
+  }
+  EXPECT_EQ(cloud.at_range_max, 3U);
+  EXPECT_EQ(cloud.nowhere + cloud.not_finite, 0U);
+}
+
+TEST(RosClouds, AScanWithoutTimeIncrementIsSeenAtOnce) {
+  LaserHead head = kLaserHead;
+  EXPECT_FALSE(cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it").is_at_once);
+  head[3] = 0;  // scan_time is 25 ms
+  const SeenCloud cloud = cloud_of_laser_scan(laser_scan({5, 5, 5, 5, 5}, head), "it");
+  EXPECT_TRUE(cloud.is_at_once);
+  EXPECT_FALSE(cloud.has_times);
+  EXPECT_EQ(cloud.points.back().after_us, 0U);
+  head[1] = head[0];
+  EXPECT_FALSE(cloud_of_laser_scan(laser_scan({5}, head), "it").is_at_once);
+  head[3] = -0.001F;
+  EXPECT_FALSE(cloud_of_laser_scan(laser_scan({5}, head), "it").is_at_once);
+}
+
 TEST(RosClouds, AScanWhoseHeadContradictsItselfIsTold) {
   const auto told = [](std::size_t field, float value) {
     LaserHead head = kLaserHead;
