@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "tools/clouds/point_cloud.hpp"
@@ -332,6 +333,25 @@ SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::strin
     add_times(records, *time_field, kept, unit, what, cloud);
   }
   return cloud;
+}
+
+std::string words_of_wrong_unit(TimeUnit given, double span, double period_us) {
+  constexpr std::array<std::string_view, 4> kNames{"s", "ms", "us", "ns"};
+  constexpr double kMostPeriods = 1.5;  // a stamp may be late
+  if (given == TimeUnit::kFound) {
+    return {};
+  }
+  const std::size_t its = static_cast<std::size_t>(given) - 1;
+  const TimeUnit other = unit_of(span, kEnoughPoints, CloudField::Kind::kFloat);
+  const std::size_t right = static_cast<std::size_t>(other) - 1;
+  if (other == TimeUnit::kFound || right >= its ||
+      span * kUnits.at(right) > kMostPeriods * period_us) {
+    return {};
+  }
+  std::ostringstream text;
+  text << "by --time-unit " << kNames.at(its) << " a scan lasts " << span << ' ' << kNames.at(its)
+       << "; 5 to 500 ms is usual, as by --time-unit " << kNames.at(right);
+  return text.str();
 }
 
 std::string words_of_other_clock(double apart_us) {

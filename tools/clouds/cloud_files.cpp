@@ -4,6 +4,9 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <set>
 #include <span>
 #include <sstream>
@@ -78,6 +81,85 @@ std::pair<std::string_view, std::string_view> number_of(std::string_view path) {
   const std::size_t behind = stem.find_last_of(kDigits) + 1;  // 0 if there is no digit
   const std::size_t begin = stem.substr(0, behind).find_last_not_of(kDigits) + 1;
   return {stem.substr(begin, behind - begin), stem.substr(0, begin)};
+}
+
+// Files whose names differ only in their last numbers, as front_000.pcd and front_001.pcd.
+struct Series {
+  std::string first_name;
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();  // number or time
+  std::uint64_t most = 0;
+
+  [[nodiscard]] bool overlaps(const Series& other) const {
+    return least <= other.most && other.least <= most;
+  }
+};
+
+// The name with # instead of each number; of two numbers, the first one stays if it belongs to a
+// word, as in lidar1_000.pcd. A decimal point is a part of a number. Empty: no number.
+std::string series_of(std::string_view name) {
+  const std::string_view stem = without_ending(name);
+  const auto is_digit = [](char letter) { return '0' <= letter && letter <= '9'; };
+  std::string series;
+  std::vector<std::string_view> numbers;
+  bool follows_word = false;
+  for (std::size_t at = 0; at < stem.size();) {
+    if (!is_digit(stem[at])) {
+      series += stem[at++];
+      continue;
+    }
+    std::size_t end = at;
+    while (end < stem.size() &&
+           (is_digit(stem[end]) ||
+            (stem[end] == '.' && end + 1 < stem.size() && is_digit(stem[end + 1])))) {
+      ++end;
+    }
+    const std::string_view before = series;
+    const std::size_t last = before.find_last_not_of("_-");
+    follows_word |= numbers.empty() && last != std::string_view::npos;
+    numbers.push_back(stem.substr(at, end - at));
+    series += '#';
+    at = end;
+  }
+  if (numbers.size() == 2 && follows_word) {
+    series.replace(series.find('#'), 1, numbers[0]);
+  }
+  return numbers.empty() ? std::string() : series;
+}
+
+// What is wrong if files of one folder are those of several lidars or drives, or copies: names of
+// few series whose numbers overlap. Empty: nothing.
+std::string words_of_several(const std::vector<std::string>& paths) {
+  constexpr std::size_t kMostDigits = 18;
+  std::map<std::pair<std::string, std::string>, Series> all;  // by folder and series
+  for (const std::string& path : paths) {
+    const std::filesystem::path its(path);
+    const std::string name = its.filename();
+    const std::string_view digits = number_of(name).first;
+    const std::string series = series_of(name);
+    if (series.empty()) {
+      continue;
+    }
+    Series& of_name = all[{its.parent_path(), series}];
+    const std::uint64_t number =
+        time_in_name(path).value_or(digits_as_number(digits.substr(0, kMostDigits)));
+    of_name.first_name = of_name.first_name.empty() ? name : of_name.first_name;
+    of_name.least = std::min(of_name.least, number);
+    of_name.most = std::max(of_name.most, number);
+  }
+  if (2 * all.size() > paths.size()) {  // names without an order
+    return {};
+  }
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    const auto other = std::find_if(std::next(one), all.end(), [&](const auto& its) {
+      return its.first.first == one->first.first && its.second.overlaps(one->second);
+    });
+    if (other != all.end()) {
+      return "names like " + printable(one->second.first_name) + " and like " +
+             printable(other->second.first_name) +
+             " are of two lidars or drives, or of copies; give the files of one";
+    }
+  }
+  return {};
 }
 
 // How far the number of the file is behind that of the one before; 0: not known.
@@ -155,6 +237,9 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
                      std::string(*endings.begin()));
   }
   std::ranges::sort(paths, {}, natural_key);
+  if (const std::string several = words_of_several(paths); !several.empty()) {
+    throw UsageError(folder + ": " + several);
+  }
   return paths;
 }
 
@@ -209,6 +294,9 @@ CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second
   if (!std::ranges::equal(all.files, paths, {}, &CloudFile::path)) {
     all.remarks.push_back(std::string("files were put in the order of the ") +
                           (have_times ? "times" : "numbers") + " in their names");
+  }
+  if (const std::string several = words_of_several(paths); !several.empty()) {
+    all.remarks.push_back(several);
   }
   if (!have_times) {
     std::ostringstream words;

@@ -26,7 +26,7 @@ struct CloudFiles {
 [[nodiscard]] bool is_cloud_file(const std::string& path);
 
 // The clouds of a folder, in the order of their numbers. Empty if it has none. UsageError if they
-// are of several formats.
+// are of several formats or, by their names, of several lidars or drives.
 [[nodiscard]] std::vector<std::string> cloud_files_in(const std::string& folder);
 
 // Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a

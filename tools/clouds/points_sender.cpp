@@ -118,10 +118,12 @@ std::vector<CapturedDatagram> PointsSender::datagrams_of_all(std::vector<SeenClo
 void PointsSender::add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram>& datagrams) {
   if (cloud.time_us == 0) {
     ++sent_.without_stamp;
-  } else if (cloud.time_us == last_cloud_us_) {
+  } else if (cloud.time_us == sent_.last_us) {
     ++sent_.same_stamps;
   }
-  last_cloud_us_ = cloud.time_us;
+  sent_.first_us = sent_.clouds == 0 ? cloud.time_us : sent_.first_us;
+  sent_.last_us = cloud.time_us;
+  sent_.longest_span = std::max(sent_.longest_span, cloud.time_span);
   sent_.not_finite += cloud.not_finite;
   sent_.nowhere += cloud.nowhere;
   sent_.beyond_width += cloud.outside;

@@ -32,10 +32,18 @@ struct SentClouds {
   std::uint64_t at_range_max = 0;      // beams: SeenCloud::at_range_max
   std::uint64_t other_clock = 0;       // clouds: SeenCloud::apart_us
   double apart_us = 0;                 // SeenCloud's, of the first one of these
+  double longest_span = 0;             // of a cloud's points, in their own unit
+  std::uint64_t first_us = 0;          // time of the first cloud that was sent
+  std::uint64_t last_us = 0;           // and of the last one
   std::uint64_t out_of_order = 0;      // clouds: not sent
   std::uint64_t strays = 0;            // clouds: not sent (CloudOrder::strays)
   std::uint64_t furthest_back_us = 0;  // CloudOrder's
 
+  // From cloud to cloud; 0 if there is only one.
+  [[nodiscard]] double period_us() const {
+    return clouds < 2 ? 0
+                      : static_cast<double>(last_us - first_us) / static_cast<double>(clouds - 1);
+  }
   // Rounded up.
   [[nodiscard]] std::uint64_t furthest_back_ms() const { return (furthest_back_us + 999) / 1000; }
 };
@@ -72,7 +80,6 @@ class PointsSender {
   const vehicle::Sensor* sensor_;
   std::string frame_{};  // of the clouds
   CloudOrder order_;
-  std::uint64_t last_cloud_us_ = 0;
   std::uint64_t last_us_ = 0;
   SentClouds sent_;
 };

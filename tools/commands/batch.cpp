@@ -80,20 +80,23 @@ std::string reason_of(const Children::Ended& ended, const std::string& said,
   return ended.how + (words.empty() ? "" : ": " + words);
 }
 
-// Rows of the table of `iog fuse` that a user has to see: on the input, and those in capitals.
+// Rows of the table of `iog fuse` that a user has to see: on the input, those in capitals, and that
+// no packet has a place.
 std::string remarks_of(const std::string& table) {
   std::string remarks;
   bool is_of_input = true;
   for (const std::string& line : read_lines(table)) {
-    is_of_input = is_of_input && !line.starts_with("frames ");
-    const bool is_loud =
-        line.size() > 1 && std::isupper(line[0]) != 0 && std::isupper(line[1]) != 0;
-    if (!is_loud && (!is_of_input || line.starts_with("packets "))) {
-      continue;
-    }
     std::string words = line;
     if (const std::size_t end = line.find("  "); end != std::string::npos) {
       words = line.substr(0, end) + ": " + line.substr(line.find_first_not_of(' ', end));
+    }
+    is_of_input = is_of_input && !line.starts_with("frames ");
+    const bool is_loud =
+        line.size() > 1 && std::isupper(line[0]) != 0 && std::isupper(line[1]) != 0;
+    const bool is_of_none =
+        words.starts_with("packets placed: 0,") || words.starts_with("poses: none:");
+    if (!is_loud && !is_of_none && (!is_of_input || line.starts_with("packets "))) {
+      continue;
     }
     remarks += (remarks.empty() ? "" : "; ") + words;
   }

@@ -22,7 +22,10 @@ void add_info(CLI::App& program) {
       "info reads captures (.pcap, .pcapng) of sensors or of a target's stream, MCAP files, bags "
       "of ROS 2, maps of ROS map_server (YAML or PGM), maps of `iog map`, and folders written by "
       "`iog record --out FOLDER`.");
-  command->callback([path] { std::cout << summary_of_file(*path); });
+  command->callback([path] {
+    std::cout << summary_of_file(*path);
+    demand_accepted_block(*path);
+  });
 }
 
 }  // namespace iog::tools

@@ -111,8 +111,8 @@ std::size_t sensor_of(const PointsOptions& options, const CatalogueEntry& car) {
   return fitting[0];
 }
 
-void report(const SentClouds& sent, std::vector<std::string> words, const std::string& where,
-            std::ostream& out) {
+void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> words,
+            const std::string& where, std::ostream& out) {
   remark(sent.not_finite, "point|points that is|are no number was|were not sent", words);
   remark(sent.nowhere, "point|points at the sensor or too near was|were not sent", words);
   remark(sent.beyond_layers,
@@ -127,6 +127,10 @@ void report(const SentClouds& sent, std::vector<std::string> words, const std::s
          "moves, a "
          "spinning unit's points are misplaced",
          words);
+  const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
+  if (!of_unit.empty()) {
+    words.push_back(of_unit);
+  }
   if (sent.other_clock > 0) {
     words.push_back(words_of_other_clock(sent.apart_us));
   }
@@ -289,7 +293,8 @@ void send_clouds(PointsOptions options) {
   sender.demand_order();
   remark(untimed, "point|points whose time is no number or 0 was|were not sent", remarks);
   const std::string where = destination.finish(remarks);
-  report(sender.sent(), std::move(remarks), where, options.out == "-" ? std::cerr : std::cout);
+  report(sender.sent(), options.unit, std::move(remarks), where,
+         options.out == "-" ? std::cerr : std::cout);
   if (sender.sent().points == 0) {
     throw CheckFailed("no cloud has a point to send");
   }

@@ -149,6 +149,9 @@ void convert(const PoseLogOptions& options) {
   if (map && !read.plane && !read.poses.empty()) {
     throw UsageError(options.from + ": no latitudes in it, so no place on a map");
   }
+  if (const std::string far = map ? words_of_far_map(read, map->origin) : ""; !far.empty()) {
+    throw UsageError(options.from + ": " + far);
+  }
   const PoseConversion conversion{.mount_x_m = options.mount_m[0],
                                   .mount_y_m = options.mount_m[1],
                                   .sigma_m = thousandth_of(options.sigma_mm),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -108,24 +109,50 @@ Segment segment_64(Bytes header) {
   return {le32(header, 0), le64(header, 8), le64(header, 24), le64(header, 32)};
 }
 
-// Which byte of the file stands at the block's address.
-std::optional<std::size_t> place_in_elf(Bytes bytes, const Board& board) {
+// Empty if the table of program headers is not in the file.
+std::vector<Segment> segments_of(Bytes bytes, const Board& board) {
   const bool is_64 = board.elf_class == std::byte{2};
   const std::uint64_t headers_at = is_64 ? le64(bytes, 32) : le32(bytes, 28);
   const std::size_t header_bytes = le16(bytes, is_64 ? 54 : 42);
   const std::size_t count = le16(bytes, is_64 ? 56 : 44);
   constexpr std::uint32_t kLoad = 1;
+  std::vector<Segment> segments;
   if (header_bytes < (is_64 ? 56U : 32U) || headers_at > bytes.size() ||
       count * header_bytes > bytes.size() - headers_at) {
-    return std::nullopt;
+    return segments;
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Bytes header = bytes.subspan(headers_at + i * header_bytes, header_bytes);
     const Segment segment = is_64 ? segment_64(header) : segment_32(header);
+    if (segment.type == kLoad) {
+      segments.push_back(segment);
+    }
+  }
+  return segments;
+}
+
+// By its segments and the table of its sections, which U-Boot's `bootelf` reads.
+std::uint64_t whole_bytes_of_elf(Bytes bytes, const Board& board) {
+  const bool is_64 = board.elf_class == std::byte{2};
+  const auto end_of = [](std::uint64_t at, std::uint64_t size) {
+    return at + std::min(size, std::numeric_limits<std::uint64_t>::max() - at);
+  };
+  const std::uint64_t sections_at = is_64 ? le64(bytes, 40) : le32(bytes, 32);
+  const std::uint64_t section_bytes = le16(bytes, is_64 ? 58 : 46);
+  std::uint64_t whole = end_of(sections_at, section_bytes * le16(bytes, is_64 ? 60 : 48));
+  for (const Segment& segment : segments_of(bytes, board)) {
+    whole = std::max(whole, end_of(segment.at, segment.bytes));
+  }
+  return whole;
+}
+
+// Which byte of the file stands at the block's address.
+std::optional<std::size_t> place_in_elf(Bytes bytes, const Board& board) {
+  for (const Segment& segment : segments_of(bytes, board)) {
     const std::uint64_t before = board.block_address() - segment.address;
-    if (segment.type == kLoad && segment.address <= board.block_address() &&
-        before <= segment.bytes && car_block::kBlockBytes <= segment.bytes - before &&
-        segment.at < bytes.size() && before < bytes.size() - segment.at) {
+    if (segment.address <= board.block_address() && before <= segment.bytes &&
+        car_block::kBlockBytes <= segment.bytes - before && segment.at < bytes.size() &&
+        before < bytes.size() - segment.at) {
       return segment.at + before;
     }
   }
@@ -154,6 +181,12 @@ FirmwareImage::FirmwareImage(const std::string& path) : path_(path), bytes_(read
   if (const Board* const board = board_of_elf(bytes_)) {
     kind_ = "ELF";
     board_ = board->name;
+    const std::uint64_t whole = whole_bytes_of_elf(bytes_, *board);
+    if (whole > bytes_.size()) {
+      throw error("the ELF file is cut off: it has " + std::to_string(bytes_.size()) +
+                  " bytes, and by its headers " + std::to_string(whole) +
+                  "; copy or build it anew");
+    }
     block_at_ = place_in_elf(bytes_, *board).value_or(bytes_.size());
   } else if (is_legacy_header(bytes_)) {
     kind_ = "U-Boot image";

@@ -1,11 +1,15 @@
 // What is in a map block.
+#include <algorithm>
 #include <ctime>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 
 #include "map/block.hpp"
+#include "map/layer.hpp"
 #include "tools/info/file_summary.hpp"
 #include "tools/map/refusal_text.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/fixed.hpp"
 #include "tools/program/hexadecimal.hpp"
@@ -49,6 +53,22 @@ std::string source_of(const map::Block& block) {
   return is_osm ? "OpenStreetMap" : "surveyed";
 }
 
+// Even if the poses state exactly where the map is.
+std::string words_of_inexact(std::uint32_t accuracy_mm) {
+  constexpr pose::Sigma kExact{.position_mm = 0, .heading_10urad = 0};
+  const auto fitting = std::ranges::find_if(geometry::kCellSizesMm, [&](std::uint16_t cell_mm) {
+    return map::blur_radius(accuracy_mm, kExact, cell_mm) <= map::kHalo;
+  });
+  if (fitting == geometry::kCellSizesMm.end()) {
+    return "no target uses so inexact a map: its blur would be wider than " +
+           std::to_string(map::kHalo) + " cells";
+  }
+  return *fitting <= geometry::kUsualCellMm
+             ? std::string()
+             : "only targets with cells of " + std::to_string(*fitting) +
+                   " mm or more use so inexact a map";
+}
+
 }  // namespace
 
 std::string summary_of_block(std::span<const std::uint8_t> bytes) {
@@ -62,6 +82,7 @@ std::string summary_of_block(std::span<const std::uint8_t> bytes) {
   }
   const map::Block block(bytes);
   const map::BoxCm extent = block.extent();
+  const std::string inexact = words_of_inexact(block.accuracy_mm());
   return text +
          row("origin", degrees(block.latitude()) + ", " + degrees(block.longitude()) +
                            ", its name " + hex(block.origin(), 16)) +
@@ -71,13 +92,31 @@ std::string summary_of_block(std::span<const std::uint8_t> bytes) {
          row("features", features_of(block)) + row("source", source_of(block)) +
          row("date", day_of(block.date_s())) +
          row("accuracy", std::to_string(block.accuracy_mm()) + " mm") +
-         row("crc-32", hex(block.crc())) +
+         row_if(!inexact.empty(), "INEXACT?", inexact) + row("crc-32", hex(block.crc())) +
          row("attribution", printable(std::string(block.attribution())));
 }
 
 std::string summary_of_block_file(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path);
   return summary_of_block({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+bool is_block_file(const std::string& path) {
+  char magic[4] = {};
+  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
+  return std::string_view(magic, sizeof magic) == "IOGM";
+}
+
+void demand_accepted_block(const std::string& path) {
+  if (!is_block_file(path)) {
+    return;
+  }
+  const std::vector<std::byte> bytes = read_file(path);
+  const map::Refusal refusal =
+      map::check({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  if (refusal != map::Refusal::kNone) {
+    throw CheckFailed(path + ": the target would refuse this map: " + refusal_text(refusal));
+  }
 }
 
 }  // namespace iog::tools

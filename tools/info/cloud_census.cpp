@@ -270,7 +270,7 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Cen
 std::string add_messages(const std::string& path, Census& census) {
   try {
     static_cast<void>(for_each_cloud_or_frame(path, [&](const ros::RecordedMessage& message) {
-      if (message.topic.ends_with("/tf_static")) {
+      if (message.topic.ends_with("/tf_static") || message.topic.ends_with("/tf")) {
         census.frames.add(message);
       } else if (message.type == kOdometryType) {
         census.of_odometry.insert(frame_of_odometry(message));

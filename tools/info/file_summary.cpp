@@ -181,7 +181,7 @@ std::string summary_of_file(const std::string& path) {
   if (magic[0] == 'P' && magic[1] == '5') {
     return summary_of_pgm(path);
   }
-  if (std::string_view(magic, sizeof magic) == "IOGM") {
+  if (is_block_file(path)) {
     return summary_of_block_file(path);
   }
   const std::string suffix = std::filesystem::path(path).extension();

@@ -20,6 +20,9 @@ namespace iog::tools {
 // A map block (map/block.hpp), sound or not.
 [[nodiscard]] std::string summary_of_block(std::span<const std::uint8_t> bytes);
 [[nodiscard]] std::string summary_of_block_file(const std::string& path);
+[[nodiscard]] bool is_block_file(const std::string& path);
+// CheckFailed if the file is a block that a target would refuse.
+void demand_accepted_block(const std::string& path);
 [[nodiscard]] std::string summary_of_folder(const std::string& path);
 
 // "12.345 s".

@@ -17,7 +17,7 @@ namespace iog::tools {
 namespace {
 
 constexpr std::size_t kMostFrames = 1000;
-constexpr int kMostSteps = 32;  // from a sensor to its vehicle; frames may form a loop
+constexpr std::size_t kMostSteps = 32;  // from a sensor to its vehicle; frames may form a loop
 
 // Of a quaternion x, y, z, w.
 Rigid rigid_of(const std::array<double, 7>& place) {
@@ -28,11 +28,12 @@ Rigid rigid_of(const std::array<double, 7>& place) {
           n * (x * z - y * w),     n * (y * z + x * w),     1 - n * (x * x + y * y), tz};
 }
 
-// Rz(yaw) Ry(pitch) Rx(roll), as tools/car/mount.hpp turns; angles of less than 0.005 are none.
+// Rz(yaw) Ry(pitch) Rx(roll), as tools/car/mount.hpp turns; less than 0.005 is nothing.
 std::string mount_words(const Rigid& r) {
+  const auto metres = [&r](std::size_t i) { return std::abs(r[i]) < 0.005 ? 0 : r[i]; };
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "    mount = { x_m = " << r[3] << ", y_m = " << r[7]
-       << ", z_m = " << r[11];
+  text << std::fixed << std::setprecision(2) << "    mount = { x_m = " << metres(3)
+       << ", y_m = " << metres(7) << ", z_m = " << metres(11);
   const std::array angles{std::pair("yaw", std::atan2(r[4], r[0])),
                           std::pair("pitch", std::atan2(-r[8], std::hypot(r[9], r[10]))),
                           std::pair("roll", std::atan2(r[9], r[10]))};
@@ -44,42 +45,101 @@ std::string mount_words(const Rigid& r) {
   return text.str() + " }";
 }
 
+// ROS 1 allowed a slash before a frame's name, and tf2 does not.
+std::string without_slash(std::string frame) {
+  frame.erase(0, frame.starts_with('/') ? 1 : 0);
+  return frame;
+}
+
 }  // namespace
 
 void StaticFrames::add(const ros::RecordedMessage& message) {
+  const bool is_static = message.topic.ends_with("/tf_static");
   ros::CdrReader in(message.data, message.where);
   for (std::uint32_t left = in.u32(); left > 0; --left) {
     static_cast<void>(in.stamp_us());
-    std::string parent = in.text();
-    std::string child = in.text();
-    std::array<double, 7> place{};
-    std::ranges::generate(place, [&in] { return in.f64(); });
+    const std::string parent = without_slash(in.text());
+    const std::string child = without_slash(in.text());
+    std::array<double, 7> numbers{};
+    std::ranges::generate(numbers, [&in] { return in.f64(); });
     in.must_be_whole();
-    const Rigid in_parent = rigid_of(place);
-    if (frames_.size() < kMostFrames &&
-        std::ranges::all_of(in_parent, [](double each) { return std::isfinite(each); })) {
-      frames_.insert_or_assign(std::move(child), Place{std::move(parent), in_parent});
+    const Place place{.parent = parent, .in_parent = rigid_of(numbers), .is_static = is_static};
+    if (frames_.size() >= kMostFrames ||
+        !std::ranges::all_of(place.in_parent, [](double each) { return std::isfinite(each); })) {
+      continue;
+    }
+    Place& its = frames_.try_emplace(child, place).first->second;
+    if (is_static) {
+      its = place;
+    } else if (!its.is_static) {
+      its.moves = its.moves || its.parent != parent || its.in_parent != place.in_parent;
     }
   }
 }
 
-std::string StaticFrames::mount_of(const std::string& frame) const {
-  Rigid in_it{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-  std::string its = frame;
-  std::string text;
-  for (int step = 0; step < kMostSteps; ++step) {
-    if (robot_of(its) && its != frame) {
-      text = mount_words(in_it) + "  # in " + printable(its) +
-             " by /tf_static; z_m must count from the ground\n";
+// From the frame to the root; empty if there is none.
+std::vector<StaticFrames::Step> StaticFrames::steps_from(const std::string& frame) const {
+  std::vector<Step> steps{{.frame = frame}};
+  while (steps.size() < kMostSteps) {
+    const Step& last = steps.back();
+    const auto place = frames_.find(last.frame);
+    if (place == frames_.end() || place->second.moves) {
+      return steps;
     }
-    const auto place = frames_.find(its);
-    if (place == frames_.end()) {
-      return text;
-    }
-    in_it = product(place->second.in_parent, in_it);
-    its = place->second.parent;
+    steps.push_back({.frame = place->second.parent,
+                     .first_in_it = product(place->second.in_parent, last.first_in_it),
+                     .is_static = last.is_static && place->second.is_static});
   }
   return {};
+}
+
+std::optional<StaticFrames::Step> StaticFrames::above(const std::vector<Step>& steps) {
+  std::optional<Step> vehicle;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    vehicle = robot_of(steps[i].frame) ? std::optional(steps[i]) : vehicle;
+  }
+  return vehicle;
+}
+
+// The vehicle's frame may hang below the sensor's, or beside it.
+std::optional<StaticFrames::Step> StaticFrames::beside(const std::vector<Step>& steps) const {
+  std::optional<Step> vehicle;
+  for (const auto& [name, place] : frames_) {
+    if (!robot_of(name)) {
+      continue;
+    }
+    for (const Step& its : steps_from(name)) {
+      const auto common = std::ranges::find(steps, its.frame, &Step::frame);
+      if (common == steps.end()) {
+        continue;
+      }
+      if (vehicle && robot_of(vehicle->frame) != robot_of(name)) {
+        return std::nullopt;  // which of the robots?
+      }
+      vehicle = vehicle
+                    ? vehicle
+                    : Step{.frame = name,
+                           .first_in_it = product(inverse(its.first_in_it), common->first_in_it),
+                           .is_static = its.is_static && common->is_static};
+      break;
+    }
+  }
+  return vehicle;
+}
+
+std::string StaticFrames::mount_of(const std::string& name) const {
+  const std::string frame = without_slash(name);
+  if (frames_.empty() || robot_of(frame)) {
+    return {};
+  }
+  const std::vector<Step> steps = steps_from(frame);
+  std::optional<Step> vehicle = above(steps);
+  vehicle = vehicle ? vehicle : beside(steps);
+  return vehicle
+             ? mount_words(vehicle->first_in_it) + "  # in " + printable(vehicle->frame) +
+                   (vehicle->is_static ? " by /tf_static" : " by /tf") +
+                   "; z_m must count from the ground\n"
+             : "    # mount: no fixed transforms lead from base_link to " + printable(frame) + '\n';
 }
 
 }  // namespace iog::tools

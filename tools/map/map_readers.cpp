@@ -20,7 +20,7 @@ GeoMap read_map(const std::string& path, std::optional<map::Kind> kind) {
     throw UsageError(
         "--kind is for GeoJSON and Shapefiles; OpenStreetMap says itself what is what");
   }
-  return read_osm(path);
+  return read_osm(path, ".osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson and .shp");
 }
 
 std::optional<map::Kind> kind_of_word(const std::string& word) {

@@ -9,8 +9,10 @@
 
 namespace iog::tools {
 
-// OpenStreetMap, XML or PBF, plain or compressed (.osm, .osm.gz, .osm.bz2, .osm.pbf).
-[[nodiscard]] GeoMap read_osm(const std::string& path);
+// OpenStreetMap, XML or PBF, plain or compressed. `formats` are those that its user reads.
+[[nodiscard]] GeoMap read_osm(
+    const std::string& path,
+    const std::string& formats = ".osm, .osm.pbf, .osm.gz and .osm.bz2, of OpenStreetMap");
 
 // Polygons and MultiPolygons of GeoJSON (RFC 7946), of any coordinate reference system that PROJ
 // can lead to WGS 84 (reference_system.hpp). A feature's property "kind" ("building" or

@@ -368,7 +368,7 @@ GeoMap empty_map() {
 
 }  // namespace
 
-GeoMap read_osm(const std::string& path) {
+GeoMap read_osm(const std::string& path, const std::string& formats) {
   try {
     const osmium::io::File file(path);
     GeoMap map = empty_map();
@@ -386,7 +386,7 @@ GeoMap read_osm(const std::string& path) {
   } catch (const std::exception& error) {
     const std::string why = error.what();
     throw UsageError(path + (why.starts_with("Could not detect file format")
-                                 ? ": read are .osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson and .shp"
+                                 ? ": read are " + formats
                                  : ": not readable as OpenStreetMap data: " + why));
   }
 }

@@ -1,5 +1,6 @@
 #include "tools/poses/local_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "numeric/elementary.hpp"
@@ -54,6 +55,14 @@ Geodetic LocalPlane::geodetic_of(const Place& place) const {
     at.longitude += (place.east_m - reached.east_m) / (normal * cos_latitude_) / kRadians;
   }
   return at;
+}
+
+double LocalPlane::metres_to(const LocalPlane& other) const {
+  constexpr double kMeanRadiusM = 6'371'009;
+  const Earth& from = origin_;
+  const Earth& to = other.origin_;
+  const double chord_m = std::hypot(to.x - from.x, to.y - from.y, to.z - from.z);
+  return 2 * kMeanRadiusM * std::asin(std::min(1.0, chord_m / (2 * kMeanRadiusM)));
 }
 
 LocalPlane::Frame LocalPlane::frame_of(const LocalPlane& other) const {

@@ -37,6 +37,10 @@ class LocalPlane {
   };
   [[nodiscard]] Frame frame_of(const LocalPlane& other) const;
 
+  [[nodiscard]] const Geodetic& touches() const { return touches_; }
+  // Along the earth to where another one touches it, to half a percent.
+  [[nodiscard]] double metres_to(const LocalPlane& other) const;
+
  private:
   struct Earth {  // earth-centred, earth-fixed
     double x;

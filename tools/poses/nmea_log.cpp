@@ -75,6 +75,14 @@ std::string_view sentence_in(std::string_view line) {
   return error == std::errc() && end == digits + 2 && stated == sum ? sentence : std::string_view();
 }
 
+// The positions of one kind of sentence.
+struct Positions {
+  std::size_t epochs = 0;  // so many had begun at the last one that is used
+  double latitude = 0;
+  double longitude = 0;
+  Tally not_newer;  // other positions of the same time
+};
+
 // An empty field is a speed or an angle that is not known.
 std::optional<double> speed_in(std::string_view knots) {
   const std::optional<double> value = number_in(knots);
@@ -136,6 +144,8 @@ class Reader {
     PoseLog log = log_of(std::move(fixes), "line");
     log.notes.insert(log.notes.begin(), notes.begin(), notes.end());
     remark(damaged_, "line|lines that is|are no sound NMEA sentence", log.unit, log.remarks);
+    remark(std::ranges::max(of_gga_.not_newer, of_rmc_.not_newer, {}, &Tally::count),
+           "position|positions that is|are not newer than the one before", log.unit, log.remarks);
     remark(bare_, "sentence|sentences without a checksum", log.unit, log.remarks);
     remark(others_, "sentence|sentences other than RMC, GGA, HDT and VTG", log.remarks);
     remark(without_fix, "time|times without a fix", log.unit, log.remarks);
@@ -168,6 +178,22 @@ class Reader {
     return epochs_.back();
   }
 
+  // As in a log whose times have no fraction of a second. Some receivers repeat one position with
+  // fewer decimals.
+  bool is_not_newer(Positions& its, double latitude, double longitude) {
+    constexpr double kSameDeg = 1e-6;  // 0.1 m
+    const bool is_same = std::abs(latitude - its.latitude) <= kSameDeg &&
+                         std::abs(longitude - its.longitude) <= kSameDeg;
+    if (its.epochs == epochs_.size() && !is_same) {
+      its.not_newer.add(line_);
+      return true;
+    }
+    its.epochs = epochs_.size();
+    its.latitude = latitude;
+    its.longitude = longitude;
+    return false;
+  }
+
   // $--RMC,time,A|V,latitude,N|S,longitude,E|W,knots,course,date,...
   [[nodiscard]] bool take_rmc(const std::vector<std::string_view>& fields) {
     if (fields.size() < 10) {
@@ -186,6 +212,9 @@ class Reader {
     epoch.has_no_fix = epoch.has_no_fix || !has_fix;
     if (!has_fix) {
       return true;  // the date may be that of the receiver's first day
+    }
+    if (is_not_newer(of_rmc_, *latitude, *longitude)) {
+      return true;
     }
     epoch.stated_midnight_us = midnight;
     epoch.latitude = latitude;
@@ -209,6 +238,9 @@ class Reader {
     }
     NmeaEpoch& epoch = epoch_at(*time);
     epoch.has_no_fix = epoch.has_no_fix || *quality == 0;
+    if (latitude && longitude && is_not_newer(of_gga_, *latitude, *longitude)) {
+      return true;
+    }
     if (!epoch.latitude || !epoch.longitude) {
       epoch.latitude = latitude;
       epoch.longitude = longitude;
@@ -244,6 +276,8 @@ class Reader {
   bool is_first_ = true;
   bool is_cut_ = false;  // the log begins within a sentence
   bool is_last_damaged_ = false;
+  Positions of_rmc_;
+  Positions of_gga_;
   Tally damaged_;
   Tally bare_;
   std::size_t others_ = 0;

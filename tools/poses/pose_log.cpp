@@ -285,6 +285,9 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   }
   add_motion(poses, result.samples);
   if (conversion.map && log.plane) {
+    if (std::string words = words_of_far_map(log, conversion.map->origin); !words.empty()) {
+      throw UsageError(words);
+    }
     const pose::MapTransform transform = transform_of(*log.plane, *conversion.map);
     for (PoseSample& sample : result.samples) {
       sample.map = transform;
@@ -305,6 +308,22 @@ ConvertedLog converted(PoseLog log, const PoseConversion& conversion) {
   note_imprecise(result.samples, result.notes);
   result.samples = interpolated(result.samples);
   return result;
+}
+
+std::string words_of_far_map(const PoseLog& log, const MapOrigin& origin) {
+  constexpr double kMostM = pose::kMaxCoordinateMm / 1000.0;
+  const LocalPlane map = origin.plane();
+  const double apart_m = log.plane ? map.metres_to(*log.plane) : 0;
+  if (apart_m <= kMostM) {
+    return {};
+  }
+  const auto words_of_place = [](const Geodetic& place) {
+    return fixed(place.latitude, 4) + ',' + fixed(place.longitude, 4);
+  };
+  return "the log begins at " + words_of_place(log.plane->touches()) +
+         ", and the map's origin is " + words_of_place(map.touches()) +
+         " (latitude, longitude): they are " + fixed(apart_m / 1000, 0) +
+         " km apart, and a target takes at most " + fixed(kMostM / 1000, 0) + " km";
 }
 
 void demand_poses(const ConvertedLog& log, const std::string& path) {

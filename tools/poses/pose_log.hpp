@@ -137,8 +137,11 @@ struct ConvertedLog {
 // out and remarked with their place in the log: poses without a heading, poses that are not newer
 // than the one before or less than 8 ms after it, poses that a message cannot say (pose/limits.hpp)
 // and poses that no car reaches from those around them (outliers.hpp).
-// UsageError if the log's plane is more than 1,000 km from the map's origin.
+// UsageError for a log and a map that words_of_far_map() finds too far apart.
 [[nodiscard]] ConvertedLog converted(PoseLog log, const PoseConversion& conversion);
+
+// A sentence if the log begins farther from the map's origin than a message can say; else nothing.
+[[nodiscard]] std::string words_of_far_map(const PoseLog& log, const MapOrigin& origin);
 
 // UsageError with the reason if there are fewer than the two poses that a target needs to accept a
 // source.

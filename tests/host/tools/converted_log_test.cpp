@@ -7,6 +7,7 @@
 
 #include "tools/poses/local_plane.hpp"
 #include "tools/poses/pose_log.hpp"
+#include "tools/program/exit_status.hpp"
 #include "tools/simulate/random.hpp"
 
 namespace iog::tools {
@@ -278,6 +279,25 @@ TEST(ConvertedLog, PosesSayWhereTheyAreOnAMap) {
     EXPECT_NEAR(map.local_frame.y_mm / 1e3 + x * std::sin(turn) + y * std::cos(turn),
                 on_map[i].north_m, 0.01);
   }
+}
+
+// An origin with its longitude first, and a town 530 km away, which a message can still say.
+TEST(ConvertedLog, AMapOfAnotherPartOfTheEarthIsTold) {
+  PoseLog log;
+  log.plane = LocalPlane(48.4099, 15.6036);
+  log.poses = {logged(0, 0, 0, 0), logged(100'000, 0, 0, 0)};
+  const MapOrigin swapped = map_origin_in("", "15.6036,48.4099");
+  const std::string told = words_of_far_map(log, swapped);
+  EXPECT_TRUE(told.starts_with(
+      "the log begins at 48.4099,15.6036, and the map's origin is 15.6036,48.4099 (latitude, "
+      "longitude): they are "))
+      << told;
+  EXPECT_TRUE(told.ends_with(" km apart, and a target takes at most 1000 km")) << told;
+  EXPECT_THROW(static_cast<void>(converted(log, {.map = PoseConversion::Map{swapped, {}}})),
+               UsageError);
+  const MapOrigin antipode = map_origin_in("", "-48.4099,-164.3964");
+  EXPECT_NE(words_of_far_map(log, antipode), "") << "straight below, where the plane has it near";
+  EXPECT_EQ(words_of_far_map(log, map_origin_in("", "49,8.4")), "");
 }
 
 TEST(ConvertedLog, WithoutLatitudesThereIsNoPlaceOnAMap) {

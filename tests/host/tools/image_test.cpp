@@ -214,6 +214,42 @@ TEST_F(ImageFile, WhatIsNoneIsRefused) {
   EXPECT_THROW(FirmwareImage{write(wild)}, UsageError);
 }
 
+// The car's block is in the first segment; a loader needs the second and the sections, too.
+TEST_F(ImageFile, AnElfFileThatIsCutOffIsRefused) {
+  const auto told = [this](const Image& image) {
+    try {
+      static_cast<void>(FirmwareImage(write(image)));
+    } catch (const UsageError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  for (const bool is_64 : {false, true}) {
+    Image image = is_64 ? elf64_image() : elf_image();
+    const std::size_t other_at = is_64 ? 64 : 52;  // its program header
+    const auto end = static_cast<std::uint32_t>(image.size());
+    put(image, other_at, 1, false);
+    put(image, other_at + (is_64 ? 8 : 4), end, false);
+    put(image, other_at + (is_64 ? 32 : 16), 500, false);
+    put(image, is_64 ? 40 : 32, end + 500, false);                    // section headers
+    put(image, is_64 ? 58 : 46, (is_64 ? 64 : 40) | 2 << 16, false);  // their size, 2 of them
+    const std::size_t whole = image.size() + 500 + 2 * (is_64 ? 64 : 40);
+    image.resize(whole);
+    EXPECT_EQ(told(image), "");
+    for (const std::size_t bytes : {whole - 1, std::size_t{end} + 499, std::size_t{end}}) {
+      image.resize(bytes);
+      EXPECT_EQ(told(image), path() + ": the ELF file is cut off: it has " + std::to_string(bytes) +
+                                 " bytes, and by its headers " + std::to_string(whole) +
+                                 "; copy or build it anew");
+    }
+    put(image, is_64 ? 40 : 32, 0, false);  // stripped of them
+    put(image, is_64 ? 58 : 46, 0, false);
+    EXPECT_NE(told(image), "");
+    image.resize(end + 500);
+    EXPECT_EQ(told(image), "");
+  }
+}
+
 TEST_F(ImageFile, ACarOfOtherGridsIsRefused) {
   FirmwareImage image(write(raw_image()));
   EXPECT_THROW(put_car(find_vehicle("two_lux_parking"), image), UsageError);

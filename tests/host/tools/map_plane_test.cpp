@@ -80,6 +80,16 @@ TEST(LocalPlane, AlsoFarAway) {
   }
 }
 
+// A quarter of the equator and of a meridian of WGS 84, half of the equator, and a kilometre.
+TEST(LocalPlane, DistancesAreAlongTheEarth) {
+  const LocalPlane origin(0, 0);
+  EXPECT_NEAR(origin.metres_to({0, 90}), 10'018'754, 0.005 * 10'018'754);
+  EXPECT_NEAR(origin.metres_to({90, 0}), 10'001'966, 0.005 * 10'001'966);
+  EXPECT_NEAR(origin.metres_to({0, 180}), 20'037'508, 0.005 * 20'037'508);
+  EXPECT_NEAR(origin.metres_to({1 / 110.574, 0}), 1000, 5);
+  EXPECT_EQ(origin.metres_to(origin), 0);
+}
+
 // A place near the other plane's origin is the same seen from either plane. Over 200 m the two
 // planes lie as good as flat on each other.
 TEST(LocalPlane, FramesOfOtherPlanesAreTurnedByTheMeridians) {

@@ -82,5 +82,27 @@ TEST(NmeaCycle, ACourseMayBeOfVtg) {
   EXPECT_NEAR(log.poses[1].speed_mps.value_or(0), -10, 0.01);
 }
 
+// A receiver of several positions a second whose times are whole seconds: 2 m, 4 m and 22 m from
+// the first one. The last sentence repeats the one of its time that is used.
+TEST(NmeaLog, PositionsOfTheSameTimeAreCounted) {
+  const std::string text =
+      "$GPGGA,120000,4800.0000,N,00800.000000,E,4,12,0.8,100.0,M,45.0,M,,*4B\r\n"
+      "$GPRMC,120000,A,4800.0000,N,00800.000000,E,19.44,90.0,010524,,,A*44\r\n"
+      "$GPGGA,120000,4800.0000,N,00800.001600,E,4,12,0.8,100.0,M,45.0,M,,*4C\r\n"
+      "$GPRMC,120000,A,4800.0000,N,00800.001600,E,19.44,90.0,010524,,,A*43\r\n"
+      "$GPGGA,120000,4800.0000,N,00800.003200,E,4,12,0.8,100.0,M,45.0,M,,*4A\r\n"
+      "$GPRMC,120000,A,4800.0000,N,00800.003200,E,19.44,90.0,010524,,,A*45\r\n"
+      "$GPGGA,120001,4800.0000,N,00800.016000,E,4,12,0.8,100.0,M,45.0,M,,*4D\r\n"
+      "$GPRMC,120001,A,4800.0000,N,00800.016000,E,19.44,90.0,010524,,,A*42\r\n"
+      "$GPGGA,120001,4800.0000,N,00800.017600,E,4,12,0.8,100.0,M,45.0,M,,*4A\r\n"
+      "$GPRMC,120001,A,4800.0000,N,00800.017600,E,19.44,90.0,010524,,,A*45\r\n"
+      "$GPRMC,120001,A,4800.0000,N,00800.01600,E,19.44,90.0,010524,,,A*72\r\n";
+  const PoseLog log = read_nmea_log(std::as_bytes(std::span(text)));
+  EXPECT_EQ(log.remarks, std::vector<std::string>{
+                             "3 positions that are not newer than the one before (first: line 3)"});
+  ASSERT_EQ(log.poses.size(), 2U);
+  EXPECT_NEAR(log.poses[1].x_m, 19.90, 0.01) << "0.016 minutes at 48 degrees";
+}
+
 }  // namespace
 }  // namespace iog::tools

@@ -225,6 +225,27 @@ TEST(MapMaker, IsTheSameEveryTime) {
   EXPECT_EQ(tests::Covered(osm.read()).bytes(), tests::Covered(osm.read()).bytes());
 }
 
+// The blur is the map's accuracy and 1.4 cells, up to 16 cells of 100, 200 or 500 mm.
+TEST(BlockSummary, SaysWhichTargetsUseNoMapSoInexact) {
+  const auto told = [](std::uint32_t accuracy_mm) {
+    BlockInfo its = info();
+    its.accuracy_mm = accuracy_mm;
+    BlockWriter writer(its);
+    EXPECT_EQ(writer.add({map::Kind::kRoad, {{{4'000, 3'000}, {5'000, 3'000}, {4'500, 4'000}}}}),
+              Fate::kTaken);
+    const std::string text = summary_of_block(writer.block());
+    const std::size_t at = text.find("INEXACT?");
+    return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(told(1'460), "");
+  EXPECT_TRUE(told(1'461).ends_with(" cells of 200 mm or more use so inexact a map"));
+  EXPECT_TRUE(told(2'920).ends_with(" cells of 200 mm or more use so inexact a map"));
+  EXPECT_TRUE(told(7'300).ends_with(" cells of 500 mm or more use so inexact a map"));
+  EXPECT_TRUE(
+      told(7'301).ends_with("no target uses so inexact a map: its blur would be wider "
+                            "than 16 cells"));
+}
+
 TEST(BlockSummary, SaysWhatABlockIsAndWhatIsWrong) {
   auto bytes = block_of({{map::Kind::kRoad, {{{4'000, 3'000}, {5'000, 3'000}, {4'500, 4'000}}}}});
   const std::string text = summary_of_block(bytes);
@@ -236,6 +257,12 @@ TEST(BlockSummary, SaysWhatABlockIsAndWhatIsWrong) {
   bytes[70] ^= 1;
   tests::write_text(folder / "a", std::string(bytes.begin(), bytes.end()));
   EXPECT_NE(summary_of_file(folder / "a").find("damaged"), std::string::npos);
+  EXPECT_THROW(demand_accepted_block(folder / "a"), CheckFailed);
+  bytes[70] ^= 1;
+  tests::write_text(folder / "a", std::string(bytes.begin(), bytes.end()));
+  EXPECT_NO_THROW(demand_accepted_block(folder / "a"));
+  tests::write_text(folder / "b", "no map");
+  EXPECT_NO_THROW(demand_accepted_block(folder / "b"));
 }
 
 }  // namespace

@@ -47,6 +47,44 @@ TEST(CloudFiles, OnlyAGapInEvenNumbersIsMissingFiles) {
   }
 }
 
+// They would be one drive, one lidar's scans behind or between the other's.
+TEST(CloudFiles, NamesOfTwoLidarsAreTold) {
+  const auto told = [](const std::vector<std::string>& paths) { return timed(paths, 10).remarks; };
+  EXPECT_EQ(told({"a/front_0.pcd", "a/front_1.pcd", "a/rear_0.pcd", "a/rear_1.pcd"}),
+            std::vector<std::string>{"names like front_0.pcd and like rear_0.pcd are of two lidars "
+                                     "or drives, or of copies; give the files of one"});
+  for (const std::vector<std::string>& paths : std::vector<std::vector<std::string>>{
+           {"lidar0_10.pcd", "lidar0_11.pcd", "lidar1_10.pcd", "lidar1_11.pcd"},
+           {"0_l_7.ply", "0_l_8.ply", "0_r_7.ply", "0_r_8.ply"},
+           {"000001.bin", "000002 (copy).bin", "000002.bin", "000003.bin"},
+           {"000001.bin", "000002 (1).bin", "000002.bin", "000003.bin"},
+           {"f_1532402927.1.pcd", "r_1532402927.2.pcd", "f_1532402927.3.pcd", "r_1532402927.4.pcd"},
+           {"n1__REAR__1532402927647951.pcd.bin", "n1__TOP__1532402927647952.pcd.bin",
+            "n1__REAR__1532402927747951.pcd.bin", "n1__TOP__1532402927747952.pcd.bin"}}) {
+    EXPECT_EQ(told(paths).size(), 1U) << paths[0];
+  }
+}
+
+TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
+  for (const std::vector<std::string>& paths : std::vector<std::vector<std::string>>{
+           {"a1.pcd", "a2.pcd", "b7.pcd", "b8.pcd"},  // its parts
+           {"part_1/1.pcd", "part_1/2.pcd", "part_2/1.pcd", "part_2/2.pcd"},
+           {"map.pcd", "x.pcd"},
+           {"1532402926.pcd", "1532402926.5.pcd", "1532402927.pcd", "1532402927.5.pcd"},
+           {"12-00-00.pcd", "12-00-30.pcd", "12-01-00.pcd", "12-01-30.pcd"},
+           {"T12-00-00.pcd", "T12-00-30.pcd", "T13-00-00.pcd", "T13-00-30.pcd"},
+           {"f1_s0.pcd", "f2_s0.pcd", "f3_s1.pcd", "f4_s1.pcd"},
+           {"07ab.pcd", "a3f.pcd", "c44d.pcd", "ffe.pcd"},
+           {"n008-2018-08-01-15-16-36-0400__LIDAR_TOP__1533151603547590.pcd.bin",
+            "n008-2018-08-01-15-16-36-0400__LIDAR_TOP__1533151603597909.pcd.bin",
+            "n015-2018-07-24-11-22-45+0800__LIDAR_TOP__1532402927647951.pcd.bin",
+            "n015-2018-07-24-11-22-45+0800__LIDAR_TOP__1532402927697951.pcd.bin"}}) {
+    for (const std::string& remark : timed(paths, 10).remarks) {
+      EXPECT_TRUE(remark.starts_with("files were put in the order")) << remark;
+    }
+  }
+}
+
 TEST(CloudFiles, EndingsMayHaveCapitals) {
   EXPECT_TRUE(is_cloud_file("SCAN.PCD"));
   EXPECT_EQ(time_in_name("1532402927.5.BIN"), 1'532'402'927'500'000);
@@ -101,6 +139,13 @@ TEST_F(CloudFolder, ItsFilesComeInTheOrderOfTheirNumbers) {
   }
   EXPECT_EQ(cloud_files_in(folder_ / ""),
             (std::vector<std::string>{folder_ / "9.bin", folder_ / "10.bin"}));
+  for (const char* name : {"9 (copy).bin", "11.bin"}) {
+    write(name, kPoint);
+  }
+  EXPECT_EQ(told_by([this] { static_cast<void>(cloud_files_in(folder_ / "")); }),
+            folder_ / "" +
+                ": names like 9.bin and like 9 (copy).bin are of two lidars or drives, "
+                "or of copies; give the files of one");
   write("9.pcd", kPoint);
   EXPECT_NE(told_by([this] {
               static_cast<void>(cloud_files_in(folder_ / ""));

@@ -59,6 +59,23 @@ TEST(PointTimes, ThoseOfAnotherClockAreTold) {
             "at its stamp");
 }
 
+// Scans of 0.1 s, ten a second: 1.5 times a second's tenth is the most that a stamp's delay
+// explains.
+TEST(PointTimes, AWrongUnitIsTold) {
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 0.1, 100'000),
+            "by --time-unit ns a scan lasts 0.1 ns; 5 to 500 ms is usual, as by --time-unit s");
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 99'000, 100'000),
+            "by --time-unit ns a scan lasts 99000 ns; 5 to 500 ms is usual, as by --time-unit us");
+  EXPECT_NE(words_of_wrong_unit(TimeUnit::kMilliseconds, 0.033, 100'000), "")
+      << "a third of a turn";
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kSeconds, 0.1, 100'000), "");
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kSeconds, 0.001, 100'000), "") << "a flash";
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 100'000, 100), "") << "a part of a scan";
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 0.1, 0), "") << "one cloud";
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 0, 100'000), "") << "no times";
+  EXPECT_EQ(words_of_wrong_unit(TimeUnit::kFound, 0.1, 100'000), "");
+}
+
 TEST(PointTimes, ManyWithoutATimeAreTold) {
   TimeUnit unit = TimeUnit::kSeconds;
   EXPECT_EQ(told_by([&] { static_cast<void>(cloud_with(0, 100, 5, unit)); }),
