@@ -272,15 +272,11 @@ void fuse(const FuseOptions& options) {
           ? feed(capture, car, *target, signs)
           : feed_as_received(options.as_received, capture, car, *target, signs);
   assembler.finish();
-  if (recorder) {
-    recorder->finish();
-  }
 
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
             << signs.rows(statistics, capture.words_of_crowd());
-  write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " +
@@ -288,6 +284,10 @@ void fuse(const FuseOptions& options) {
   }
   drawing.write(statistics, vehicle.poses.udp_port, capture.clock_words());
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
+  if (recorder) {
+    recorder->finish();
+  }
+  write_tables(options, statistics);
     const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
     pictures.write_last(frame);
     if (!options.out_raw.empty()) {

@@ -65,7 +65,7 @@ class Destination {
       return;
     }
     if (!capture_) {  // not before the first cloud is known to be one
-      capture_.emplace(options_->out, PcapWriter::Unfinished::kNothing);
+      capture_.emplace(options_->out);
     }
     capture_->write(datagram);
   }

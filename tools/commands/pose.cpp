@@ -88,7 +88,7 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
 // `used`: how many poses are those of the log; the others are interpolated.
 void write(const std::vector<CapturedDatagram>& datagrams, std::size_t used,
            const std::string& path) {
-  PcapWriter capture(path, PcapWriter::Unfinished::kNothing);
+  PcapWriter capture(path);
   for (const CapturedDatagram& datagram : datagrams) {
     capture.write(datagram);
   }

@@ -98,13 +98,14 @@ class Reception {
             stream_->write(datagram_of_stream(time_of_day_us(), message));
           }
           assembler_.take(message);
+            stream_->keep_beginning();
         }
       }
       datagrams_ += messages.size();
       note_arrival(!messages.empty());
     }
     assembler_.finish();
-    if (stream_) {
+    if (stream_ && datagrams_ > 0) {
       stream_->finish();
     }
     end_ = Clock::now();
@@ -115,10 +116,12 @@ class Reception {
     if (chosen_.get()) {
       pictures_.write_last(*chosen_.get());
     }
-    if (!options_->hashes.empty()) {
+    if (!options_->hashes.empty() && datagrams_ > 0) {
+    } else if (assembler_.counts().messages > 0) {
+      pictures_.write_none();
       write_records(options_->hashes, statistics_.records());
     }
-    if (!options_->classes_hashes.empty()) {
+    if (!options_->classes_hashes.empty() && datagrams_ > 0) {
       write_class_records(options_->classes_hashes, statistics_.classes().records());
     }
     if (!options_->summary.empty()) {

@@ -84,16 +84,6 @@ std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorde
   return 0;
 }
 
-// A file without a datagram is no recording, and would look like one.
-void remove_empty_files(const RecordOptions& options) {
-  for (const std::string& path : options.out) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored)) {
-      std::filesystem::remove(path, ignored);
-    }
-  }
-}
-
 void record(RecordOptions options) {
   if (options.has_points) {
     options.topics.emplace_back(kPointsTopic);
@@ -106,14 +96,9 @@ void record(RecordOptions options) {
     recordings.push_back(recording_of(path, options));
   }
   Recorder recorder(std::move(recordings));
-  std::uint64_t overflow = 0;
-  try {
-    overflow = record_from_source(options, recorder);
-  } catch (const std::exception&) {
-    if (recorder.datagrams() == 0) {
-      remove_empty_files(options);
-    }
-    throw;
+  const std::uint64_t overflow = record_from_source(options, recorder);
+  if (recorder.datagrams() == 0) {
+    throw CheckFailed("no message of a target came, and nothing is written");
   }
   recorder.finish();
   // With --notify standard output belongs to whoever reads the notes.
@@ -192,7 +177,8 @@ void add_record(CLI::App& program) {
       "If record is killed, its MCAP file loses at most the last second. With --pcap and --stream, "
       "the same input gives the same bytes. A folder receives frame_NNNNNN.png for every frame "
       "with evidence, classes_NNNNNN.png if the frame has classes, and the last frame as map.pgm "
-      "and map.yaml. Files of an earlier run are removed.");
+      "and map.yaml. Numbered files of an earlier run of iog are removed when the first picture "
+      "comes.");
   command->callback([options] {
     catch_interrupts();
     record(*options);

@@ -95,7 +95,7 @@ PoseOptions pose_options(const SimulateOptions& options) {
 class DriveRecording {
  public:
   DriveRecording(const std::string& path, const CatalogueEntry& car)
-      : path_(path), car_(&car), capture_(path, PcapWriter::Unfinished::kNothing) {}
+      : path_(path), car_(&car), capture_(path) {}
 
   void write(const std::vector<CapturedDatagram>& datagrams) {
     for (const CapturedDatagram& datagram : datagrams) {
