@@ -109,6 +109,12 @@ std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
   if (!options.simulate.empty()) {
     return view::make_drive_source(options.simulate, options.vehicle, options.seed);
   }
+  if (options.forward == options.port &&
+      (options.bind == "127.0.0.1" || options.bind == "0.0.0.0")) {
+    throw UsageError("--forward " + std::to_string(options.forward) +
+                     ": view itself receives on this port (--port), and each message would come "
+                     "back without end; forward to another port");
+  }
   return view::make_stream_source(options.bind, options.port);
 }
 
