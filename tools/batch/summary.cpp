@@ -9,8 +9,10 @@
 #include <span>
 #include <string_view>
 #include <sys/file.h>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include "tools/program/file.hpp"
 #include "tools/program/fixed.hpp"
@@ -109,6 +111,16 @@ std::string csv_row(const Outcome& outcome) {
 }
 
 }  // namespace
+
+bool has_settings_of_batch(const std::string& folder) {
+  const std::string path = folder + "/batch.txt";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    return false;
+  }
+  const std::vector<std::string> lines = read_lines(path);
+  return lines.size() == 3 && lines[1].starts_with("car ") && lines[2].starts_with("options ");
+}
 
 Summary::Summary(const std::string& folder, const std::string& settings)
     : path_(folder + "/summary.csv") {

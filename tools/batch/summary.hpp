@@ -18,6 +18,9 @@ struct Outcome {
   double seconds = 0;
 };
 
+// Whether the folder has batch.txt, which a batch writes first, and a batch wrote it.
+[[nodiscard]] bool has_settings_of_batch(const std::string& folder);
+
 class Summary {
  public:
   // settings: lines on all that changes the results. Makes the folder. UsageError if the rows there

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <sys/resource.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -42,13 +43,60 @@ struct BatchOptions {
   std::vector<std::string> of_fuse;  // handed to each `iog fuse`
 };
 
+std::string path_of_kept_car(const BatchOptions& options) {
+  return options.out + '/' + std::filesystem::path(options.car_file).filename().string();
+}
+
+// What a batch writes beside its table may be somebody else's in a folder without a batch.
+void demand_own_folder(const BatchOptions& options) {
+  std::error_code error;
+  const auto is_there = [&](const std::string& path) {
+    return std::filesystem::exists(path, error);
+  };
+  if (const std::string table = options.out + "/summary.csv";
+      (is_there(table) && std::filesystem::file_size(table, error) > 0) ||
+      has_settings_of_batch(options.out)) {
+    return;
+  }
+  std::vector<std::string> written{options.out + "/batch.txt", options.out + "/running"};
+  if (const std::string kept = path_of_kept_car(options);
+      !options.car_file.empty() && is_there(kept) &&
+      read_file(kept) != read_file(options.car_file)) {
+    written.push_back(kept);
+  }
+  const auto found = std::ranges::find_if(written, is_there);
+  if (found != written.end()) {
+    throw UsageError(*found +
+                     ": iog batch did not write this, and would replace it; give another "
+                     "--out");
+  }
+}
+
+// Files of processes, also of a batch that was killed; what else is there stays.
+void remove_work(const std::string& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const std::string ending =
+        name.substr(std::min(name.find_first_not_of("0123456789"), name.size()));
+    if (ending != name && (ending == ".out" || ending == ".err" || ending.starts_with(".facts"))) {
+      files.push_back(entry.path());
+    }
+  }
+  files.emplace_back(folder);
+  for (const std::filesystem::path& path : files) {
+    std::error_code not_empty;
+    std::filesystem::remove(path, not_empty);
+  }
+}
+
 // The car's file as it is now: every recording gets the same one, whoever edits it meanwhile.
 std::string kept_car(const BatchOptions& options) {
   if (options.car_file.empty()) {
     return {};
   }
   const std::filesystem::path given = options.car_file;
-  const std::string kept = options.out + '/' + given.filename().string();
+  const std::string kept = path_of_kept_car(options);
   std::error_code error;
   if (!std::filesystem::equivalent(given, kept, error)) {
     OutputFile file(kept);
@@ -170,7 +218,7 @@ class Batch {
   }
 
   void report() const {
-    std::filesystem::remove_all(work_);
+    remove_work(work_);
     const std::string table = options_->out + "/summary.csv";
     const std::size_t left = all_.size() - done_;
     const double all_s = std::max(wall_s_, 0.01) * static_cast<double>(options_->processes);
@@ -310,6 +358,7 @@ void add_batch(CLI::App& program) {
     }
     check_options(*options);
     std::cerr << warning_of_upward_mounts(find_vehicle(options->vehicle));
+    demand_own_folder(*options);
     catch_interrupts();
     Batch batch(*options, program.version());
     batch.run();

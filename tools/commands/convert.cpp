@@ -102,7 +102,7 @@ void convert_clouds(const ConvertOptions& options) {
   std::uint64_t datagrams = 0;
   for (std::vector<CapturedDatagram> next; !(next = conversion.next()).empty();) {
     if (!capture) {
-      capture.emplace(options.out, PcapWriter::Unfinished::kNothing);
+      capture.emplace(options.out);
     }
     std::ranges::for_each(next, [&](const auto& datagram) { capture->write(datagram); });
     datagrams += next.size();
@@ -138,7 +138,7 @@ void convert_messages(const ConvertOptions& options) {
     std::ranges::move(recording.datagrams, std::back_inserter(datagrams));
   }
   std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
-  PcapWriter capture(options.out, PcapWriter::Unfinished::kNothing);
+  PcapWriter capture(options.out);
   Progress progress("packets", datagrams.size());
   std::uint64_t written = 0;
   for (const CapturedDatagram& datagram : datagrams) {
@@ -168,7 +168,7 @@ void convert_packets(const ConvertOptions& options) {
           return;
         }
         if (!capture) {
-          capture.emplace(options.out, PcapWriter::Unfinished::kNothing);
+          capture.emplace(options.out);
         }
         capture->write({.time_us = time_us,
                         .source = {source, sensor.udp_port},

@@ -28,6 +28,8 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/number_checks.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/receive/class_record.hpp"
 #include "tools/receive/run_statistics.hpp"
@@ -298,20 +300,20 @@ void fuse(const FuseOptions& options) {
           ? feed(capture, car, *target, signs)
           : feed_as_received(options.as_received, capture, car, *target, signs);
   assembler.finish();
-  if (recorder) {
-    recorder->finish();
-  }
 
   print_input(capture, other_ports);
   const std::string other_car = signs.words_of_other_car();
   std::cout << row_if(!other_car.empty(), "OTHER VEHICLE?", other_car) << statistics.table(false)
             << signs.rows(statistics, capture);
-  write_tables(options, statistics);
   if (statistics.records().empty()) {
     throw CheckFailed(options.drive.name() + ": no frame has evidence: what came to the ports of " +
                       options.vehicle + " holds no scan of its sensors; `iog info " +
                       options.drive.captures[0] + "` says what it is");
   }
+  if (recorder) {
+    recorder->finish();
+  }
+  write_tables(options, statistics);
   drawing.write(statistics, vehicle.poses.udp_port, capture.clock_words());
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
     const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
@@ -335,7 +337,7 @@ void add_fuse(CLI::App& program) {
   add_vehicle_options(*command, options->vehicle);
   add_option(*command, "--frame", "N  (default the last of whole scans)", options->frame,
              "Frame to write; 0 is the first frame with evidence")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero());
   add_option(*command, "--out-raw", "FILE", options->out_raw,
              "Write the occupancy indexes of this frame as bytes");
   add_picture_options(*command, options->pictures);
@@ -377,6 +379,10 @@ void add_fuse(CLI::App& program) {
   const auto is_quiet = std::make_shared<bool>(false);
   command->add_flag("--quiet", *is_quiet, "Do not suggest commands for this drive on a terminal");
   command->callback([command, options, is_quiet] {
+    const bool has_folder = !options->pictures.folder.empty();
+    demand_use(*command, has_folder, {"--every"}, "--out FOLDER");
+    demand_use(*command, has_folder || !options->classes_png.empty(), {"--scale", "--radius"},
+               "--out FOLDER or --classes-png FILE");
     fuse(*options);
     std::cout << (*is_quiet ? "" : rows_of_next_steps(*command));
   });

@@ -27,6 +27,7 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
@@ -65,7 +66,7 @@ class Destination {
       return;
     }
     if (!capture_) {  // not before the first cloud is known to be one
-      capture_.emplace(options_->out, PcapWriter::Unfinished::kNothing);
+      capture_.emplace(options_->out);
     }
     capture_->write(datagram);
   }
@@ -259,6 +260,15 @@ TimeUnit unit_of(PointsOptions options) {
   return unit;
 }
 
+// Of clouds in files, and of recordings.
+void demand_uses(const CLI::App& command, const PointsOptions& options) {
+  demand_use(command, std::ranges::any_of(options.inputs, ros::is_recording), {"--topic"},
+             "a recording of ROS 2 (.mcap, .db3)");
+  const bool has_rate = command.get_option("--rate")->count() > 0;
+  demand_use(command, !has_rate || !inputs_of(options).clouds.files.empty(), {"--rate"},
+             "files of clouds (.pcd, .ply, .bin)");
+}
+
 void send_clouds(PointsOptions options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const std::size_t sensor = sensor_of(options, car);
@@ -338,7 +348,10 @@ void add_points(CLI::App& program) {
   add_vehicle_options(*command, options->vehicle);
   command->footer(
       "docs/sensors.md, \"Any other lidar: points\", explains how to describe the car.");
-  command->callback([options] { send_clouds(*options); });
+  command->callback([command, options] {
+    demand_uses(*command, *options);
+    send_clouds(*options);
+  });
 }
 
 }  // namespace iog::tools

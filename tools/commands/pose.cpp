@@ -24,6 +24,8 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/number_checks.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/program/table.hpp"
 #include "tools/replay/pace.hpp"
 #include "tools/replay/udp_sender.hpp"
@@ -90,7 +92,7 @@ std::optional<PoseConversion::Map> map_of(const PoseLogOptions& options) {
 // `used`: how many poses are those of the log; the others are interpolated.
 void write(const std::vector<CapturedDatagram>& datagrams, std::size_t used,
            const std::string& path) {
-  PcapWriter capture(path, PcapWriter::Unfinished::kNothing);
+  PcapWriter capture(path);
   for (const CapturedDatagram& datagram : datagrams) {
     capture.write(datagram);
   }
@@ -217,16 +219,16 @@ void add_pose(CLI::App& program) {
       ->check(CLI::Range(1, 65'535));
   add_option(*command, "--speed", "X", options->speed,
              "Speed: 1 as logged, 2 twice as fast, 0 as fast as possible")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero());
   add_option(*command, "--mount", "X Y  (metres, default 0 0)", options->mount_m,
              "Position of the logged receiver in the vehicle frame")
       ->expected(2);
   add_option(*command, "--sigma", "MM  (default the log's, else 50)", options->sigma_mm,
              "Standard deviation of the distance driven in one second")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   add_option(*command, "--heading-sigma", "MRAD  (default the log's, else 2)",
              options->heading_sigma_mrad, "Standard deviation of the heading change in one second")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   add_option(*command, "--run", "N  (default 1; with --target from the clock)", options->run,
              "Run number of the pose source")
       ->check(CLI::Range(1U, 0xFFFFFFFFU));
@@ -243,7 +245,16 @@ void add_pose(CLI::App& program) {
       "base_link in /tf, else stamped poses; FILE.mcap:/topic names one of several. Latitude and "
       "longitude become "
       "metres east and north of the first position. docs/drives.md says how each is read.");
-  command->callback([options] { convert(*options); });
+  command->callback([command, options] {
+    demand_use(*command, !options->target.empty(), {"--speed"}, "--target");
+    demand_use(*command, options->standing.empty(),
+               {"--format", "--mount", "--sigma", "--heading-sigma", "--run", "--clock-offset",
+                "--map", "--origin"},
+               "--from");
+    demand_use(*command, !options->map.empty() || !options->origin.empty(),
+               {"--map-sigma", "--map-heading-sigma"}, "--map or --origin");
+    convert(*options);
+  });
 }
 
 }  // namespace iog::tools

@@ -24,6 +24,8 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/fixed.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/number_checks.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
@@ -96,6 +98,7 @@ class Reception {
         if (!is_done()) {  // what has begun of the frame behind the last is no loss
           if (stream_) {
             stream_->write(datagram_of_stream(time_of_day_us(), message));
+            stream_->keep_beginning();
           }
           assembler_.take(message);
         }
@@ -104,7 +107,7 @@ class Reception {
       note_arrival(!messages.empty());
     }
     assembler_.finish();
-    if (stream_) {
+    if (stream_ && datagrams_ > 0) {
       stream_->finish();
     }
     end_ = Clock::now();
@@ -114,11 +117,13 @@ class Reception {
   void write_results() {
     if (chosen_.get()) {
       pictures_.write_last(*chosen_.get());
+    } else if (assembler_.counts().messages > 0) {
+      pictures_.write_none();
     }
-    if (!options_->hashes.empty()) {
+    if (!options_->hashes.empty() && datagrams_ > 0) {
       write_records(options_->hashes, statistics_.records());
     }
-    if (!options_->classes_hashes.empty()) {
+    if (!options_->classes_hashes.empty() && datagrams_ > 0) {
       write_class_records(options_->classes_hashes, statistics_.classes().records());
     }
     if (!options_->summary.empty()) {
@@ -336,10 +341,10 @@ void add_receive(CLI::App& program) {
   add_picture_options(*command, options->pictures);
   add_option(*command, "--frames", "N  (default the number in --expect)", options->frames,
              "End after this number of frames with evidence")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero());
   add_option(*command, "--idle-timeout", "SECONDS", options->idle_timeout_s,
              "End after this time without a frame with evidence")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->add_flag("--notify", options->notify,
                     "Print `listening`, `heard` at the first message, then `frame N` or `nothing "
                     "taken` per frame");
@@ -364,7 +369,13 @@ void add_receive(CLI::App& program) {
       "--serial shows the newest cells of each tile over the coarse grids (docs/spec.md 3.8) and "
       "counts frames by their numbers.\n" +
       std::string(kPictureFooter));
-  command->callback([options] {
+  command->callback([command, options] {
+    demand_use(*command, options->serial.path.empty(),
+               {"--bind", "--key", "--notify", "--hashes", "--expect", "--classes-hashes",
+                "--expect-classes", "--stream", "--strict"},
+               "--port");
+    demand_use(*command, !options->pictures.folder.empty(), {"--every", "--scale", "--radius"},
+               "--out FOLDER");
     catch_interrupts();
     receive(*options);
   });

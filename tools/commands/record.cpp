@@ -14,6 +14,8 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
 #include "tools/program/joined.hpp"
+#include "tools/program/number_checks.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/record/mcap_recording.hpp"
 #include "tools/record/pcap_recording.hpp"
 #include "tools/record/picture_recording.hpp"
@@ -72,6 +74,22 @@ std::unique_ptr<Recording> recording_of(const std::string& path, const RecordOpt
   return std::make_unique<PictureRecording>(pictures, options.with_maps);
 }
 
+// An option of one kind of output does nothing for another.
+void demand_uses(const CLI::App& command, const RecordOptions& options) {
+  const auto is = [&](const std::string& suffix) {
+    return [suffix](const std::string& path) {
+      return std::filesystem::path(path).extension() == suffix;
+    };
+  };
+  const auto is_folder = [&](const std::string& path) {
+    return !is(".mcap")(path) && !is(".pcap")(path);
+  };
+  demand_use(command, std::ranges::any_of(options.out, is(".mcap")),
+             {"--topics", "--points", "--uncompressed", "--stamp"}, "--out FILE.mcap");
+  demand_use(command, std::ranges::any_of(options.out, is_folder),
+             {"--every", "--maps", "--scale", "--radius"}, "--out FOLDER");
+}
+
 // From wherever it comes. The number of datagrams that were dropped on the way.
 std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorder) {
   if (!options.drive.captures.empty()) {
@@ -82,16 +100,6 @@ std::uint64_t record_from_source(const RecordOptions& options, Recorder& recorde
     return record_live(options.live, recorder);
   }
   return 0;
-}
-
-// A file without a datagram is no recording, and would look like one.
-void remove_empty_files(const RecordOptions& options) {
-  for (const std::string& path : options.out) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored)) {
-      std::filesystem::remove(path, ignored);
-    }
-  }
 }
 
 void record(RecordOptions options) {
@@ -106,14 +114,9 @@ void record(RecordOptions options) {
     recordings.push_back(recording_of(path, options));
   }
   Recorder recorder(std::move(recordings));
-  std::uint64_t overflow = 0;
-  try {
-    overflow = record_from_source(options, recorder);
-  } catch (const std::exception&) {
-    if (recorder.datagrams() == 0) {
-      remove_empty_files(options);
-    }
-    throw;
+  const std::uint64_t overflow = record_from_source(options, recorder);
+  if (recorder.datagrams() == 0) {
+    throw CheckFailed("no message of a target came, and nothing is written");
   }
   recorder.finish();
   // With --notify standard output belongs to whoever reads the notes.
@@ -132,9 +135,9 @@ void record(RecordOptions options) {
 
 void add_sources(CLI::App& command, RecordOptions& options) {
   auto* const sources = command.add_option_group("source");
-  add_option(*sources, "--port", "PORT", options.live.port,
-             "Record the stream that a target sends to this UDP port")
-      ->check(CLI::Range(1, 65'535));
+  auto* const port = add_option(*sources, "--port", "PORT", options.live.port,
+                                "Record the stream that a target sends to this UDP port")
+                         ->check(CLI::Range(1, 65'535));
   auto* const pcap = add_drive_options(command, *sources, options.drive,
                                        "Fuse this capture of sensors (.pcap, .pcapng; also .gz or "
                                        ".zst); several are merged by time");
@@ -146,15 +149,20 @@ void add_sources(CLI::App& command, RecordOptions& options) {
              "City map that the target has from the start (.iogmap)")
       ->needs(pcap);
   add_option(command, "--bind", "ADDRESS  (with --port; default 127.0.0.1)", options.live.bind,
-             "IPv4 address to receive on");
+             "IPv4 address to receive on")
+      ->needs(port);
   add_option(command, "--frames", "N  (with --port)", options.live.frames,
              "End after this number of frames with evidence")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero())
+      ->needs(port);
   add_option(command, "--idle-timeout", "SECONDS  (with --port)", options.live.idle_timeout_s,
              "End after this time without a frame with evidence")
-      ->check(CLI::PositiveNumber);
-  command.add_flag("--notify", options.live.notify,
-                   "Print `listening`, then `frame N` or `nothing taken` per frame");
+      ->check(above_zero())
+      ->needs(port);
+  command
+      .add_flag("--notify", options.live.notify,
+                "Print `listening`, then `frame N` or `nothing taken` per frame")
+      ->needs(port);
 }
 
 void add_destinations(CLI::App& command, RecordOptions& options) {
@@ -173,7 +181,7 @@ void add_destinations(CLI::App& command, RecordOptions& options) {
              "Clock of the timestamps in an MCAP file: of the target, of this PC, or of the poses")
       ->check(CLI::IsMember({"target", "arrival", "poses"}));
   add_option(command, "--every", "N  (default 1)", options.pictures.every, "Draw every Nth frame")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command.add_flag("--maps", options.with_maps,
                    "Also write map_NNNNNN.pgm and map_NNNNNN.yaml for each picture");
   add_scale_options(command, options.pictures.scale);
@@ -192,8 +200,10 @@ void add_record(CLI::App& program) {
       "If record is killed, its MCAP file loses at most the last second. With --pcap and --stream, "
       "the same input gives the same bytes. A folder receives frame_NNNNNN.png for every frame "
       "with evidence, classes_NNNNNN.png if the frame has classes, and the last frame as map.pgm "
-      "and map.yaml. Files of an earlier run are removed.");
-  command->callback([options] {
+      "and map.yaml. Numbered files of an earlier run of iog are removed when the first picture "
+      "comes.");
+  command->callback([command, options] {
+    demand_uses(*command, *options);
     catch_interrupts();
     record(*options);
   });

@@ -24,6 +24,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/number_checks.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/replay/frame_grouper.hpp"
@@ -325,7 +326,7 @@ void add_replay(CLI::App& program) {
       ->check(CLI::Range(1, 65'535));
   add_option(*command, "--speed", "X  (default 1; with --step 0)", options->speed,
              "Speed: 1 as recorded, 2 twice as fast, 0 as fast as possible")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero());
   command->add_flag("--step", options->step,
                     "Report each frame as sent, then wait for a line on standard input");
   add_option(*command, "--map", "FILE", options->map, "Send this map first (.iogmap)");

@@ -1,6 +1,7 @@
 #include "tools/commands/serial_options.hpp"
 
 #include "tools/program/add_option.hpp"
+#include "tools/program/number_checks.hpp"
 
 namespace iog::tools {
 
@@ -13,7 +14,7 @@ void add_serial_options(CLI::App& command, SerialOptions& options) {
       ->needs("--serial");
   add_option(command, "--max-age", "SECONDS  (with --serial; default 5)", options.max_age_s,
              "Show cells older than this from the coarse grids")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->needs("--serial");
   add_option(command, "--tiles", "FILE  (with --serial)", options.tiles,
              "Write frame, number and CRC of the cells of each received tile")

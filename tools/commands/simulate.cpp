@@ -19,6 +19,7 @@
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/number_checks.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/simulate/drives/drive.hpp"
@@ -71,22 +72,45 @@ std::pair<double, double> pair_of(const std::string& option, const std::string& 
   throw UsageError(option + " " + text + ": give seconds of the drive, a colon and a number");
 }
 
+// A fault of the poses that is not in the drive would have no effect.
+void demand_in_drive(const SimulateOptions& options, const std::string& fault, double second) {
+  if (!(second >= 0 && second < options.seconds)) {
+    throw UsageError(fault + ": begins outside the drive of " + std::to_string(options.seconds) +
+                     " s");
+  }
+}
+
+// From a second on, for so many seconds.
+template <typename Fault>
+std::vector<Fault> faults_of(const SimulateOptions& options, const std::string& option,
+                             const std::vector<std::string>& texts) {
+  std::vector<Fault> faults;
+  for (const std::string& text : texts) {
+    const auto [begin_s, length_s] = pair_of(option, text);
+    demand_in_drive(options, option + ' ' + text, begin_s);
+    if (!(length_s > 0)) {
+      throw UsageError(option + ' ' + text + ": lasts no longer than 0 s");
+    }
+    faults.push_back({begin_s, length_s});
+  }
+  return faults;
+}
+
 PoseOptions pose_options(const SimulateOptions& options) {
-  PoseOptions poses{.rate_hz = options.pose_rate_hz,
-                    .sigma_m = options.pose_sigma_mm / 1000,
-                    .sigma_heading_rad = options.pose_heading_sigma_mrad / 1000,
-                    .restarts_s = options.pose_restarts_s};
-  for (const std::string& text : options.pose_gaps) {
-    const auto [begin_s, length_s] = pair_of("--pose-gap", text);
-    poses.gaps.push_back({begin_s, length_s});
-  }
-  for (const std::string& text : options.pose_freezes) {
-    const auto [begin_s, length_s] = pair_of("--pose-freeze", text);
-    poses.freezes.push_back({begin_s, length_s});
-  }
+  PoseOptions poses{
+      .rate_hz = options.pose_rate_hz,
+      .sigma_m = options.pose_sigma_mm / 1000,
+      .sigma_heading_rad = options.pose_heading_sigma_mrad / 1000,
+      .gaps = faults_of<PoseOptions::Gap>(options, "--pose-gap", options.pose_gaps),
+      .freezes = faults_of<PoseOptions::Freeze>(options, "--pose-freeze", options.pose_freezes),
+      .restarts_s = options.pose_restarts_s};
   for (const std::string& text : options.pose_jumps) {
     const auto [time_s, metres] = pair_of("--pose-jump", text);
+    demand_in_drive(options, "--pose-jump " + text, time_s);
     poses.jumps.push_back({time_s, metres});
+  }
+  for (const double second : options.pose_restarts_s) {
+    demand_in_drive(options, "--pose-restart " + CLI::detail::to_string(second), second);
   }
   return poses;
 }
@@ -95,7 +119,7 @@ PoseOptions pose_options(const SimulateOptions& options) {
 class DriveRecording {
  public:
   DriveRecording(const std::string& path, const CatalogueEntry& car)
-      : path_(path), car_(&car), capture_(path, PcapWriter::Unfinished::kNothing) {}
+      : path_(path), car_(&car), capture_(path) {}
 
   void write(const std::vector<CapturedDatagram>& datagrams) {
     for (const CapturedDatagram& datagram : datagrams) {
@@ -261,7 +285,7 @@ void add_truth_options(CLI::App& command, SimulateOptions& options, CLI::Option*
       ->needs(moving);
   add_option(command, "--truth-every", "N  (default 25)", options.truth_every,
              "Write the ground truth of every Nth frame")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
 }
 
 void add_pose_options(CLI::App& command, SimulateOptions& options, CLI::Option* moving) {
@@ -313,7 +337,7 @@ void add_simulate(CLI::App& program) {
   add_option(*command, "--out", "FILE  (required; without it, --osm writes only the map)",
              options->out, "Capture to write (.pcap)");
   add_option(*command, "--seed", "N  (default 1)", options->seed, "Seed of the random world")
-      ->check(CLI::NonNegativeNumber);
+      ->check(not_below_zero());
   add_option(*command, "--seconds", "N  (1 to 600, default 10)", options->seconds,
              "Length of the drive, with 25 frames per second")
       ->check(CLI::Range(1U, Drive::kMaxSeconds));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tools/program/add_option.hpp"
+#include "tools/program/number_checks.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -64,7 +65,7 @@ CLI::Option* add_log_options(CLI::App& command, DriveFiles& drive, const std::st
   add_option(command, "--poses-sigma", "MM MRAD  (default the log's, else 50 2)", drive.poses_sigma,
              "Standard deviations of the motion in one second")
       ->expected(2)
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->needs(poses);
   return poses;
 }

@@ -17,6 +17,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/hexadecimal.hpp"
 #include "tools/program/interrupt.hpp"
+#include "tools/program/number_checks.hpp"
 #include "tools/receive/frame_record.hpp"
 #include "tools/simulate/scenes/scene_catalogue.hpp"
 #include "tools/vehicles/key_file.hpp"
@@ -108,6 +109,12 @@ std::unique_ptr<view::Source> source_of(const ViewOptions& options) {
   if (!options.simulate.empty()) {
     return view::make_drive_source(options.simulate, options.vehicle, options.seed);
   }
+  if (options.forward == options.port &&
+      (options.bind == "127.0.0.1" || options.bind == "0.0.0.0")) {
+    throw UsageError("--forward " + std::to_string(options.forward) +
+                     ": view itself receives on this port (--port), and each message would come "
+                     "back without end; forward to another port");
+  }
   return view::make_stream_source(options.bind, options.port);
 }
 
@@ -168,7 +175,7 @@ void add_sources(CLI::App& command, ViewOptions& options) {
   bind->excludes(pcap)->excludes(simulate);
   add_vehicle_options(command, options.vehicle);
   add_option(command, "--seed", "N  (default 1)", options.seed, "Seed of the simulated drive")
-      ->check(CLI::NonNegativeNumber)
+      ->check(not_below_zero())
       ->needs(simulate);
   add_option(command, "--speed", "FACTOR  (default 1)", options.speed,
              "Speed of the recording; 2: twice as fast")

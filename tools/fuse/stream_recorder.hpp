@@ -13,8 +13,7 @@ namespace iog::tools {
 class StreamRecorder {
  public:
   // UsageError if the file cannot be written.
-  explicit StreamRecorder(const std::string& path)
-      : file_(path, PcapWriter::Unfinished::kNothing) {}
+  explicit StreamRecorder(const std::string& path) : file_(path) {}
 
   // A message as app::Pipeline sends it.
   void take(std::span<const std::byte> message);

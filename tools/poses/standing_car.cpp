@@ -23,7 +23,7 @@ constexpr double kSigmaRad = 1e-4;
 std::uint64_t write_with_standing_poses(const std::string& capture, std::uint16_t pose_port,
                                         const std::string& out) {
   PcapReader reader(capture);
-  PcapWriter writer(out, PcapWriter::Unfinished::kNothing);
+  PcapWriter writer(out);
   PoseEncoder encoder;
   std::uint64_t poses = 0;
   std::uint64_t due_us = 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
 #include <system_error>
 
 namespace iog::tools {
@@ -94,7 +93,8 @@ std::string numbered(const std::string& folder, std::string_view stem, std::uint
   return name;
 }
 
-void remove_numbered(const std::string& folder, std::string_view stem, std::string_view suffix) {
+std::vector<std::filesystem::path> numbered_files(const std::string& folder, std::string_view stem,
+                                                  std::string_view suffix) {
   std::error_code error;
   const std::filesystem::directory_iterator entries(folder, error);
   if (error) {
@@ -106,11 +106,7 @@ void remove_numbered(const std::string& folder, std::string_view stem, std::stri
       found.push_back(entry.path());
     }
   }
-  for (const std::filesystem::path& path : found) {
-    if (!std::filesystem::remove(path, error)) {
-      throw UsageError(path.string() + ": cannot be removed: " + error.message());
-    }
-  }
+  return found;
 }
 
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <span>
@@ -33,18 +34,21 @@ void make_folder(const std::string& path);
 // `folder`/`stem`_000123`suffix`
 [[nodiscard]] std::string numbered(const std::string& folder, std::string_view stem,
                                    std::uint64_t number, std::string_view suffix);
-// Removes all of these from the folder: what an earlier run has left would look like this one's.
-void remove_numbered(const std::string& folder, std::string_view stem, std::string_view suffix);
+// All paths of this folder that numbered() may have made.
+[[nodiscard]] std::vector<std::filesystem::path> numbered_files(const std::string& folder,
+                                                                std::string_view stem,
+                                                                std::string_view suffix);
 
 // The destination of an output. Bytes are written to PATH.part, which finish() renames to PATH.
 // Without finish(), or if a signal ends the program, no output remains, and an existing file stays
-// as it was. Devices, pipes and "-" are written directly.
+// as it was. A recording whose beginning is of use calls finish() before its end, and is written
+// on. Devices, pipes and "-" are written directly.
 class OutputPlace {
  public:
   explicit OutputPlace(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return part_.is_none() ? path_ : part_.path(); }
-  // Call this when the file is closed. UsageError if it cannot be renamed to PATH.
+  // UsageError if it cannot be renamed to PATH. A second call does nothing.
   void finish();
 
  private:

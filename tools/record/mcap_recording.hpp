@@ -23,6 +23,7 @@ class McapRecording : public Recording, private TopicSink {
                 mcap::Compression compression, Stamp stamp = Stamp::kTarget);
 
   [[nodiscard]] bool wants_points() const override { return topics_.contains(kPointsTopic); }
+  void keep_beginning() override { file_.keep_beginning(); }
   void take_datagram(const CapturedDatagram& datagram) override;
   void take_frame(const RecordedFrame& frame) override;
   void finish(const Facts& facts) override;

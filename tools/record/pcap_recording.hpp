@@ -13,6 +13,7 @@ class PcapRecording : public Recording {
   // UsageError if the file cannot be written.
   explicit PcapRecording(const std::string& path) : file_(path) {}
 
+  void keep_beginning() override { file_.keep_beginning(); }
   void take_datagram(const CapturedDatagram& datagram) override { file_.write(datagram); }
   void take_frame(const RecordedFrame& /*frame*/) override {}
   void finish(const Facts& /*facts*/) override { file_.finish(); }

@@ -8,11 +8,7 @@
 namespace iog::tools {
 
 PictureRecording::PictureRecording(const PictureOptions& options, bool with_maps)
-    : options_(options), with_maps_(with_maps), pictures_(options) {
-  for (const char* const suffix : {".pgm", ".yaml"}) {
-    remove_numbered(options_.folder, "map", suffix);
-  }
-}
+    : options_(options), with_maps_(with_maps), pictures_(options, true) {}
 
 void PictureRecording::take_frame(const RecordedFrame& recorded) {
   const GridFrame& frame = *recorded.frame;
@@ -31,6 +27,8 @@ void PictureRecording::take_frame(const RecordedFrame& recorded) {
 void PictureRecording::finish(const Facts& /*facts*/) {
   if (last_) {
     pictures_.write_last(*last_);
+  } else {
+    pictures_.write_none();
   }
 }
 

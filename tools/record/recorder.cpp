@@ -43,6 +43,15 @@ void Recorder::note_gap() {
   live_classes_.forget();
 }
 
+void Recorder::keep_beginning() {
+  if (std::exchange(is_kept_, true)) {
+    return;
+  }
+  for (const std::unique_ptr<Recording>& recording : recordings_) {
+    recording->keep_beginning();
+  }
+}
+
 void Recorder::finish() {
   is_over_ = true;
   census_.finish();
@@ -56,6 +65,9 @@ void Recorder::take_frame(const GridFrame& frame) {
     return;
   }
   const bool has_evidence = frame.header.has_evidence();
+  if (has_evidence) {
+    keep_beginning();
+  }
   live_.take(frame);
   live_classes_.take(frame);
   for (const std::unique_ptr<Recording>& recording : recordings_) {

@@ -34,6 +34,10 @@ class Recorder {
   // The same of a file. Its gap may be one of whoever recorded it, so that no frame ends there.
   void note_gap();
 
+  // Replaces what was at the recordings' places before. The first frame with evidence does that,
+  // too.
+  void keep_beginning();
+
   // Hands over the frames that still wait, and finishes the recordings. A frame whose end has not
   // come, because the recording was stopped in its middle, is in none but as its messages.
   void finish();
@@ -54,6 +58,7 @@ class Recorder {
   std::uint64_t too_long_ = 0;
   std::uint64_t evidence_frames_ = 0;
   bool is_over_ = false;
+  bool is_kept_ = false;
   std::vector<SeenPoint> points_;
 };
 

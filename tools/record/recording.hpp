@@ -32,6 +32,9 @@ class Recording {
 
   // Whether the points of a frame are of any use here.
   [[nodiscard]] virtual bool wants_points() const { return false; }
+  // Once, when it is known that the run has something to record: from then on its beginning
+  // replaces what was there before. Without it, finish() does that.
+  virtual void keep_beginning() {}
   // Every datagram, as it came.
   virtual void take_datagram(const CapturedDatagram& datagram) = 0;
   // Every frame, in order, after its last datagram.

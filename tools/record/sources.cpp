@@ -55,6 +55,7 @@ class LiveRecording {
                            .source = kStreamSource,
                            .destination = destination_,
                            .payload = std::move(message)});
+          recorder_->keep_beginning();
           note_frames();
         }
       }

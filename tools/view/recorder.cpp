@@ -37,6 +37,7 @@ void Recorder::start() {
     path_ = stem + "_" + std::to_string(again) + ".pcap";
   }
   file_.emplace(path_);
+  file_->keep_beginning();
   messages_ = 0;
   bytes_ = 0;
 }

@@ -72,13 +72,13 @@ TEST(Capture, AnUnfinishedOneLeavesWhatWasThere) {
   std::filesystem::create_symlink(path, link);
   for (const std::string& name : {path, link, folder / "new.pcap"}) {
     {
-      PcapWriter writer(name, PcapWriter::Unfinished::kNothing);
+      PcapWriter writer(name);
       writer.write(datagram_of(2, 20));
     }
     EXPECT_EQ(read_file(path), before);
     EXPECT_EQ(files(), 2);
   }
-  PcapWriter writer(link, PcapWriter::Unfinished::kNothing);
+  PcapWriter writer(link);
   writer.write(datagram_of(2, 20));
   writer.finish();
   EXPECT_TRUE(std::filesystem::is_symlink(link));

@@ -55,13 +55,10 @@ void PcapWriter::Closer::operator()(pcap* file) const { pcap_close(file); }
 
 void PcapWriter::Closer::operator()(pcap_dumper* file) const { pcap_dump_close(file); }
 
-PcapWriter::PcapWriter(const std::string& path, Unfinished left)
-    : path_(path), link_(pcap_open_dead(DLT_EN10MB, kSnapLength)) {
-  if (left == Unfinished::kNothing) {
-    place_.emplace(path);
-  }
+PcapWriter::PcapWriter(const std::string& path)
+    : path_(path), place_(path), link_(pcap_open_dead(DLT_EN10MB, kSnapLength)) {
   errno = 0;
-  file_.reset(pcap_dump_open(link_.get(), (place_ ? place_->path() : path).c_str()));
+  file_.reset(pcap_dump_open(link_.get(), place_.path().c_str()));
   if (!file_) {
     throw file_error(path, "cannot be written");
   }
@@ -107,9 +104,7 @@ void PcapWriter::finish() {
     throw file_error(path_, "not written completely");
   }
   file_.reset();
-  if (place_) {
-    place_->finish();
-  }
+  place_.finish();
 }
 
 }  // namespace iog::tools

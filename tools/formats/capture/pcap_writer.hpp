@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "tools/formats/capture/datagram.hpp"
@@ -19,14 +18,14 @@ namespace iog::tools {
 
 class PcapWriter {
  public:
-  // Determines what remains of a capture that ends before finish(): its beginning or nothing
-  // (OutputPlace).
-  enum class Unfinished : std::uint8_t { kBeginning, kNothing };
-
-  // UsageError if the file cannot be written.
-  explicit PcapWriter(const std::string& path, Unfinished left = Unfinished::kBeginning);
+  // UsageError if the file cannot be written. Without keep_beginning() and finish(), an older file
+  // stays (OutputPlace).
+  explicit PcapWriter(const std::string& path);
   // Payloads of at most 65,507 bytes. UsageError if the disk is full.
   void write(const CapturedDatagram& datagram);
+
+  // Replaces an older file by what is written, also if it never comes to finish().
+  void keep_beginning() { place_.finish(); }
 
   // UsageError if not all bytes have reached the file. Nothing may be written after it.
   void finish();
@@ -43,7 +42,7 @@ class PcapWriter {
   };
 
   std::string path_;
-  std::optional<OutputPlace> place_;  // none if its beginning is kept
+  OutputPlace place_;
   std::unique_ptr<pcap, Closer> link_;
   std::unique_ptr<pcap_dumper, Closer> file_;
   std::uint16_t identification_ = 0;

@@ -5,7 +5,6 @@
 #include <zstd.h>
 
 #include "require/require.hpp"
-#include "tools/program/file.hpp"
 
 namespace iog::tools::mcap {
 namespace {
@@ -38,9 +37,9 @@ void Writer::Extent::add(std::uint64_t time_ns) {
 }
 
 Writer::Writer(const std::string& path, std::string_view profile, Compression compression)
-    : path_(path), compression_(compression), context_(ZSTD_createCCtx()) {
+    : path_(path), place_(path), compression_(compression), context_(ZSTD_createCCtx()) {
   errno = 0;
-  file_.open(path, std::ios::binary);
+  file_.open(place_.path(), std::ios::binary);
   if (!file_) {
     throw file_error(path, "cannot be written");
   }
@@ -110,6 +109,7 @@ void Writer::finish(std::string_view metadata_name, const Metadata& metadata) {
   if (!file_) {
     throw file_error(path_, "not written completely");
   }
+  place_.finish();
 }
 
 void Writer::append(std::span<const std::byte> bytes) {

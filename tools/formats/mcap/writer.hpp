@@ -3,7 +3,7 @@
 //
 // The bytes depend on nothing but what is written (and, compressed, on the version of libzstd).
 // What has been written reaches the file chunk by chunk: a program that is killed leaves a file
-// that can be read up to its last chunk.
+// that can be read up to its last chunk, if keep_beginning() was called.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +20,7 @@
 #include "stream/crc32.hpp"
 #include "tools/formats/mcap/format.hpp"
 #include "tools/formats/mcap/record_bytes.hpp"
+#include "tools/program/file.hpp"
 
 struct ZSTD_CCtx_s;
 
@@ -27,7 +28,8 @@ namespace iog::tools::mcap {
 
 class Writer {
  public:
-  // UsageError if the file cannot be written.
+  // UsageError if the file cannot be written. Without keep_beginning() and finish(), an older file
+  // stays (OutputPlace).
   Writer(const std::string& path, std::string_view profile, Compression compression);
 
   // Return the ids, counted from 1. A channel's schema comes before it.
@@ -40,6 +42,9 @@ class Writer {
   };
   // The next message of that channel. UsageError if the disk is full.
   void write(std::uint16_t channel_id, const Times& times, std::span<const std::byte> data);
+
+  // Replaces an older file by what is written, also if it never comes to finish().
+  void keep_beginning() { place_.finish(); }
 
   // UsageError if not all has been written. Nothing may be written after it. The metadata is what
   // is to be known of the whole file.
@@ -68,6 +73,7 @@ class Writer {
   [[nodiscard]] RecordBytes statistics() const;
 
   std::string path_;
+  OutputPlace place_;
   std::ofstream file_;
   Compression compression_;
   std::unique_ptr<ZSTD_CCtx_s, FreeContext> context_;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tools/formats/picture/font.hpp"
+#include "tools/formats/picture/png_mark.hpp"
 #include "tools/program/file.hpp"
 
 namespace iog::tools {
@@ -110,7 +111,7 @@ void Canvas::write_png(const std::string& path) const {
     throw UsageError(path + ": cannot be written: " + image.message);
   }
   OutputFile file(path);
-  file.write(std::span(png).first(bytes));
+  file.write(with_mark(std::span(png).first(bytes)));
   file.finish();
 }
 

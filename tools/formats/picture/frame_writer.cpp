@@ -6,15 +6,16 @@
 
 namespace iog::tools {
 
-FrameWriter::FrameWriter(const PictureOptions& options) : options_(options) {
+FrameWriter::FrameWriter(const PictureOptions& options, bool with_maps) : options_(options) {
   if (!options_.folder.empty()) {
-    make_folder(options_.folder);
-    remove_numbered(options_.folder, "frame", ".png");
-    remove_numbered(options_.folder, "classes", ".png");
+    folder_.emplace(options_.folder, with_maps);
   }
 }
 
 void FrameWriter::draw(const GridFrame& frame) {
+  if (!has_drawn_) {
+    write_none();
+  }
   const std::uint64_t number = frame.evidence_number;
   if (frame.header.has_indexes()) {
     picture_of(frame, options_.scale).write_png(numbered(options_.folder, "frame", number, ".png"));
@@ -25,6 +26,12 @@ void FrameWriter::draw(const GridFrame& frame) {
   }
   has_drawn_ = true;
   last_drawn_ = frame.evidence_number;
+}
+
+void FrameWriter::write_none() const {
+  if (folder_) {
+    folder_->clear();
+  }
 }
 
 void FrameWriter::offer(const GridFrame& frame) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "tools/formats/picture/grid_picture.hpp"
+#include "tools/formats/picture/picture_folder.hpp"
 #include "tools/frames/grid_frame.hpp"
 
 namespace CLI {
@@ -22,8 +24,9 @@ struct PictureOptions {
 
 class FrameWriter {
  public:
-  // Makes the folder, if there is to be one, and takes out of it the frames of an earlier run.
-  explicit FrameWriter(const PictureOptions& options);
+  // Makes the folder, if there is to be one. The first picture takes out of it the frames, and
+  // numbered maps, of an earlier run. UsageError as PictureFolder.
+  explicit FrameWriter(const PictureOptions& options, bool with_maps = false);
 
   // A frame with evidence is drawn if its turn has come.
   void offer(const GridFrame& frame);
@@ -31,10 +34,14 @@ class FrameWriter {
   // Draws the frame, if it has not been, and writes it as map.pgm and map.yaml.
   void write_last(const GridFrame& frame);
 
+  // Of a run that is done and has no frame: the pictures of an earlier run are not its.
+  void write_none() const;
+
  private:
   void draw(const GridFrame& frame);
 
   PictureOptions options_;
+  std::optional<PictureFolder> folder_;
   std::uint64_t next_ = 0;
   bool has_drawn_ = false;
   std::uint64_t last_drawn_ = 0;

@@ -1,7 +1,12 @@
 #include "tools/formats/picture/ros_map.hpp"
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 #include "tools/formats/picture/pgm.hpp"
 #include "tools/program/file.hpp"
@@ -13,6 +18,13 @@ namespace {
 constexpr std::uint8_t kOccupiedPixel = 0;
 constexpr std::uint8_t kFreePixel = 254;
 constexpr std::uint8_t kUnknownPixel = 205;
+
+// The words of the .yaml: as nobody else writes them, so that iog knows its own.
+constexpr std::string_view kMode = "mode: trinary";
+constexpr std::string_view kResolution = "resolution: ";
+constexpr std::string_view kOrigin = "origin: [";
+constexpr std::string_view kOriginEnd = ", 0.0]";
+constexpr std::string_view kEnd = "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196";
 
 std::uint8_t pixel_of(index::OccupancyIndex index) {
   if (index == index::kUnknown) {
@@ -40,21 +52,36 @@ std::string ros_map_yaml(const std::string& image, const RosMap& map) {
   std::ostringstream yaml;
   yaml << std::fixed << std::setprecision(map.grid.cell_mm % 100 == 0 ? 1 : 2);
   yaml << "image: " << image << '\n'
-       << "mode: trinary\n"
-       << "resolution: " << map.grid.cell_mm / 1000.0 << '\n'
-       << "origin: [" << metres(-map.grid.origin_column) << ", " << metres(-map.grid.origin_row)
-       << ", 0.0]\n"
-       << "negate: 0\n"
-       << "occupied_thresh: 0.65\n"
-       << "free_thresh: 0.196\n";
+       << kMode << '\n'
+       << kResolution << map.grid.cell_mm / 1000.0 << '\n'
+       << kOrigin << metres(-map.grid.origin_column) << ", " << metres(-map.grid.origin_row)
+       << kOriginEnd << '\n'
+       << kEnd << '\n';
   return yaml.str();
 }
 
+bool is_own_ros_map(const std::string& path) {
+  const std::filesystem::path file(path);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return false;
+  }
+  std::array<std::string, 8> lines;
+  std::ifstream stream(file);
+  for (std::string& line : lines) {
+    std::getline(stream, line);
+  }
+  return lines[0] == "image: " + file.stem().string() + ".pgm" && lines[1] == kMode &&
+         lines[2].starts_with(kResolution) && lines[3].starts_with(kOrigin) &&
+         lines[3].ends_with(kOriginEnd) && lines[4] + '\n' + lines[5] + '\n' + lines[6] == kEnd &&
+         lines[7].empty();
+}
+
 void write_ros_map(const std::string& folder, const std::string& base, const RosMap& map) {
-  write_pgm(folder + "/" + base + ".pgm", map.grid.columns, map.grid.rows, ros_map_pixels(map));
   OutputFile yaml(folder + "/" + base + ".yaml");
   yaml.write(ros_map_yaml(base + ".pgm", map));
   yaml.finish();
+  write_pgm(folder + "/" + base + ".pgm", map.grid.columns, map.grid.rows, ros_map_pixels(map));
 }
 
 }  // namespace iog::tools

@@ -22,6 +22,9 @@ struct RosMap {
 
 [[nodiscard]] std::string ros_map_yaml(const std::string& image, const RosMap& map);
 
+// Whether iog wrote this .yaml.
+[[nodiscard]] bool is_own_ros_map(const std::string& path);
+
 // `base`.pgm and `base`.yaml in the folder. UsageError if they cannot be written.
 void write_ros_map(const std::string& folder, const std::string& base, const RosMap& map);
 

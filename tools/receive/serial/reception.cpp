@@ -66,11 +66,13 @@ class SerialReception {
   }
 
   void write_results() {
-    if (log_) {
+    if (log_ && link_.counts().messages > 0) {
       log_->finish();
     }
     if (link_.grid().newest_seen()) {
       pictures_.write_last(composed());
+    } else if (link_.counts().messages > 0) {
+      pictures_.write_none();
     }
     const Facts facts = this->facts();
     if (!options_->summary.empty()) {
