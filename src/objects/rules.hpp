@@ -11,7 +11,7 @@ namespace iog::objects {
 
 // Capacities that limit the cost of a frame. Elements that exceed a capacity are dropped and
 // counted.
-inline constexpr std::size_t kMostHits = 4096;
+inline constexpr std::size_t kMostHits = 8192;
 inline constexpr std::size_t kMostTracks = 256;
 inline constexpr std::size_t kMostClusters = 256;
 inline constexpr std::size_t kMostTracksOfATile = 16;  // tracks that may take hits in one tile

@@ -81,14 +81,15 @@ TEST(RecentHits, ALongBreakTakesNoLonger) {
 // As many as two full frames of an epoch are remembered, and more do no harm.
 TEST(RecentHits, HaveABound) {
   const auto recent = std::make_unique<RecentHits>();
-  std::vector<FrameHit> hits(10'000);
-  for (std::int32_t i = 0; i < 10'000; ++i) {
+  constexpr std::int32_t kMany = 2 * static_cast<std::int32_t>(kMostHits) + 1'000;
+  std::vector<FrameHit> hits(kMany);
+  for (std::int32_t i = 0; i < kMany; ++i) {
     hits[static_cast<std::size_t>(i)] = hit_at({i % 1'000, 3 * (i / 1'000)});
   }
   recent->add(8'000'000, hits);
   recent->add(8'160'000, {});
   EXPECT_EQ(recent->oldest({0, 0}), 2);
-  EXPECT_EQ(recent->oldest({999, 27}), 0);
+  EXPECT_EQ(recent->oldest(hits.back().cell), 0);
   recent->add(9'000'000, {});
   EXPECT_EQ(recent->oldest({0, 0}), 0);
 }
