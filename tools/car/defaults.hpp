@@ -16,6 +16,9 @@ namespace iog::description {
 // Where obstacles end: a car is as high as what is mounted on it.
 [[nodiscard]] double top_m_over(double mount_z_m);
 
+// Where the height band begins if the car file does not say it.
+inline constexpr double kUsualZMinM = 0.30;
+
 // Of a unit that reaches so far: as far as its beams may be in the cells of the car's grid
 // (car_block/limits.hpp).
 [[nodiscard]] std::uint32_t usual_range_max_mm(const SensorConfig& sensor, std::uint16_t cell_mm);

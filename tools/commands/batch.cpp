@@ -28,6 +28,7 @@
 #include "tools/program/printable.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
+#include "tools/vehicles/unused_band.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -357,7 +358,8 @@ void add_batch(CLI::App& program) {
       options->car_file = file->results().front();
     }
     check_options(*options);
-    std::cerr << warning_of_upward_mounts(find_vehicle(options->vehicle));
+    const CatalogueEntry& car = find_vehicle(options->vehicle);
+    std::cerr << warning_of_upward_mounts(car) << warning_of_unused_band(car);
     demand_own_folder(*options);
     catch_interrupts();
     Batch batch(*options, program.version());

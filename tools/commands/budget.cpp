@@ -10,6 +10,7 @@
 #include "tools/commands/vehicle_options.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/two_returns.hpp"
+#include "tools/vehicles/unused_band.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -17,7 +18,8 @@ namespace iog::tools {
 namespace {
 
 void show_budget(const CatalogueEntry& car) {
-  std::cout << words_of_budget(car) << warning_of_two_returns(car) << warning_of_upward_mounts(car);
+  std::cout << words_of_budget(car) << warning_of_two_returns(car) << warning_of_upward_mounts(car)
+            << warning_of_unused_band(car);
 }
 
 void show_budgets(const std::string& name) {

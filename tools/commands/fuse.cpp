@@ -35,6 +35,7 @@
 #include "tools/receive/run_statistics.hpp"
 #include "tools/record/stream_file.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "tools/vehicles/unused_band.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 #include "vehicle/vehicle.hpp"
@@ -263,7 +264,7 @@ void fuse(const FuseOptions& options) {
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   const vehicle::Vehicle vehicle = vehicle_with_rule(car, options.rule);
   demand_grids(options, vehicle);
-  std::cerr << warning_of_upward_mounts(car);
+  std::cerr << warning_of_upward_mounts(car) << warning_of_unused_band(car);
   demand_fit(options.drive.captures, car);
   CarCapture capture(options.drive, car);
   RunStatistics statistics;

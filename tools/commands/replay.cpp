@@ -87,6 +87,11 @@ class Replay {
   }
 
   void run() {
+    if (!car_->key_file.empty() && options_->signing.key.empty()) {
+      std::cerr
+          << "warning: " << options_->vehicle
+          << " has a key (authentication): without --key, a target drops all poses and maps\n";
+    }
     send_map();
     do {
       CarCapture capture(options_->drive, *car_);

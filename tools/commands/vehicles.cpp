@@ -16,6 +16,7 @@
 #include "tools/vehicles/grid_words.hpp"
 #include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/two_returns.hpp"
+#include "tools/vehicles/unused_band.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
 
@@ -60,7 +61,8 @@ void show_all() {
                 << mount.roll_deg << " deg, up to " << sensor.range_max_mm / 1000.0 << " m"
                 << words_of_heights(sensor) << '\n';
     }
-    std::cout << warning_of_two_returns(entry) << warning_of_upward_mounts(entry);
+    std::cout << warning_of_two_returns(entry) << warning_of_upward_mounts(entry)
+              << warning_of_unused_band(entry);
     if (vehicle::have_classes(entry.vehicle->grids)) {
       std::cout << "  " << std::left << std::setw(14) << "poses"
                 << " UDP " << entry.vehicle->poses.udp_port << '\n'

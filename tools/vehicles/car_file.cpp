@@ -130,7 +130,7 @@ void add_usual_moved(std::vector<TomlTable>& tables, Car& car) {
 
 // All sensors, and what follows from them where the file does not say it.
 void read_sensors(std::vector<TomlTable>& tables, Car& car) {
-  car.description.z_min_m = 0.30;
+  car.description.z_min_m = description::kUsualZMinM;
   for (TomlTable& table : tables) {
     read_sensor(table, car);
     car.description.z_max_m =

@@ -8,6 +8,7 @@
 #include "tools/budget/frame_budget.hpp"
 #include "tools/budget/unit_costs.hpp"
 #include "tools/car/tables.hpp"
+#include "tools/vehicles/unused_band.hpp"
 #include "tools/vehicles/upward_mount.hpp"
 
 namespace iog::tools {
@@ -164,6 +165,28 @@ TEST(Budget, OfAUnitThatIsNotLevelIsThatOfItsTurn) {
       "warning: roof_vlp16: sensor roof: pitch_deg = -6 looks up by 6 degrees; one that looks "
       "down has a positive pitch_deg (iog mount)\n");
   EXPECT_EQ(warning_of_upward_mounts(level), "");
+}
+
+// A VLP-16 follows the ground, so that the band of the car does not matter. A LUX needs it.
+TEST(UnusedBand, IsTold) {
+  const auto warning_with = [](const char* vehicle, double z_min_m, double z_max_m) {
+    CatalogueEntry car = find_vehicle(vehicle);
+    description::Description description = *car.description;
+    description.z_min_m = z_min_m;
+    description.z_max_m = z_max_m;
+    car.description = &description;
+    return warning_of_unused_band(car);
+  };
+  EXPECT_EQ(warning_with("roof_vlp16", 0.3, 4),
+            "warning: roof_vlp16: z_min_m = 0.3 and z_max_m = 4 have no effect, because each "
+            "sensor follows the ground; ground = { low_m = 0.22, top_m = 2.2 } of sensor roof says "
+            "how high obstacles are\n");
+  EXPECT_NE(warning_with("roof_vlp16", 0.1, 2.2), "");
+  EXPECT_EQ(warning_with("roof_vlp16", 0.3, 2.2), "");
+  EXPECT_EQ(warning_with("reference_car", 0.1, 4), "");
+  for (const CatalogueEntry& car : all_vehicles()) {
+    EXPECT_EQ(warning_of_unused_band(car), "");
+  }
 }
 
 // From the description alone: the mean of both drives.
