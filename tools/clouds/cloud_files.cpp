@@ -94,9 +94,11 @@ struct Series {
   }
 };
 
-// The name with # instead of each number; of two numbers, the first one stays if it belongs to a
-// word, as in lidar1_000.pcd. A decimal point is a part of a number. Empty: no number.
-std::string series_of(std::string_view name) {
+// The name with # instead of each number. If `are_units`, the first one of two numbers stays if it
+// is short and belongs to a word, as in lidar1_000.pcd. A decimal point is a part of a number.
+// Empty: no number.
+std::string series_of(std::string_view name, bool are_units) {
+  constexpr std::size_t kDigitsOfUnit = 2;
   const std::string_view stem = without_ending(name);
   const auto is_digit = [](char letter) { return '0' <= letter && letter <= '9'; };
   std::string series;
@@ -120,22 +122,22 @@ std::string series_of(std::string_view name) {
     series += '#';
     at = end;
   }
-  if (numbers.size() == 2 && follows_word) {
+  if (are_units && numbers.size() == 2 && follows_word && numbers[0].size() <= kDigitsOfUnit) {
     series.replace(series.find('#'), 1, numbers[0]);
   }
   return numbers.empty() ? std::string() : series;
 }
 
 // What is wrong if files of one folder are those of several lidars or drives, or copies: names of
-// few series whose numbers overlap. Empty: nothing.
-std::string words_of_several(const std::vector<std::string>& paths) {
+// few series whose numbers overlap. are_units: as of series_of(). Empty: nothing.
+std::string words_of_several(const std::vector<std::string>& paths, bool are_units) {
   constexpr std::size_t kMostDigits = 18;
   std::map<std::pair<std::string, std::string>, Series> all;  // by folder and series
   for (const std::string& path : paths) {
     const std::filesystem::path its(path);
     const std::string name = its.filename();
     const std::string_view digits = number_of(name).first;
-    const std::string series = series_of(name);
+    const std::string series = series_of(name, are_units);
     if (series.empty()) {
       continue;
     }
@@ -237,7 +239,7 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
                      std::string(*endings.begin()));
   }
   std::ranges::sort(paths, {}, natural_key);
-  if (const std::string several = words_of_several(paths); !several.empty()) {
+  if (const std::string several = words_of_several(paths, false); !several.empty()) {
     throw UsageError(folder + ": " + several);
   }
   return paths;
@@ -295,7 +297,7 @@ CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second
     all.remarks.push_back(std::string("files were put in the order of the ") +
                           (have_times ? "times" : "numbers") + " in their names");
   }
-  if (const std::string several = words_of_several(paths); !several.empty()) {
+  if (const std::string several = words_of_several(paths, true); !several.empty()) {
     all.remarks.push_back(several);
   }
   if (!have_times) {

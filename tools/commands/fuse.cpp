@@ -315,7 +315,7 @@ void fuse(const FuseOptions& options) {
     recorder->finish();
   }
   write_tables(options, statistics);
-  drawing.write(statistics, vehicle.poses.udp_port, capture.clock_words());
+  drawing.write(statistics, vehicle.poses.udp_port, capture.time_words());
   if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
     const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
     pictures.write_last(frame);

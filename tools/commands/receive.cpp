@@ -98,16 +98,18 @@ class Reception {
         if (!is_done()) {  // what has begun of the frame behind the last is no loss
           if (stream_) {
             stream_->write(datagram_of_stream(time_of_day_us(), message));
-            stream_->keep_beginning();
           }
           assembler_.take(message);
+          if (stream_ && has_messages()) {
+            stream_->keep_beginning();
+          }
         }
       }
       datagrams_ += messages.size();
       note_arrival(!messages.empty());
     }
     assembler_.finish();
-    if (stream_ && datagrams_ > 0) {
+    if (stream_ && has_messages()) {
       stream_->finish();
     }
     end_ = Clock::now();
@@ -117,13 +119,13 @@ class Reception {
   void write_results() {
     if (chosen_.get()) {
       pictures_.write_last(*chosen_.get());
-    } else if (assembler_.counts().messages > 0) {
+    } else if (has_messages()) {
       pictures_.write_none();
     }
-    if (!options_->hashes.empty() && datagrams_ > 0) {
+    if (!options_->hashes.empty() && has_messages()) {
       write_records(options_->hashes, statistics_.records());
     }
-    if (!options_->classes_hashes.empty() && datagrams_ > 0) {
+    if (!options_->classes_hashes.empty() && has_messages()) {
       write_class_records(options_->classes_hashes, statistics_.classes().records());
     }
     if (!options_->summary.empty()) {
@@ -173,6 +175,11 @@ class Reception {
   }
 
  private:
+  // Whether a target was heard. What else comes must not replace older files.
+  [[nodiscard]] bool has_messages() const {
+    return assembler_.counts().is_any_of_target() || assembler_.car_refusal().has_value();
+  }
+
   [[nodiscard]] bool is_done() const {
     return frames_wanted_ > 0 && statistics_.records().size() >= frames_wanted_;
   }

@@ -30,6 +30,9 @@ struct MessageCounts {
   std::uint64_t without_reference = 0;     // tiles against a frame of which we do not have them
   std::uint64_t restarts = 0;              // of the target
 
+  // Whether a target was heard, though maybe of another version.
+  [[nodiscard]] bool is_any_of_target() const { return messages > 0 || other_version > 0; }
+
   [[nodiscard]] std::uint64_t datagrams() const {
     return messages + repeated + too_late + other_run + corrupt + malformed + not_ours +
            other_version + not_understood + signatures + forged_signatures + not_signed;

@@ -231,9 +231,15 @@ std::string CarCapture::words_of_cover() const {
          (found_us_ ? "" : "; if the clocks differ, --clock-offset auto finds by how much");
 }
 
-std::string CarCapture::clock_words() const {
+std::string CarCapture::time_words() const {
   std::vector<std::string> all{files_.words(), clocks_.words(), clocks_.words_of_pace(),
-                               words_of_cover(), senders_.words()};
+                               words_of_cover()};
+  std::erase(all, "");
+  return joined(all, "; ");
+}
+
+std::string CarCapture::clock_words() const {
+  std::vector<std::string> all{time_words(), senders_.words()};
   std::erase(all, "");
   return joined(all, "; ");
 }

@@ -48,8 +48,10 @@ class CarCapture {
   [[nodiscard]] std::optional<PcapReader::Place> place() const;
   void go_to(const PcapReader::Place& place) { files_.go_to(place); }
 
-  // Words for a difference between the clocks of poses, packets and captures or between captures,
-  // and for packets of strangers. Empty if there is none. Complete when everything has been read.
+  // Words for a difference between the clocks of poses, packets and captures or between captures.
+  // Empty if there is none. Complete when everything has been read.
+  [[nodiscard]] std::string time_words() const;
+  // The same, with words for packets of strangers.
   [[nodiscard]] std::string clock_words() const;
   // As of CarClocks. Complete when everything has been read.
   [[nodiscard]] std::string words_of_crowd() const { return clocks_.words_of_crowd(); }

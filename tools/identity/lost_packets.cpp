@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "tools/program/table.hpp"
@@ -13,6 +14,8 @@ constexpr std::uint64_t kPauseUs = 1'000'000;
 constexpr std::uint64_t kFewest = 10;
 constexpr std::uint64_t kOfManyPackets = 100;
 constexpr std::uint64_t kOfMany = 20;
+constexpr std::uint64_t kHalfOfFastestTurnUs = 25'000;
+constexpr double kMost = 1e15;
 
 }  // namespace
 
@@ -25,11 +28,15 @@ void LostPackets::add(const lidar::PacketInfo& info, std::uint32_t source_ipv4,
   };
   const std::uint64_t now_us = info.sweep.begin_us;
   const std::uint64_t since_us = later(time_us_, now_us);
-  const bool is_repeated = packets_++ > 0 && info.fingerprint == fingerprint_;
+  const auto known = std::span(fingerprints_).first(std::min(packets_, fingerprints_.size()));
+  if (std::ranges::find(known, info.fingerprint) != known.end()) {  // a copy
+    return;
+  }
+  fingerprints_[packets_++ % fingerprints_.size()] = info.fingerprint;
   const bool is_overtaken = since_us > 0 && later(now_us, time_us_) <= kPauseUs;
   is_whole_ = is_whole_ && source_ipv4 == source_ipv4_;
-  if (is_repeated || (is_whole_ && is_overtaken)) {
-    overtaken_ += is_repeated ? 0U : 1U;
+  if (is_whole_ && is_overtaken) {
+    ++overtaken_;
     return;
   }
   is_next_ = is_whole_ && since_us <= kPauseUs;
@@ -38,7 +45,6 @@ void LostPackets::add(const lidar::PacketInfo& info, std::uint32_t source_ipv4,
   } else if (ticks_per_turn == 0) {
     add_scan(info);
   }
-  fingerprint_ = info.fingerprint;
   source_ipv4_ = source_ipv4;
   time_us_ = now_us;
   is_whole_ = true;
@@ -56,7 +62,10 @@ void LostPackets::add_turning(const lidar::PacketInfo& info, std::uint64_t since
     seen_[i % kDirections] = true;
   }
   ticks_per_turn_ = turn;
-  if (!is_next_) {
+  // A unit that stands turns by less than half a packet, or back a little.
+  const bool stands =
+      2 * gained < width || (gained > turn / 8 * 7 && since_us < kHalfOfFastestTurnUs);
+  if (!is_next_ || stands) {
     return;
   }
   if (gained <= width + width / 4) {
@@ -79,7 +88,12 @@ void LostPackets::add_scan(const lidar::PacketInfo& info) {
   const auto number = static_cast<std::uint16_t>(info.scan_number);
   const auto step = static_cast<std::uint16_t>(number - std::exchange(number_, number));
   if (step != 0 && width_ticks_ > 0) {
-    ++scans_[std::exchange(width_ticks_, 0U)];
+    const std::uint32_t scan_ticks = std::exchange(width_ticks_, 0U);
+    if (damaged_scans_ > 0) {
+      --damaged_scans_;
+    } else {
+      ++scans_[scan_ticks];
+    }
     successors_ += step == 1 ? 1U : 0U;
     // A scan is longer than 10 ms.
     numbers_missing_ += is_next_ && step < kPauseUs / 10'000 ? step - 1U : 0U;
@@ -130,7 +144,7 @@ std::string LostPackets::words(const std::string& name) const {
   }
   const double missing =
       (turns ? packets_missing() : scans_missing(came)) - static_cast<double>(overtaken_);
-  const auto lost = static_cast<std::uint64_t>(std::lround(std::max(missing, 0.0)));
+  const auto lost = static_cast<std::uint64_t>(std::lround(std::clamp(missing, 0.0, kMost)));
   const std::uint64_t all = came + (turns ? lost : numbers_missing_);
   if (lost < kFewest || kOfManyPackets * lost < all) {
     return {};

@@ -21,7 +21,10 @@ class LostPackets {
   // Takes the next packet of the unit. ticks_per_turn is 0 for a LUX.
   void add(const lidar::PacketInfo& info, std::uint32_t source_ipv4, std::uint32_t ticks_per_turn);
   // Notes a packet that is not sound: it is not missing.
-  void skip() { is_whole_ = false; }
+  void skip() {
+    is_whole_ = false;
+    damaged_scans_ = 2;
+  }
 
   // Returns "about 226 of 754 packets of roof (30 %) are missing: ...", or an empty text if less
   // than 1 % is missing. Complete when everything has been read.
@@ -43,7 +46,7 @@ class LostPackets {
   bool is_whole_ = false;  // the packet before was sound and of the same source
   bool is_next_ = false;   // and less than a second ago
   std::uint64_t time_us_ = 0;
-  std::uint64_t fingerprint_ = 0;
+  std::array<std::uint64_t, 8> fingerprints_{};  // of the last packets
   std::uint64_t packets_ = 0;
   std::uint64_t overtaken_ = 0;
 
@@ -63,6 +66,7 @@ class LostPackets {
   std::map<std::uint32_t, std::uint64_t> scans_;  // by width
   std::uint64_t successors_ = 0;                  // scans with the next number
   std::uint64_t numbers_missing_ = 0;
+  int damaged_scans_ = 0;  // of this scan and the next: one of their messages was not sound
 };
 
 }  // namespace iog::tools

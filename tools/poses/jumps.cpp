@@ -19,7 +19,7 @@ JumpTime time_lost_by_jumps(const std::vector<CapturedDatagram>& poses) {
     }
     const std::uint64_t step_us = before_us > 0 ? message.clock_us - before_us : 0;
     const pose::Cause cause = history.pose_at(message.clock_us - step_us / 2).cause;
-    time.all_us += step_us;
+    time.all_us += std::min(step_us, pose::kLateUs);
     time.lost_us += cause == pose::Cause::kJump ? std::min(step_us, pose::kLateUs) : 0;
     before_us = message.clock_us;
   }

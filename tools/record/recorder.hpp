@@ -45,6 +45,11 @@ class Recorder {
   [[nodiscard]] const StreamCensus& census() const { return census_; }
   [[nodiscard]] std::uint64_t too_long() const { return too_long_; }
   [[nodiscard]] std::uint64_t datagrams() const { return datagrams_; }
+  // Whether a sound message of a target is among them.
+  [[nodiscard]] bool has_messages() const {
+    const FrameAssembler& assembler = census_.assembler();
+    return assembler.counts().is_any_of_target() || assembler.car_refusal().has_value();
+  }
 
  private:
   void take_frame(const GridFrame& frame);

@@ -55,11 +55,17 @@ class LiveRecording {
                            .source = kStreamSource,
                            .destination = destination_,
                            .payload = std::move(message)});
-          recorder_->keep_beginning();
+          if (recorder_->has_messages()) {
+            recorder_->keep_beginning();
+          }
           note_frames();
         }
       }
       note_arrival(has_arrived, time_us);
+    }
+    if (recorder_->datagrams() > 0 && !recorder_->has_messages()) {
+      throw CheckFailed(std::to_string(recorder_->datagrams()) +
+                        " datagrams came, but no message of a target, and nothing is written");
     }
     if (recorder_->datagrams() == 0) {
       throw CheckFailed(words_of_silence(source_->bind, source_->port, Clock::now() - begin_,

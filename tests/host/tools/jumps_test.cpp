@@ -57,5 +57,15 @@ TEST(Jumps, NoisyHeadingsLoseMostOfTheTime) {
   EXPECT_EQ(time.all_us, kAllUs);
 }
 
+// A pause of the log is not time that a target could use.
+TEST(Jumps, PausesDoNotHideThem) {
+  Random random(1);
+  const JumpTime time = jumps_of([&](int number, PoseSample& sample) {
+    sample.time_us += static_cast<std::uint64_t>(number / 250) * 300'000'000;
+    sample.heading_rad += random.between(-0.02, 0.02);
+  });
+  EXPECT_GT(2 * time.lost_us, time.all_us);
+}
+
 }  // namespace
 }  // namespace iog::tools

@@ -1,6 +1,7 @@
 // Packets that a recording lacks leave holes in a plausible grid.
 #include "tools/identity/lost_packets.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 #include <random>
@@ -123,6 +124,47 @@ TEST(LostPackets, OvertakenAndDamagedPacketsAndPausesAreNoLoss) {
   EXPECT_EQ(paused.words("roof"), "");
 }
 
+// Before its motor runs, a unit sends from one direction or from two that are next to each other.
+TEST(LostPackets, AUnitThatStandsLosesNothing) {
+  const Unit unit;
+  for (const std::uint64_t directions : {1U, 2U}) {
+    for (const std::uint64_t every : {1'000'000U, 10U}) {
+      LostPackets lost;
+      for (std::uint64_t i = 0; i < 6'000; ++i) {
+        lidar::PacketInfo packet = unit.packet(i);
+        if (i < 3'000) {
+          packet.sector.first_ticks = static_cast<std::uint16_t>(1'000 + i % directions);
+        }
+        if (i < 3'000 || i % every != 5) {
+          lost.add(packet, kAddress, kTurn);
+        }
+      }
+      const std::string words = lost.words("roof");
+      if (every > 10) {
+        EXPECT_EQ(words, "");
+      } else {
+        expect_lost(words, 300, 6'000);
+      }
+    }
+  }
+}
+
+// A mirror port sends each packet twice, the second time at once or a little later.
+TEST(LostPackets, CopiesDoNotCount) {
+  const Unit unit;
+  for (const std::uint64_t later : {0U, 2U}) {
+    LostPackets lost;
+    for (std::uint64_t i = 0; i < 3'000; ++i) {
+      for (const std::uint64_t number : {i, i - std::min(i, later)}) {
+        if (number % 10 != 5) {
+          lost.add(unit.packet(number), kAddress, kTurn);
+        }
+      }
+    }
+    expect_lost(lost.words("roof"), 300, 3'000);
+  }
+}
+
 // They are told of elsewhere.
 TEST(LostPackets, TwoUnitsOnAPortAreNoLoss) {
   const Unit unit;
@@ -136,11 +178,15 @@ TEST(LostPackets, TwoUnitsOnAPortAreNoLoss) {
 }
 
 // 25 scans a second from number 65,000 on, each in so many messages.
-std::string told_of_lux(std::uint64_t messages, std::uint64_t step, const IsKept& is_kept) {
+std::string told_of_lux(
+    std::uint64_t messages, std::uint64_t step, const IsKept& is_kept,
+    const IsKept& is_sound = [](std::uint64_t /*i*/) { return true; }) {
   LostPackets lost;
   for (std::uint64_t i = 0; i < 1'000 * messages; ++i) {
     const std::uint64_t scan = i / messages;
-    if (is_kept(i)) {
+    if (!is_sound(i)) {
+      lost.skip();
+    } else if (is_kept(i)) {
       lost.add({.fingerprint = i,
                 .scan_number = static_cast<std::uint16_t>(65'000 + scan * step),
                 .sector = {.width_ticks = static_cast<std::uint16_t>(3'200 / messages)},
@@ -167,6 +213,11 @@ TEST(LostPackets, OfAWholeRecordingOfALuxAreNone) {
     EXPECT_EQ(told_of_lux(messages, 2, [](std::uint64_t /*i*/) { return true; }), "");
   }
   EXPECT_EQ(told_of_lux(1, 1, [](std::uint64_t i) { return i % 200 < 150; }), "");  // pauses
+  // Damaged messages came, too.
+  EXPECT_EQ(told_of_lux(
+                4, 1, [](std::uint64_t /*i*/) { return true; },
+                [](std::uint64_t i) { return i % 37 != 0; }),
+            "");
 }
 
 // A third of the packets of each car's units.

@@ -70,6 +70,8 @@ TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
            {"a1.pcd", "a2.pcd", "b7.pcd", "b8.pcd"},  // its parts
            {"part_1/1.pcd", "part_1/2.pcd", "part_2/1.pcd", "part_2/2.pcd"},
            {"map.pcd", "x.pcd"},
+           {"cloud_1690000000_000000000.pcd", "cloud_1690000000_100000000.pcd",
+            "cloud_1690000001_000000000.pcd", "cloud_1690000001_100000000.pcd"},
            {"1532402926.pcd", "1532402926.5.pcd", "1532402927.pcd", "1532402927.5.pcd"},
            {"12-00-00.pcd", "12-00-30.pcd", "12-01-00.pcd", "12-01-30.pcd"},
            {"T12-00-00.pcd", "T12-00-30.pcd", "T13-00-00.pcd", "T13-00-30.pcd"},
