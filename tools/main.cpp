@@ -20,7 +20,7 @@ void demand_numbers(CLI::App& command) {
   for (CLI::Option* const option : command.get_options(
            [](const CLI::Option* its) { return its->get_type_name().starts_with("FLOAT"); })) {
     option->check([](const std::string& text) {
-      return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is no number";
+      return std::isfinite(std::strtod(text.c_str(), nullptr)) ? "" : text + " is not a number";
     });
   }
 }

@@ -60,10 +60,10 @@ ListedCapture recording_of(const std::string& name, const files::path& path) {
           .path = place.string(),
           .poses = logs.empty() ? "" : logs.front(),
           .bytes = error ? 0 : bytes,
-          .refusal = logs.size() < 2 ? ""
-                                     : "there are " + std::to_string(logs.size()) +
-                                           " logs of its poses, and only one can be used: " +
-                                           joined(logs, ", ")};
+          .refusal = logs.size() < 2
+                         ? ""
+                         : std::to_string(logs.size()) +
+                               " pose logs found; keep only one: " + joined(logs, ", ")};
 }
 
 std::vector<ListedCapture> in_folder(const files::path& folder) {

@@ -12,7 +12,7 @@ struct ListedCapture {
   std::string path;         // absolute
   std::string poses;        // absolute; empty: they are in the capture
   std::uint64_t bytes = 0;  // of the capture; 0 if it cannot be read
-  std::string refusal{};    // why it is not fused; empty: it is
+  std::string refusal{};    // why it is not fused; empty if it is fused
 };
 
 // All captures in a folder and in the folders below, or those that a text file lists, one a line,

@@ -288,7 +288,7 @@ std::vector<std::byte> doubles_in(TextRows& text, const std::string& path) {
       double number = 0;
       const auto [stop, error] = std::from_chars(word.begin(), word.end(), number);
       if (error != std::errc() || stop != word.end()) {
-        throw UsageError(where + "'" + printable(std::string(word)) + "' is no number");
+        throw UsageError(where + "'" + printable(std::string(word)) + "' is not a number");
       }
       bytes.resize(bytes.size() + 8);
       wire::store_le64(std::span(bytes).last<8>(), std::bit_cast<std::uint64_t>(number));
@@ -302,7 +302,7 @@ std::size_t whole_number_of(std::string_view word, const std::string& path) {
     return *number;
   }
   throw UsageError(path + ": in its head '" + printable(std::string(word)) +
-                   "' is no whole number, or is too large");
+                   "' is not a whole number, or is too large");
 }
 
 SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::string& what) {
@@ -349,8 +349,8 @@ std::string words_of_wrong_unit(TimeUnit given, double span, double period_us) {
     return {};
   }
   std::ostringstream text;
-  text << "by --time-unit " << kNames.at(its) << " a scan lasts " << span << ' ' << kNames.at(its)
-       << "; 5 to 500 ms is usual, as by --time-unit " << kNames.at(right);
+  text << "with --time-unit " << kNames.at(its) << " a scan lasts " << span << ' ' << kNames.at(its)
+       << ", not 5 to 500 ms: try --time-unit " << kNames.at(right);
   return text.str();
 }
 

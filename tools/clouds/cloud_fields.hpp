@@ -72,10 +72,9 @@ struct CloudRecords {
 // Returns a sentence on SeenCloud::apart_us, which is above 0.
 [[nodiscard]] std::string words_of_other_clock(double apart_us);
 
-// Returns a sentence if the given unit is wrong, else nothing: points of a scan are `span` apart in
-// it, which is less than 5 ms, while in another unit they are 5 to 500 ms apart, and no more than
-// scans are from each other, which is `period_us`, 0 if it is not known. Parts of scans follow each
-// other too closely for another unit.
+// Returns a sentence if `given` is too short a unit, else nothing: a scan of `span` lasts less than
+// 5 ms in it, but 5 to 500 ms, and at most 1.5 `period_us`, in a longer unit. period_us is the time
+// from scan to scan; 0: unknown, which returns nothing.
 [[nodiscard]] std::string words_of_wrong_unit(TimeUnit given, double span, double period_us);
 
 // Farther than any unit can measure.

@@ -70,7 +70,7 @@ std::string words_of_other(const std::string& path) {
   const auto bytes = std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(file.gcount()));
   const std::string hint = hint_of(bytes);
   return (hint.empty() ? "" : hint + "; ") +
-         "read are .mcap, .db3, .pcd, .ply, KITTI's .bin, nuScenes' .pcd.bin, and folders of a "
+         "use .mcap, .db3, .pcd, .ply, KITTI's .bin, nuScenes' .pcd.bin, and folders of a "
          "bag, "
          "of such files or of KITTI";
 }
@@ -156,9 +156,8 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
       return its.first.first == one->first.first && its.second.overlaps(one->second);
     });
     if (other != all.end()) {
-      return "names like " + printable(one->second.first_name) + " and like " +
-             printable(other->second.first_name) +
-             " are of two lidars or drives, or of copies; give the files of one";
+      return printable(one->second.first_name) + " and " + printable(other->second.first_name) +
+             " seem to be of two lidars or drives, or copies; give the files of one";
     }
   }
   return {};

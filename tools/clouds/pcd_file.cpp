@@ -203,7 +203,7 @@ SeenCloud read_pcd(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
       throw file.error("it has more bytes than its " + std::to_string(records.count) + " points");
     }
   } else {
-    throw file.error("DATA is " + data + "; read are ascii, binary, binary_compressed");
+    throw file.error("DATA is " + data + "; use ascii, binary, binary_compressed");
   }
   SeenCloud cloud = cloud_of(records, unit, path);
   cloud.viewpoint = viewpoint_of(file);

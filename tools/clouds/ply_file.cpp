@@ -114,7 +114,7 @@ SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
   const bool is_ascii = head.format == "ascii";
   if (!is_ascii && !records.is_big_endian && head.format != "binary_little_endian") {
     throw UsageError(path + ": its format is " + printable(head.format) +
-                     "; read are ascii, binary_little_endian, binary_big_endian");
+                     "; use ascii, binary_little_endian, binary_big_endian");
   }
   place_fields(is_ascii, records);
   check_count(records, path);

@@ -135,8 +135,8 @@ class Signs {
     return row_if(!has_poses_ && port_of_poses_ > 0 && vehicle::have_classes(vehicle.grids),
                   "PORT?",
                   "no pose comes to UDP port " + std::to_string(vehicle.poses.udp_port) +
-                      ", and poses come to port " + std::to_string(port_of_poses_) +
-                      ": is udp_port of `poses` in the car file right?");
+                      ", but poses come to " + std::to_string(port_of_poses_) +
+                      ": check udp_port of `poses` in the car file");
   }
 
   const CatalogueEntry* car_;

@@ -139,11 +139,9 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
          "scan|scans was|were sent without beams' times: time_increment is below 0, no number or "
          "too long",
          words);
-  remark(
-      sent.at_once,
-      "scan|scans has|have no time_increment: all its|their beams are taken as seen at the stamp",
-      words);
-  remark(sent.at_range_max, "beam|beams at range_max was|were sent as without a return", words);
+  remark(sent.at_once, "scan|scans without time_increment (0): all beams get the time of the stamp",
+         words);
+  remark(sent.at_range_max, "beam|beams at range_max counts|count as no return", words);
   remark(sent.out_of_order,
          "cloud|clouds out of order skipped (time goes back by up to " +
              std::to_string(sent.furthest_back_ms()) + " ms)",
@@ -214,10 +212,10 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
     std::ranges::copy(inputs.clouds.remarks_if_assumed, std::back_inserter(remarks));
   }
   if (viewpoints > 0) {
-    remarks.push_back(counted(viewpoints, "file|files has|have") +
-                      " a VIEWPOINT other than 0 0 0 1 0 0 0, which is not used: points must be in "
-                      "the lidar's frame; " +
-                      first_viewpoint);
+    constexpr std::string_view kSet =
+        "file|files sets|set: its|their points must be in the lidar's frame (";
+    remarks.push_back("iog ignores VIEWPOINT, which " + counted(viewpoints, kSet) +
+                      first_viewpoint + ')');
   }
   std::ranges::for_each(inputs.behind, read);
   return remarks;

@@ -75,8 +75,8 @@ std::pair<double, double> pair_of(const std::string& option, const std::string& 
 // A fault of the poses that is not in the drive would have no effect.
 void demand_in_drive(const SimulateOptions& options, const std::string& fault, double second) {
   if (!(second >= 0 && second < options.seconds)) {
-    throw UsageError(fault + ": begins outside the drive of " + std::to_string(options.seconds) +
-                     " s");
+    throw UsageError(fault + ": must begin within the drive (" + std::to_string(options.seconds) +
+                     " s)");
   }
 }
 
@@ -89,7 +89,7 @@ std::vector<Fault> faults_of(const SimulateOptions& options, const std::string& 
     const auto [begin_s, length_s] = pair_of(option, text);
     demand_in_drive(options, option + ' ' + text, begin_s);
     if (!(length_s > 0)) {
-      throw UsageError(option + ' ' + text + ": lasts no longer than 0 s");
+      throw UsageError(option + ' ' + text + ": its length must be above 0");
     }
     faults.push_back({begin_s, length_s});
   }

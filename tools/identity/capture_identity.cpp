@@ -63,7 +63,7 @@ std::string port_words(std::uint16_t number) { return "UDP port " + std::to_stri
 }  // namespace
 
 std::string CaptureIdentity::Port::words(std::uint16_t number) const {
-  return "what comes to " + port_words(number) + " is of " +
+  return port_words(number) + " receives " +
          (names.empty() ? with_article(doubted)
                         : joined(names, " and ", [](const auto& name_and_fault) {
                             return with_article(name_and_fault.first).append(name_and_fault.second);
@@ -155,10 +155,10 @@ CaptureIdentity::Misfit CaptureIdentity::misfit_of(const CatalogueEntry& car,
     });
     const bool is_in_doubt = port.names.empty() && port.doubted_formats.has(sensor.format);
     return {is_in_doubt ? Kind::kInDoubt : Kind::kOther,
-            words + (is_in_other_mode ? " in another mode" : "") + ", and sensor " +
+            words + (is_in_other_mode ? " in another mode" : "") + ", but sensor " +
                 std::string(sensor.name) + " of " + std::string(car.vehicle->name) + " is " +
                 with_article(own) +
-                (is_in_doubt ? ": too few packets to tell which, and in doubt none is fused" : "")};
+                (is_in_doubt ? ": too few packets to tell which, so none is fused" : "")};
   }
   const auto usual = std::ranges::max_element(
       port.steps, {}, [](const auto& step_and_count) { return step_and_count.second; });
@@ -265,8 +265,8 @@ std::string CaptureIdentity::words_of_wrong_port(const CatalogueEntry& car) cons
   other.resize(std::min(other.size(), kNamedPorts));
   return silent.empty() || other.empty()
              ? ""
-             : "nothing comes to UDP port " + joined(silent, ", ") + ", and scans come to port " +
-                   joined(other, ", ") + ": is udp_port in the car file right?";
+             : "no packet comes to UDP port " + joined(silent, ", ") + ", but scans come to " +
+                   joined(other, ", ") + ": check udp_port in the car file";
 }
 
 std::string CaptureIdentity::words_of_crowd(const CatalogueEntry& car) const {
@@ -335,10 +335,10 @@ std::string CaptureIdentity::words_of_ports() const {
   if (words.find(kOfOtherMode) != std::string::npos) {
     return words + " (docs/sensors.md, \"Two returns\")";
   }
-  return words.find(kDamaged) != std::string::npos
-             ? words
-             : words +
-                   ", and iogrid takes none of such a unit (docs/sensors.md lists those it takes)";
+  return words + (words.find(kDamaged) != std::string::npos
+                      ? ": record it again"
+                      : ", which iogrid does not support (docs/sensors.md lists the units it "
+                        "supports)");
 }
 
 std::string CaptureIdentity::advice(const CatalogueEntry& car) const {

@@ -30,16 +30,16 @@ class CaptureIdentity {
   // if all of it is.
   [[nodiscard]] std::vector<std::string> misfits(const CatalogueEntry& car) const;
 
-  // The vehicle with the fewest misfits of those of which at least one sensor sends, if it has
-  // fewer than the car; of several, one of the units on the car's ports; nullptr: none.
+  // Among vehicles with a sending sensor, the one with the fewest misfits, preferably on the car's
+  // ports. nullptr if none has fewer than the car.
   [[nodiscard]] const CatalogueEntry* better_than(const CatalogueEntry& car) const;
 
   // "the packets look like those of two_lux_parking: no scan comes to UDP port 12004; ..."; empty
   // if no vehicle fits better than the car.
   [[nodiscard]] std::string words(const CatalogueEntry& car) const;
 
-  // "nothing comes to UDP port 2370, and scans come to port 2369: ..."; empty unless a sensor of
-  // the car is silent and scans come to a port that none of them has.
+  // "no packet comes to UDP port 2370, but scans come to 2369: ..."; empty unless a sensor of the
+  // car is silent and scans come to a port that none of them has.
   [[nodiscard]] std::string words_of_wrong_port(const CatalogueEntry& car) const;
 
   // That several units send at the same time to a port of a sensor whose address in the car's file
@@ -65,8 +65,7 @@ class CaptureIdentity {
     std::uint64_t datagrams = 0;
     std::map<std::uint32_t, Sender> senders;  // by source, the first 64
     std::uint64_t of_others = 0;              // datagrams of further sources
-    // Of the units that are certain: why none of its packets is taken; empty: some are, or the unit
-    // is none of ours.
+    // Certain units, with the reason if all packets of a supported one are refused; else empty.
     std::map<std::string, std::string_view> names;
     std::string doubted;  // of the last one that is in doubt
     lidar::FormatSet doubted_formats;
@@ -77,7 +76,7 @@ class CaptureIdentity {
     std::map<std::int32_t, std::uint64_t> steps;
 
     [[nodiscard]] bool is_of_lidar() const { return !names.empty() || !doubted.empty(); }
-    // "what comes to UDP port 2368 is of a Velodyne VLP-16"
+    // "UDP port 2368 receives a Velodyne VLP-16"
     [[nodiscard]] std::string words(std::uint16_t number) const;
   };
 
@@ -88,7 +87,7 @@ class CaptureIdentity {
       kCoarser,  // directions are farther apart
       kFiner,    // nearer together
       kInDoubt,  // of two units it may be either
-      kRefused,  // of this unit, and none of its packets is taken
+      kRefused,  // of this unit, but all packets are refused
       kOther,    // of another unit
     };
     Kind kind = Kind::kNone;

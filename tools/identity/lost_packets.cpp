@@ -151,7 +151,7 @@ std::string LostPackets::words(const std::string& name) const {
   }
   return "about " + std::to_string(lost) + " of " + std::to_string(all) +
          (turns ? " packets of " : " scans of ") + name + " (" + percent(lost, all) +
-         " %) are missing: the network or the recording PC lost them, and the grid has gaps there";
+         " %) are missing, so the grid has gaps: check the network and the recording PC";
 }
 
 }  // namespace iog::tools

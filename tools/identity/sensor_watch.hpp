@@ -31,8 +31,8 @@ class SensorWatch {
   [[nodiscard]] std::string rows_of_late(std::span<const std::uint64_t> fused,
                                          std::uint64_t late) const;
 
-  // A row for each spinning unit whose turns do not fit into the car's frames, although they would
-  // if it turned as fast as a frame's usual length assumes. The capture is over.
+  // A row for each spinning unit whose turns are longer than a frame, if a turn of usual_turn_us()
+  // would fit. The capture is over.
   [[nodiscard]] std::string rows_of_turns() const;
 
  private:

@@ -17,11 +17,10 @@ namespace iog::tools {
 [[nodiscard]] std::string sensor_words(const CatalogueEntry& car, std::size_t sensor);
 
 // Why a packet is not taken.
-inline constexpr std::string_view kOfOtherMode = " in a mode that iogrid does not take";
+inline constexpr std::string_view kOfOtherMode = " in an unsupported mode";
 inline constexpr std::string_view kDamaged = " whose packets are damaged";
 
-// One of these, of a packet of a unit that iogrid takes; empty: it is taken, or iogrid takes none
-// of such a unit.
+// One of these, if iogrid supports the unit but does not take the packet; else empty.
 [[nodiscard]] std::string_view fault_of(const SeenUnit& seen);
 
 }  // namespace iog::tools

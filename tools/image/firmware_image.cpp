@@ -183,9 +183,8 @@ FirmwareImage::FirmwareImage(const std::string& path) : path_(path), bytes_(read
     board_ = board->name;
     const std::uint64_t whole = whole_bytes_of_elf(bytes_, *board);
     if (whole > bytes_.size()) {
-      throw error("the ELF file is cut off: it has " + std::to_string(bytes_.size()) +
-                  " bytes, and by its headers " + std::to_string(whole) +
-                  "; copy or build it anew");
+      throw error("the ELF file is cut off: it has " + std::to_string(bytes_.size()) + " of the " +
+                  std::to_string(whole) + " bytes that its headers state; copy or build it anew");
     }
     block_at_ = place_in_elf(bytes_, *board).value_or(bytes_.size());
   } else if (is_legacy_header(bytes_)) {

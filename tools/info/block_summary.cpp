@@ -60,13 +60,13 @@ std::string words_of_inexact(std::uint32_t accuracy_mm) {
     return map::blur_radius(accuracy_mm, kExact, cell_mm) <= map::kHalo;
   });
   if (fitting == geometry::kCellSizesMm.end()) {
-    return "no target uses so inexact a map: its blur would be wider than " +
+    return "no target accepts this accuracy: it blurs the map by more than " +
            std::to_string(map::kHalo) + " cells";
   }
   return *fitting <= geometry::kUsualCellMm
              ? std::string()
              : "only targets with cells of " + std::to_string(*fitting) +
-                   " mm or more use so inexact a map";
+                   " mm or more accept this accuracy";
 }
 
 }  // namespace

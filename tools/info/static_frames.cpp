@@ -135,11 +135,13 @@ std::string StaticFrames::mount_of(const std::string& name) const {
   const std::vector<Step> steps = steps_from(frame);
   std::optional<Step> vehicle = above(steps);
   vehicle = vehicle ? vehicle : beside(steps);
-  return vehicle
-             ? mount_words(vehicle->first_in_it) + "  # in " + printable(vehicle->frame) +
-                   (vehicle->is_static ? " by /tf_static" : " by /tf") +
-                   "; z_m must count from the ground\n"
-             : "    # mount: no fixed transforms lead from base_link to " + printable(frame) + '\n';
+  if (!vehicle) {
+    return "    # set mount: no fixed transform from base_link to " + printable(frame) + '\n';
+  }
+  const std::string its = printable(vehicle->frame);
+  return mount_words(vehicle->first_in_it) + "  # in " + its +
+         (vehicle->is_static ? " by /tf_static" : " by /tf") +
+         (its.ends_with("base_link") ? "; z_m: add " + its + "'s height above ground" : "") + '\n';
 }
 
 }  // namespace iog::tools

@@ -386,7 +386,7 @@ GeoMap read_osm(const std::string& path, const std::string& formats) {
   } catch (const std::exception& error) {
     const std::string why = error.what();
     throw UsageError(path + (why.starts_with("Could not detect file format")
-                                 ? ": read are " + formats
+                                 ? ": use " + formats
                                  : ": not readable as OpenStreetMap data: " + why));
   }
 }

@@ -120,7 +120,7 @@ class Row {
     const std::optional<double> value = decimal_in(text_of(column));
     if (!value) {
       fail(std::string(kNames[column]) + " is '" + printable(text_of(column)) +
-           "', which is no number");
+           "', which is not a number");
     }
     return *value;
   }

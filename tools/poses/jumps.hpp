@@ -1,4 +1,4 @@
-// Whether a target calls poses of a log jumps.
+// How much time of a pose log a target loses by jumps.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ struct JumpTime {
   std::uint64_t all_us = 0;
 };
 
-// How much of the time of these messages a target loses by jumps: from message to message, what it
-// says of the middle. Behind kLateUs a slice is late anyway.
+// A step between two messages is lost if a target finds a jump at its middle. At most kLateUs of a
+// step counts as lost.
 [[nodiscard]] JumpTime time_lost_by_jumps(const std::vector<CapturedDatagram>& poses);
 
 }  // namespace iog::tools

@@ -145,7 +145,7 @@ class Reader {
     log.notes.insert(log.notes.begin(), notes.begin(), notes.end());
     remark(damaged_, "line|lines that is|are no sound NMEA sentence", log.unit, log.remarks);
     remark(std::ranges::max(of_gga_.not_newer, of_rmc_.not_newer, {}, &Tally::count),
-           "position|positions that is|are not newer than the one before", log.unit, log.remarks);
+           "position|positions with the time of an earlier one", log.unit, log.remarks);
     remark(bare_, "sentence|sentences without a checksum", log.unit, log.remarks);
     remark(others_, "sentence|sentences other than RMC, GGA, HDT and VTG", log.remarks);
     remark(without_fix, "time|times without a fix", log.unit, log.remarks);

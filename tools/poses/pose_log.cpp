@@ -321,9 +321,9 @@ std::string words_of_far_map(const PoseLog& log, const MapOrigin& origin) {
     return fixed(place.latitude, 4) + ',' + fixed(place.longitude, 4);
   };
   return "the log begins at " + words_of_place(log.plane->touches()) +
-         ", and the map's origin is " + words_of_place(map.touches()) +
-         " (latitude, longitude): they are " + fixed(apart_m / 1000, 0) +
-         " km apart, and a target takes at most " + fixed(kMostM / 1000, 0) + " km";
+         ", and the map's origin is " + words_of_place(map.touches()) + " (latitude, longitude), " +
+         fixed(apart_m / 1000, 0) + " km away; at most " + fixed(kMostM / 1000, 0) +
+         " km is allowed: check their order";
 }
 
 void demand_poses(const ConvertedLog& log, const std::string& path) {

@@ -28,7 +28,7 @@ std::array<double, kCount> numbers_in(std::string_view text, const std::string& 
   for (std::size_t i = 0; i < kCount; ++i) {
     const std::optional<double> value = number_in(words[i]);
     if (!value) {
-      throw UsageError(where + ": '" + printable(std::string(words[i])) + "' is no number");
+      throw UsageError(where + ": '" + printable(std::string(words[i])) + "' is not a number");
     }
     numbers[i] = *value;
   }

@@ -41,8 +41,8 @@ void make_folder(const std::string& path);
 
 // The destination of an output. Bytes are written to PATH.part, which finish() renames to PATH.
 // Without finish(), or if a signal ends the program, no output remains, and an existing file stays
-// as it was. A recording whose beginning is of use calls finish() before its end, and is written
-// on. Devices, pipes and "-" are written directly.
+// as it was. A recording may call finish() early, and goes on writing to PATH. Devices, pipes and
+// "-" are written directly.
 class OutputPlace {
  public:
   explicit OutputPlace(const std::string& path);

@@ -12,7 +12,7 @@ namespace iog::tools {
       [takes_zero](const std::string& text) {
         double number = 0;
         if (!CLI::detail::lexical_cast(text, number) || !std::isfinite(number)) {
-          return text + " is no number";
+          return text + " is not a number";
         }
         const bool is_enough = takes_zero ? number >= 0 : number > 0;
         return is_enough ? std::string() : text + (takes_zero ? " is below 0" : " is not above 0");

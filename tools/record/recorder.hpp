@@ -34,8 +34,7 @@ class Recorder {
   // The same of a file. Its gap may be one of whoever recorded it, so that no frame ends there.
   void note_gap();
 
-  // Replaces what was at the recordings' places before. The first frame with evidence does that,
-  // too.
+  // Replaces older outputs now. The first frame with evidence does so, too.
   void keep_beginning();
 
   // Hands over the frames that still wait, and finishes the recordings. A frame whose end has not

@@ -16,9 +16,9 @@ inline constexpr std::int16_t kTooHotDc = 950;
 
 // After "N % of ... ".
 inline constexpr std::string_view kLostByJumps =
-    "lost by jumps: from pose to pose, the motion departs from the speeds and yaw rates by more "
-    "than 300 mm or 6 mrad in a second. Check units, signs (headings count counter-clockwise from "
-    "x) and noise; `iog odometry` makes smooth poses";
+    "lost by jumps: within a second, the motion between poses differs from their speeds and yaw "
+    "rates by more than 300 mm or 6 mrad. Check units, signs (headings count counter-clockwise "
+    "from x) and noise; `iog odometry` makes smooth poses";
 // As a user has to see them; fewer are usual.
 inline constexpr std::uint64_t kOfManyLost = 20;
 

@@ -136,11 +136,11 @@ class NamedSenders {
         addresses.push_back(dotted(address));
       }
     }
-    return "what comes to UDP port " + std::to_string(sensor.udp_port) + " is from " +
+    return "packets to UDP port " + std::to_string(sensor.udp_port) + " come from " +
            joined(addresses, ", ") +
            (others.addresses.size() > kNamedSenders ? " and others" : "") +
-           ", not from source_ipv4 " + dotted(sensor.source_ipv4) + " of sensor " +
-           std::string(sensor.name) + ": it is used here, but a target drops it";
+           ": iog uses them, but a target drops all but source_ipv4 " + dotted(sensor.source_ipv4) +
+           " of sensor " + std::string(sensor.name) + " (check the car file)";
   }
 
   const CatalogueEntry* car_;

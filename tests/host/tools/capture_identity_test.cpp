@@ -98,8 +98,8 @@ TEST(CaptureIdentity, WhatAHeaderNamesIsNamedWhetherItIsTakenOrNot) {
       const std::string refusal = capture.refusal_by(car);
       EXPECT_TRUE(contains(refusal, " " + std::string(packet.name))) << refusal;
       const bool is_of_ours = packet.name == "Velodyne VLS-128";
-      EXPECT_TRUE(contains(refusal, is_of_ours ? "VLS-128 in a mode that iogrid does not take"
-                                               : "iogrid takes none of such a unit"))
+      EXPECT_TRUE(contains(refusal, is_of_ours ? "VLS-128 in an unsupported mode"
+                                               : ", which iogrid does not support"))
           << refusal;
       EXPECT_FALSE(contains(refusal, "--vehicle")) << refusal;
       EXPECT_TRUE(contains(capture.info(), packet.name)) << capture.info();
@@ -116,9 +116,8 @@ TEST(CaptureIdentity, AUnitInAModeThatIsNotTakenIsNamedSo) {
         tests::HesaiPacket{.format = lidar::kFormat<lidar::HesaiXt32m>, .mode = 0x3D}.bytes());
   }
   const std::string refusal = capture.refusal_by("roof_xt32m");
-  EXPECT_TRUE(contains(refusal, "Hesai PandarXT-32M in a mode that iogrid does not take"))
-      << refusal;
-  EXPECT_TRUE(contains(capture.info(), "in a mode that iogrid does not take")) << capture.info();
+  EXPECT_TRUE(contains(refusal, "Hesai PandarXT-32M in an unsupported mode")) << refusal;
+  EXPECT_TRUE(contains(capture.info(), "in an unsupported mode")) << capture.info();
 }
 
 TEST(CaptureIdentity, GarbageHasNoName) {
@@ -141,7 +140,7 @@ TEST(CaptureIdentity, TheFittingCarIsNamedToEveryOther) {
   EXPECT_EQ(of_vlp16.refusal_by("roof_vlp16"), "");
   for (const char* const car : {"reference_car", "roof_hdl32e", "roof_hdl64e", "roof_xt32"}) {
     const std::string vlp16 = of_vlp16.refusal_by(car);
-    EXPECT_TRUE(contains(vlp16, "of a Velodyne VLP-16")) << vlp16;
+    EXPECT_TRUE(contains(vlp16, "receives a Velodyne VLP-16")) << vlp16;
     EXPECT_TRUE(vlp16.ends_with(": try --vehicle roof_vlp16")) << vlp16;
   }
 }
@@ -161,7 +160,8 @@ TEST(CaptureIdentity, EachHesaiIsOfItsOwnCarAlone) {
                                   cars[2], cars[3], cars[4], cars[5], cars[6]}) {
       if (car != cars[unit]) {
         const std::string refusal = capture.refusal_by(car);
-        EXPECT_TRUE(contains(refusal, "of a " + std::string(lidar::name_of(format)))) << refusal;
+        EXPECT_TRUE(contains(refusal, "receives a " + std::string(lidar::name_of(format))))
+            << refusal;
         EXPECT_TRUE(refusal.ends_with(": try --vehicle " + std::string(cars[unit]))) << refusal;
       }
     }
@@ -178,7 +178,7 @@ TEST(CaptureIdentity, APuckHiResIsNoVlp16) {
   }
   EXPECT_EQ(capture.refusal_by("roof_puck_hires"), "");
   const std::string refusal = capture.refusal_by("roof_vlp16");
-  EXPECT_TRUE(contains(refusal, "of a Velodyne Puck Hi-Res")) << refusal;
+  EXPECT_TRUE(contains(refusal, "receives a Velodyne Puck Hi-Res")) << refusal;
   EXPECT_TRUE(refusal.ends_with(": try --vehicle roof_puck_hires")) << refusal;
 }
 
@@ -366,8 +366,8 @@ TEST(CaptureIdentity, AVehicleWithSilentSensorsIsNoOther) {
   EXPECT_EQ(identity.words_of_wrong_port(reference()), "");
   add_scan(identity, 12014, scan(1, 201, 16));
   EXPECT_EQ(identity.words_of_wrong_port(reference()),
-            "nothing comes to UDP port 12004, 12005, and scans come to port 12014: is udp_port in "
-            "the car file right?");
+            "no packet comes to UDP port 12004, 12005, but scans come to 12014: check udp_port in "
+            "the car file");
 }
 
 TEST(CaptureIdentity, WithoutAScanItSaysNothing) {
@@ -377,8 +377,7 @@ TEST(CaptureIdentity, WithoutAScanItSaysNothing) {
   add_scan(identity, 12002, std::vector<std::byte>(100));
   add_scan(identity, 5000, scan(1, 10, 16));
   EXPECT_EQ(identity.words(reference()), "");
-  EXPECT_EQ(identity.words_of_best(),
-            "no car that iog knows: what comes to UDP port 5000 is of an ibeo LUX");
+  EXPECT_EQ(identity.words_of_best(), "no car that iog knows: UDP port 5000 receives an ibeo LUX");
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ TEST(CaptureRefusal, AUnitOfTheCarInAnUnknownModeIsNoOther) {
   }
   for (const char* const car : {"roof_vlp16", "roof_hdl32e"}) {
     EXPECT_EQ(refusal_by(identity, car),
-              "what comes to UDP port 2368 is of a Velodyne VLP-16 in a mode that iogrid does not "
-              "take (docs/sensors.md, \"Two returns\")");
+              "UDP port 2368 receives a Velodyne VLP-16 in an unsupported mode (docs/sensors.md, "
+              "\"Two returns\")");
   }
-  EXPECT_EQ(identity.words_of_best().find("no car that iog knows: what comes to UDP port 2368 is "
-                                          "of a Velodyne VLP-16 in a mode"),
+  EXPECT_EQ(identity.words_of_best().find("no car that iog knows: UDP port 2368 receives a "
+                                          "Velodyne VLP-16 in an unsupported mode"),
             0U);
   add(identity, 2368, vlp16_packet(40));
   EXPECT_EQ(refusal_by(identity, "roof_vlp16"), "");
@@ -60,7 +60,7 @@ TEST(CaptureRefusal, AUnitOfTheCarWhosePacketsAreDamagedIsNoOther) {
     add(identity, 2368, packet);
   }
   EXPECT_EQ(refusal_by(identity, "roof_vlp16"),
-            "what comes to UDP port 2368 is of a Velodyne VLP-16 whose packets are damaged");
+            "UDP port 2368 receives a Velodyne VLP-16 whose packets are damaged: record it again");
 }
 
 TEST(CaptureRefusal, AnotherUnitDoesNotHideThatTheCarsIsInAnUnknownMode) {
@@ -74,8 +74,8 @@ TEST(CaptureRefusal, AnotherUnitDoesNotHideThatTheCarsIsInAnUnknownMode) {
     add(identity, 2369, vlp16_packet(i));
   }
   EXPECT_EQ(refusal_by(identity, "roof_vls128"),
-            "what comes to UDP port 2368 is of a Velodyne VLS-128 in a mode that iogrid does not "
-            "take; what comes to UDP port 2369 is of a Velodyne VLP-16");
+            "UDP port 2368 receives a Velodyne VLS-128 in an unsupported mode; UDP port 2369 "
+            "receives a Velodyne VLP-16");
 }
 
 TEST(CaptureRefusal, OfTwoUnitsOnAPortBothAreAdvised) {
@@ -89,7 +89,7 @@ TEST(CaptureRefusal, OfTwoUnitsOnAPortBothAreAdvised) {
             .bytes());
   }
   EXPECT_EQ(refusal_by(identity, "roof_xt32"),
-            "what comes to UDP port 2368 is of a Hesai Pandar64 and a Velodyne VLP-16, and sensor "
+            "UDP port 2368 receives a Hesai Pandar64 and a Velodyne VLP-16, but sensor "
             "roof of roof_xt32 is a Hesai PandarXT-32: try --vehicle roof_pandar64 or roof_vlp16");
   EXPECT_EQ(refusal_by(identity, "roof_vlp16"), "");
 }
@@ -107,7 +107,7 @@ TEST(CaptureRefusal, AnOusterInAnotherModeIsNamedSo) {
             .bytes());
   }
   EXPECT_EQ(refusal_by(identity, "roof_os1_64"),
-            "what comes to UDP port 7502 is of an Ouster OS, legacy 64 in another mode, and sensor "
+            "UDP port 7502 receives an Ouster OS, legacy 64 in another mode, but sensor "
             "roof of roof_os1_64 is an Ouster OS, legacy 64, 1024x10: no car that iog knows has it "
             "there; docs/vehicles.md says how to describe one");
 }
@@ -120,12 +120,12 @@ TEST(CaptureRefusal, TheCarOfTheUnitThatIsToldIsAdvised) {
     add(identity, 9870, tests::PointsPacket{}.bytes());
   }
   EXPECT_EQ(refusal_by(identity, "roof_hdl32e"),
-            "what comes to UDP port 2368 is of a Velodyne VLP-16, and sensor roof of roof_hdl32e "
+            "UDP port 2368 receives a Velodyne VLP-16, but sensor roof of roof_hdl32e "
             "is a Velodyne HDL-32E: try --vehicle roof_vlp16");
   EXPECT_EQ(
       refusal_by(identity, "roof_os1_64")
           .find("no packet is for a sensor of roof_os1_64 (Ouster OS, legacy 64, 1024x10; UDP port "
-                "7502); what comes to UDP port 2368 is of a Velodyne VLP-16; "),
+                "7502); UDP port 2368 receives a Velodyne VLP-16; "),
       0U)
       << refusal_by(identity, "roof_os1_64");
 }

@@ -109,8 +109,9 @@ TEST(CarCapture, StrangersOnAPortOfANamedSenderAreLeftOut) {
   const Read elsewhere = read(datagrams, 0);
   EXPECT_EQ(elsewhere.datagrams, alone.datagrams);
   EXPECT_TRUE(elsewhere.words.starts_with(
-      "what comes to UDP port 12002 is from 10.0.2.250, not from source_ipv4 10.0.2.101 of sensor "
-      "front_left: it is used here, but a target drops it; what comes to UDP port 12003 is from"))
+      "packets to UDP port 12002 come from 10.0.2.250: iog uses them, but a target drops all but "
+      "source_ipv4 10.0.2.101 of sensor front_left (check the car file); packets to UDP port 12003 "
+      "come from"))
       << elsewhere.words;
 }
 

@@ -239,8 +239,8 @@ TEST_F(ImageFile, AnElfFileThatIsCutOffIsRefused) {
     for (const std::size_t bytes : {whole - 1, std::size_t{end} + 499, std::size_t{end}}) {
       image.resize(bytes);
       EXPECT_EQ(told(image), path() + ": the ELF file is cut off: it has " + std::to_string(bytes) +
-                                 " bytes, and by its headers " + std::to_string(whole) +
-                                 "; copy or build it anew");
+                                 " of the " + std::to_string(whole) +
+                                 " bytes that its headers state; copy or build it anew");
     }
     put(image, is_64 ? 40 : 32, 0, false);  // stripped of them
     put(image, is_64 ? 58 : 46, 0, false);

@@ -65,8 +65,8 @@ TEST(LostPackets, OfAUnitThatTurnsAreTold) {
     expect_lost(words, lost, 3'000);
   }
   EXPECT_EQ(told({}, [](std::uint64_t number) { return number % 10 != 5; }),
-            "about 300 of 3000 packets of roof (10 %) are missing: the network or the recording PC "
-            "lost them, and the grid has gaps there");
+            "about 300 of 3000 packets of roof (10 %) are missing, so the grid has gaps: check "
+            "the network and the recording PC");
 }
 
 // 100 packets, then none for two turns and 25 packets; ten times, and 100 packets.
@@ -198,8 +198,7 @@ std::string told_of_lux(
 }
 
 TEST(LostPackets, OfALuxAreTold) {
-  const std::string rest =
-      ": the network or the recording PC lost them, and the grid has gaps there";
+  const std::string rest = ", so the grid has gaps: check the network and the recording PC";
   EXPECT_EQ(told_of_lux(1, 1, [](std::uint64_t i) { return i % 10 != 5; }),
             "about 100 of 999 scans of front (10 %) are missing" + rest);
   // Each second scan lacks one of two messages.
@@ -237,7 +236,7 @@ TEST(LostPackets, OfEachMakersUnitAreTold) {
     const std::vector<std::string> words = lossy.words_of_lost();
     EXPECT_EQ(words.size(), car.sensors.size());
     for (const std::string& each : words) {
-      EXPECT_NE(each.find(" %) are missing: "), std::string::npos) << each;
+      EXPECT_NE(each.find(" %) are missing, "), std::string::npos) << each;
     }
   }
 }

@@ -99,7 +99,7 @@ TEST(NmeaLog, PositionsOfTheSameTimeAreCounted) {
       "$GPRMC,120001,A,4800.0000,N,00800.01600,E,19.44,90.0,010524,,,A*72\r\n";
   const PoseLog log = read_nmea_log(std::as_bytes(std::span(text)));
   EXPECT_EQ(log.remarks, std::vector<std::string>{
-                             "3 positions that are not newer than the one before (first: line 3)"});
+                             "3 positions with the time of an earlier one (first: line 3)"});
   ASSERT_EQ(log.poses.size(), 2U);
   EXPECT_NEAR(log.poses[1].x_m, 19.90, 0.01) << "0.016 minutes at 48 degrees";
 }

@@ -143,7 +143,7 @@ TEST_F(Trajectories, OfTumAreReadByTheirColumns) {
     expect_error(write("a.tum", "1 2 3 4 0 0 0 1\n" + row), words);
   };
   expect("1 2 3 4 0 0 0", "a.tum:2: 7 numbers instead of 8");
-  expect("1 2 nan 4 0 0 0 1", "a.tum:2: 'nan' is no number");
+  expect("1 2 nan 4 0 0 0 1", "a.tum:2: 'nan' is not a number");
   expect("1 2 3 4 0 0 0 0", "a.tum:2: qx qy qz qw are no");
   expect("-1 2 3 4 0 0 0 1", "a.tum:2: the time is '-1'");
 }

@@ -104,8 +104,8 @@ TEST(VehicleFit, ACaptureOfTheVehicleFitsAndThatOfAnotherIsNamed) {
   EXPECT_EQ(complaint_of([&] { demand_fit({path}, car); }), "");
   EXPECT_TRUE(contains(
       complaint_of([&] { demand_fit({path}, find_vehicle("roof_vlp16")); }),
-      path + ": no packet is for a sensor of roof_vlp16 (Velodyne VLP-16; UDP port 2368); what "
-             "comes to UDP port 12002 is of an ibeo LUX"));
+      path + ": no packet is for a sensor of roof_vlp16 (Velodyne VLP-16; UDP port 2368); UDP "
+             "port 12002 receives an ibeo LUX"));
   EXPECT_TRUE(complaint_of([&] {
                 demand_fit({path}, find_vehicle("roof_vlp16"));
               }).ends_with("try --vehicle reference_car"));
@@ -129,12 +129,12 @@ TEST(VehicleFit, AnotherUnitIsNamedAndSoIsADoubt) {
   EXPECT_EQ(complaint_of([&] { demand_fit({two}, find_vehicle("roof_hdl32e")); }), "");
   EXPECT_EQ(complaint_of([&] { demand_fit({two}, find_vehicle("roof_vlp16")); }),
             two +
-                ": what comes to UDP port 2368 is of a Velodyne HDL-32E, and sensor roof of "
+                ": UDP port 2368 receives a Velodyne HDL-32E, but sensor roof of "
                 "roof_vlp16 is a Velodyne VLP-16: try --vehicle roof_hdl32e");
   const std::string one = written("one.pcap", {tests::kHdl32eFirst});
   for (const char* const car : {"roof_hdl32e", "roof_vlp16"}) {
     EXPECT_TRUE(contains(complaint_of([&] { demand_fit({one}, find_vehicle(car)); }),
-                         "is of a Velodyne HDL-32E or Velodyne VLP-16, and sensor roof of"));
+                         "receives a Velodyne HDL-32E or Velodyne VLP-16, but sensor roof of"));
   }
   EXPECT_TRUE(contains(summary_of_capture(two), "Velodyne HDL-32E        2 "));
   EXPECT_TRUE(contains(summary_of_capture(one), "Velodyne HDL-32E or Velodyne VLP-16"));

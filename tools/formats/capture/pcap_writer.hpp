@@ -24,7 +24,7 @@ class PcapWriter {
   // Payloads of at most 65,507 bytes. UsageError if the disk is full.
   void write(const CapturedDatagram& datagram);
 
-  // Replaces an older file by what is written, also if it never comes to finish().
+  // Replaces an older file now, even if finish() is never called.
   void keep_beginning() { place_.finish(); }
 
   // UsageError if not all bytes have reached the file. Nothing may be written after it.

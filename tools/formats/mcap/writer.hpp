@@ -43,7 +43,7 @@ class Writer {
   // The next message of that channel. UsageError if the disk is full.
   void write(std::uint16_t channel_id, const Times& times, std::span<const std::byte> data);
 
-  // Replaces an older file by what is written, also if it never comes to finish().
+  // Replaces an older file now, even if finish() is never called.
   void keep_beginning() { place_.finish(); }
 
   // UsageError if not all has been written. Nothing may be written after it. The metadata is what

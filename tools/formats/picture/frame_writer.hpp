@@ -34,7 +34,7 @@ class FrameWriter {
   // Draws the frame, if it has not been, and writes it as map.pgm and map.yaml.
   void write_last(const GridFrame& frame);
 
-  // Of a run that is done and has no frame: the pictures of an earlier run are not its.
+  // Removes the pictures of an earlier run, if this run has no frame.
   void write_none() const;
 
  private:

@@ -18,14 +18,15 @@ using Path = std::filesystem::path;
 
 void demand_own(bool is_own, const Path& path) {
   if (!is_own) {
-    throw UsageError(path.string() +
-                     ": iog did not write this file, and would replace it; give another --out");
+    throw UsageError(path.string() + ": not written by iog, or edited since; give another --out");
   }
 }
 
 // A map is known by its .yaml, which is written first and removed last.
 void demand_own_map(const Path& path) {
-  demand_own(is_own_ros_map(Path(path).replace_extension(".yaml").string()), path);
+  const Path yaml = Path(path).replace_extension(".yaml");
+  std::error_code error;
+  demand_own(is_own_ros_map(yaml.string()), std::filesystem::exists(yaml, error) ? yaml : path);
 }
 
 // The numbered files of an earlier run.

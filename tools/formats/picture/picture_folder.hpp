@@ -1,5 +1,5 @@
-// A folder of pictures and ROS maps of one run: what an earlier run of iog has left there would
-// look like this one's, and what others have put there is theirs.
+// A folder of pictures and ROS maps of one run. Older files of iog are removed; files of others are
+// not touched.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace iog::tools {
 
 class PictureFolder {
  public:
-  // Makes the folder. with_maps: numbered maps, too. UsageError if a file there has the name of one
-  // that clear() removes or that a run writes, and iog did not write it.
+  // Makes the folder. with_maps: numbered maps, too. UsageError if a file that clear() removes or a
+  // run replaces is not iog's.
   PictureFolder(std::string path, bool with_maps);
 
   [[nodiscard]] const std::string& path() const { return path_; }

@@ -238,11 +238,11 @@ TEST(BlockSummary, SaysWhichTargetsUseNoMapSoInexact) {
     return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
   };
   EXPECT_EQ(told(1'460), "");
-  EXPECT_TRUE(told(1'461).ends_with(" cells of 200 mm or more use so inexact a map"));
-  EXPECT_TRUE(told(2'920).ends_with(" cells of 200 mm or more use so inexact a map"));
-  EXPECT_TRUE(told(7'300).ends_with(" cells of 500 mm or more use so inexact a map"));
+  EXPECT_TRUE(told(1'461).ends_with(" cells of 200 mm or more accept this accuracy"));
+  EXPECT_TRUE(told(2'920).ends_with(" cells of 200 mm or more accept this accuracy"));
+  EXPECT_TRUE(told(7'300).ends_with(" cells of 500 mm or more accept this accuracy"));
   EXPECT_TRUE(
-      told(7'301).ends_with("no target uses so inexact a map: its blur would be wider "
+      told(7'301).ends_with("no target accepts this accuracy: it blurs the map by more "
                             "than 16 cells"));
 }
 

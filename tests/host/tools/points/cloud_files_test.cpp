@@ -51,8 +51,8 @@ TEST(CloudFiles, OnlyAGapInEvenNumbersIsMissingFiles) {
 TEST(CloudFiles, NamesOfTwoLidarsAreTold) {
   const auto told = [](const std::vector<std::string>& paths) { return timed(paths, 10).remarks; };
   EXPECT_EQ(told({"a/front_0.pcd", "a/front_1.pcd", "a/rear_0.pcd", "a/rear_1.pcd"}),
-            std::vector<std::string>{"names like front_0.pcd and like rear_0.pcd are of two lidars "
-                                     "or drives, or of copies; give the files of one"});
+            std::vector<std::string>{"front_0.pcd and rear_0.pcd seem to be of two lidars or "
+                                     "drives, or copies; give the files of one"});
   for (const std::vector<std::string>& paths : std::vector<std::vector<std::string>>{
            {"lidar0_10.pcd", "lidar0_11.pcd", "lidar1_10.pcd", "lidar1_11.pcd"},
            {"0_l_7.ply", "0_l_8.ply", "0_r_7.ply", "0_r_8.ply"},
@@ -146,8 +146,8 @@ TEST_F(CloudFolder, ItsFilesComeInTheOrderOfTheirNumbers) {
   }
   EXPECT_EQ(told_by([this] { static_cast<void>(cloud_files_in(folder_ / "")); }),
             folder_ / "" +
-                ": names like 9.bin and like 9 (copy).bin are of two lidars or drives, "
-                "or of copies; give the files of one");
+                ": 9.bin and 9 (copy).bin seem to be of two lidars or drives, or copies; "
+                "give the files of one");
   write("9.pcd", kPoint);
   EXPECT_NE(told_by([this] {
               static_cast<void>(cloud_files_in(folder_ / ""));
@@ -205,7 +205,7 @@ TEST_F(CloudFolder, WhatIsNoCloudIsToldWithWhatToDo) {
             std::string::npos);
   EXPECT_NE(told("metadata.yaml", "rosbag2:").find("give the folder of the bag"),
             std::string::npos);
-  EXPECT_NE(told("x.laz", "LASF").find(": read are .mcap, .db3, .pcd"), std::string::npos);
+  EXPECT_NE(told("x.laz", "LASF").find(": use .mcap, .db3, .pcd"), std::string::npos);
   EXPECT_NE(told("none", "").find("there is no such file"), std::string::npos);
 }
 

@@ -133,12 +133,12 @@ TEST_F(PcdFile, OfDoublesSmallNumbersAndRowsIsRead) {
 
 TEST_F(PcdFile, TellWhatIsWrongWithPcd) {
   EXPECT_EQ(told_of("ply\n"), ": this is no PCD file: its head has no FIELDS");
-  EXPECT_EQ(told_of(kHead + "DATA zip\n"),
-            ": DATA is zip; read are ascii, binary, binary_compressed");
+  EXPECT_EQ(told_of(kHead + "DATA zip\n"), ": DATA is zip; use ascii, binary, binary_compressed");
   EXPECT_EQ(told_of(kHead + "DATA binary\n"), ": it ends before its 4 points");
   EXPECT_EQ(told_of(kHead + "DATA ascii\n1 2\n"), ":12: 2 numbers instead of 6");
   const std::string row = "7 7 7 0 10 0\n";
-  EXPECT_EQ(told_of(kHead + "DATA ascii\n\n" + row + "7 7 7 1,5 1 0\n"), ":14: '1,5' is no number");
+  EXPECT_EQ(told_of(kHead + "DATA ascii\n\n" + row + "7 7 7 1,5 1 0\n"),
+            ":14: '1,5' is not a number");
   EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row), ": it ends before its 4 points");
   EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row + row + row + "\n"), "");
   EXPECT_EQ(told_of(kHead + "DATA ascii\n" + row + row + row + row + row),
@@ -149,7 +149,7 @@ TEST_F(PcdFile, TellWhatIsWrongWithPcd) {
             ": its 4 points have 60 bytes, and its compressed data 16843009");
   EXPECT_EQ(told_of(kHead + "WIDTH 5\nDATA ascii\n"), ": WIDTH x HEIGHT is 5, and POINTS 4");
   EXPECT_EQ(told_of(kHead + "POINTS 4.0\nDATA ascii\n"),
-            ": in its head '4.0' is no whole number, or is too large");
+            ": in its head '4.0' is not a whole number, or is too large");
   EXPECT_EQ(told_of(kHead + "POINTS 9999999\nDATA ascii\n"),
             ": 9999999 points; no unit sees more than 1000000 in a scan");
   EXPECT_EQ(told_of(kHead + "DATA binary_compressed\n1"), ": it ends before its points");

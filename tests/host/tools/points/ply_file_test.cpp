@@ -79,7 +79,7 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
   EXPECT_EQ(told_of("ply\nelement vertex 1\nproperty list uchar int x\n"),
             ": its points have a property that is a list, which is not read");
   EXPECT_EQ(told_of(head("binary_middle_endian")),
-            ": its format is binary_middle_endian; read are ascii, binary_little_endian, "
+            ": its format is binary_middle_endian; use ascii, binary_little_endian, "
             "binary_big_endian");
   EXPECT_EQ(told_of(head("ascii") + "255 0 10 0"), ":13: 4 numbers instead of 5");
   EXPECT_EQ(told_of(head("ascii") + "255 0 10 0 2\n3 0 1 1\n"), ":14: 4 numbers instead of 5");
@@ -91,9 +91,9 @@ TEST_F(PlyFile, TellsWhatIsWrong) {
                     "one pointanother."),
             ": it has more bytes than its 1 points");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1" + flat + "1 2,5\n"),
-            ":7: '2,5' is no number");
+            ":7: '2,5' is not a number");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1e3" + flat),
-            ": in its head '1e3' is no whole number, or is too large");
+            ": in its head '1e3' is not a whole number, or is too large");
   EXPECT_EQ(told_of(head("binary_big_endian")), ": it ends before its 2 points");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             ": its points have no field y");

@@ -63,9 +63,9 @@ TEST(PointTimes, ThoseOfAnotherClockAreTold) {
 // explains.
 TEST(PointTimes, AWrongUnitIsTold) {
   EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 0.1, 100'000),
-            "by --time-unit ns a scan lasts 0.1 ns; 5 to 500 ms is usual, as by --time-unit s");
+            "with --time-unit ns a scan lasts 0.1 ns, not 5 to 500 ms: try --time-unit s");
   EXPECT_EQ(words_of_wrong_unit(TimeUnit::kNanoseconds, 99'000, 100'000),
-            "by --time-unit ns a scan lasts 99000 ns; 5 to 500 ms is usual, as by --time-unit us");
+            "with --time-unit ns a scan lasts 99000 ns, not 5 to 500 ms: try --time-unit us");
   EXPECT_NE(words_of_wrong_unit(TimeUnit::kMilliseconds, 0.033, 100'000), "")
       << "a third of a turn";
   EXPECT_EQ(words_of_wrong_unit(TimeUnit::kSeconds, 0.1, 100'000), "");
