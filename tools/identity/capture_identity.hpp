@@ -55,6 +55,8 @@ class CaptureIdentity {
   [[nodiscard]] std::string refusal(const CatalogueEntry& car) const;
 
  private:
+  static constexpr std::size_t kNamedPorts = 8;  // more would hide what matters
+
   // What has come from one sender to one port.
   struct Sender {
     std::uint64_t datagrams = 0;
