@@ -336,7 +336,6 @@ SeenCloud cloud_of(const CloudRecords& records, TimeUnit& unit, const std::strin
 }
 
 std::string words_of_wrong_unit(TimeUnit given, double span, double period_us) {
-  constexpr std::array<std::string_view, 4> kNames{"s", "ms", "us", "ns"};
   constexpr double kMostPeriods = 1.5;  // a stamp may be late
   if (given == TimeUnit::kFound) {
     return {};
@@ -349,8 +348,9 @@ std::string words_of_wrong_unit(TimeUnit given, double span, double period_us) {
     return {};
   }
   std::ostringstream text;
-  text << "with --time-unit " << kNames.at(its) << " a scan lasts " << span << ' ' << kNames.at(its)
-       << ", not 5 to 500 ms: try --time-unit " << kNames.at(right);
+  text << "with --time-unit " << kTimeUnitNames.at(its) << " a scan lasts " << span << ' '
+       << kTimeUnitNames.at(its) << ", not 5 to 500 ms: try --time-unit "
+       << kTimeUnitNames.at(right);
   return text.str();
 }
 

@@ -3,6 +3,7 @@
 // if it is there: `t`, `time`, `timestamp`, `time_stamp` or `offset_time`.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -43,6 +44,8 @@ inline constexpr double kWholeTurnDeg = 350;
 // it has at least 100 points, or the field's type agrees (seconds in floats, nanoseconds in
 // integers).
 enum class TimeUnit : std::uint8_t { kFound, kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
+// From kSeconds on, as --time-unit has them.
+inline constexpr std::array<std::string_view, 4> kTimeUnitNames{"s", "ms", "us", "ns"};
 
 struct CloudField {
   enum class Kind : std::uint8_t { kSigned, kUnsigned, kFloat };

@@ -83,6 +83,8 @@ std::pair<std::string_view, std::string_view> number_of(std::string_view path) {
   return {stem.substr(begin, behind - begin), stem.substr(0, begin)};
 }
 
+constexpr std::size_t kMostDigits = 18;  // of a number in a name, so that it fits into 64 bits
+
 // Files whose names differ only in their last numbers, as front_000.pcd and front_001.pcd.
 struct Series {
   std::string first_name;
@@ -131,7 +133,6 @@ std::string series_of(std::string_view name, bool are_units) {
 // What is wrong if files of one folder are those of several lidars or drives, or copies: names of
 // few series whose numbers overlap. are_units: as of series_of(). Empty: nothing.
 std::string words_of_several(const std::vector<std::string>& paths, bool are_units) {
-  constexpr std::size_t kMostDigits = 18;
   std::map<std::pair<std::string, std::string>, Series> all;  // by folder and series
   for (const std::string& path : paths) {
     const std::filesystem::path its(path);
@@ -165,7 +166,6 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
 
 // How far the number of the file is behind that of the one before; 0: not known.
 std::uint64_t step_between(const CloudFile& before, const CloudFile& file) {
-  constexpr std::size_t kMostDigits = 18;
   const auto [from, from_head] = number_of(before.path);
   const auto [to, to_head] = number_of(file.path);
   const bool are_known = !from.empty() && from.size() <= kMostDigits && !to.empty() &&

@@ -5,7 +5,6 @@
 #include <functional>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -325,18 +324,20 @@ void add_points(CLI::App& program) {
              "Sensor of the car, by name or number");
   add_option(*command, "--topic", "TOPIC  (default the one with clouds)", options->topic,
              "Topic of a recording");
-  static const std::map<std::string, TimeUnit> units{{"s", TimeUnit::kSeconds},
-                                                     {"ms", TimeUnit::kMilliseconds},
-                                                     {"us", TimeUnit::kMicroseconds},
-                                                     {"ns", TimeUnit::kNanoseconds}};
   const CLI::Validator is_unit(
       [](const std::string& word) {
-        return units.contains(word) ? std::string() : word + " is none of s, ms, us, ns";
+        return std::ranges::find(kTimeUnitNames, word) != kTimeUnitNames.end()
+                   ? std::string()
+                   : word + " is none of s, ms, us, ns";
       },
       "{s,ms,us,ns}");
   command
       ->add_option_function<std::string>(
-          "--time-unit", [options](const std::string& word) { options->unit = units.at(word); },
+          "--time-unit",
+          [options](const std::string& word) {
+            const auto* const found = std::ranges::find(kTimeUnitNames, word);
+            options->unit = static_cast<TimeUnit>(found - kTimeUnitNames.begin() + 1);
+          },
           "Unit of the points' own times")
       ->option_text("s|ms|us|ns  (default the unit in which a full scan takes 5 to 500 ms)")
       ->check(is_unit);

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "tools/formats/capture/made_capture.hpp"
+#include "tools/formats/ros/grid_messages.hpp"
 #include "tools/receive/stream_census.hpp"
 
 namespace iog::tools {
