@@ -117,8 +117,8 @@ TEST_F(PcdFile, AViewpointThatIsNotTheOriginIsNamed) {
 
 TEST_F(PcdFile, OfDoublesSmallNumbersAndRowsIsRead) {
   Bytes points;
-  for (const auto& [x, y, z] :
-       std::vector<std::array<double, 3>>{{0, 10, 0}, {1, 0, 1}, {kNan, 0, 0}, {0, 0, 0}}) {
+  for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{
+           {0, 10, 0}, {1, 0, 1}, {static_cast<double>(kNan), 0, 0}, {0, 0, 0}}) {
     add(points, 200, 1);
     add(points, x);
     add(points, y);
