@@ -28,25 +28,56 @@ void CutViews::begin(std::span<const std::uint8_t> ages_ms, Step step) {
 }
 
 View CutViews::join(std::size_t slot, Point car, View now, Track& track) {
-  if (goes_on(slot, now, track)) {
-    const Kept& last = kept_[1 - now_];
-    const std::int32_t contradicted = track.seen.contradicted;
-    track = last.tracks[last.of_slot[slot]];
-    track.seen = {.contradicted = contradicted};
-    track.predict(step_);
-    track.look_from(car);
+  const std::int32_t older_ms = older_sweep_of(now);
+  const bool is_on = goes_on(slot, now, track);
+  if (is_on && kept_[1 - now_].waits_below(slot) == kAll) {
+    undo(slot, car, track);
+  }
+  if (is_on || older_ms > 0) {
     joined_of_[slot].first = joined_count_;
     for (const std::uint16_t number : now.numbers) {
-      add(slot, track, now.hits[number], 0);
+      if (now.hits[number].age_ms >= older_ms) {
+        add(slot, track, now.hits[number], 0);
+      }
     }
-    for (const std::uint16_t number : carried_of_.of(slot)) {
-      add(slot, track, carried_[number], step_.ms());
+    for (std::size_t i = 0; is_on && i < carried_of_.of(slot).size(); ++i) {
+      add(slot, track, carried_[carried_of_.of(slot)[i]], step_.ms());
     }
     joined_of_[slot].count = joined_count_ - joined_of_[slot].first;
-  } else if (newest_ms_ != oldest_ms_ && has_hit_of(now, newest_ms_)) {
-    keep_track(slot, track);
+  }
+  if (older_ms > 0) {
+    keep_track(slot, track, older_ms);
+  } else if (!is_on && newest_ms_ != oldest_ms_ && has_hit_of(now, newest_ms_)) {
+    keep_track(slot, track, kAll);
   }
   return view_of(slot, now);
+}
+
+// Restores the track as it was before its part in the last frame.
+void CutViews::undo(std::size_t slot, Point car, Track& track) const {
+  const Kept& last = kept_[1 - now_];
+  const std::int32_t contradicted = track.seen.contradicted;
+  track = last.tracks[last.of_slot[slot]];
+  track.seen = {.contradicted = contradicted};
+  track.predict(step_);
+  track.look_from(car);
+}
+
+// The least age of the hits of the older sweep; 0 if there is one sweep, or no room for a second.
+std::int32_t CutViews::older_sweep_of(const View& view) const {
+  if (kept_[now_].count == kMostCutTracks || joined_count_ + view.numbers.size() > joined_.size() ||
+      !has_hit_of(view, newest_ms_) || !has_hit_of(view, oldest_ms_)) {
+    return 0;
+  }
+  std::int32_t newer = newest_ms_;
+  std::int32_t older = oldest_ms_;
+  for (const std::uint16_t number : view.numbers) {
+    const std::int32_t age_ms = view.hits[number].age_ms;
+    const bool is_newer = age_ms <= (newest_ms_ + oldest_ms_) / 2;
+    newer = is_newer ? std::max(newer, age_ms) : newer;
+    older = is_newer ? older : std::min(older, age_ms);
+  }
+  return older - newer > kTurnGapMs ? older : 0;
 }
 
 // The oldest slice has a part of it, and so had the newest slice of the last frame.
@@ -59,10 +90,11 @@ bool CutViews::goes_on(std::size_t slot, const View& now, const Track& track) co
          has_hit_of(now, oldest_ms_);
 }
 
-void CutViews::keep_track(std::size_t slot, const Track& track) {
+void CutViews::keep_track(std::size_t slot, const Track& track, std::int32_t below_ms) {
   Kept& kept = kept_[now_];
   if (kept.count < kept.tracks.size()) {
     kept.of_slot[slot] = static_cast<std::uint8_t>(kept.count);
+    kept.below_ms[kept.count] = below_ms;
     kept.tracks[kept.count++] = track;
   }
 }
@@ -83,18 +115,28 @@ View CutViews::view_of(std::size_t slot, View now) {
 }
 
 void CutViews::give_back(std::size_t slot, View now) const {
-  for (std::size_t i = 0; joined_of_[slot].count > 0 && i < now.numbers.size(); ++i) {
-    const FrameHit& its = joined_[joined_of_[slot].first + i];
-    now.hits[now.numbers[i]].owner = its.owner;
-    now.hits[now.numbers[i]].moved = its.moved;
+  if (joined_of_[slot].count == 0) {
+    return;
+  }
+  std::size_t next = joined_of_[slot].first;
+  for (const std::uint16_t number : now.numbers) {
+    if (FrameHit& hit = now.hits[number]; hit.age_ms >= kept_[now_].waits_below(slot)) {
+      hit.owner = joined_[next].owner;
+      hit.moved = joined_[next].moved;
+      ++next;
+    }
   }
 }
 
-void CutViews::keep(std::span<const FrameHit> hits) {
+void CutViews::keep(std::span<const Track> tracks, std::span<const FrameHit> hits) {
+  Kept& kept = kept_[now_];
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+    kept.of_slot[slot] = tracks[slot].seen.has_merged ? kNone : kept.of_slot[slot];
+  }
   carried_count_ = 0;
   for (const FrameHit& hit : hits) {
     if (hit.owner != kNobody && carried_count_ < carried_.size() &&
-        kept_[now_].of_slot[static_cast<std::size_t>(hit.owner)] != kNone) {
+        hit.age_ms < kept.waits_below(static_cast<std::size_t>(hit.owner))) {
       carried_[carried_count_++] = hit;
     }
   }

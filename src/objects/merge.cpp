@@ -77,6 +77,7 @@ void take_over(Track& older, Track& other, const Sides& together) {
   older.sides() = together;
   older.seen.hits += other.seen.hits;
   older.seen.moving += other.seen.moving;
+  older.seen.has_merged = true;
   older.confidence = std::max(older.confidence, other.confidence);
   other.end();
 }

@@ -28,6 +28,8 @@ inline constexpr std::size_t kMostCutTracks = 32;
 inline constexpr std::size_t kMostCutHits = 1024;
 // A frame begins where the last one ended if at most this time is between their slices.
 inline constexpr std::int32_t kCutGapMs = 20;
+// A lidar that turns ten times per second sees an object again after more than this time.
+inline constexpr std::int32_t kTurnGapMs = 50;
 
 // Recent hits are recorded in epochs of 80 ms.
 inline constexpr std::uint64_t kEpochUs = 80'000;

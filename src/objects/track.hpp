@@ -26,6 +26,7 @@ struct Seen {
   std::int32_t standing = 0;      // its standing hits
   std::int32_t contradicted = 0;  // hits that are too early to belong to it
   bool is_end_hidden = false;     // it may be longer or wider than its box
+  bool has_merged = false;        // it has taken over another track
   // Counts of the places that the track has left or reached. Good places confirm the track's
   // motion, bad places contradict it, and neutral places do neither.
   std::int32_t good = 0;

@@ -52,7 +52,7 @@ FrameCounts Tracker::end(const GridNames& grid) {
   merge(used(), hits_.all());
   judge_all(grid);
   leave_free_slots();
-  cut_.keep(hits_.all());
+  cut_.keep(used(), hits_.all());
   moving_.list(used());
   return counts_;
 }

@@ -63,7 +63,7 @@ TEST(CutViews, AFrameOfOneSliceHasNoParts) {
     cut.begin(std::array<std::uint8_t, 1>{0}, Step(40));
     hits[0].owner = hits[1].owner = 0;
     EXPECT_EQ(cut.join(0, {}, {numbers, hits}, track).numbers.size(), 2U);
-    cut.keep(hits);
+    cut.keep({}, hits);
   }
 }
 
@@ -90,7 +90,7 @@ TEST(CutViews, PartsInSuccessiveFramesAreOneView) {
     constexpr std::array<std::uint16_t, 2> kTwo{0, 1};
     EXPECT_EQ(cut.join(0, {}, {kTwo, first}, track).numbers.size(), 2U);
     track.confidence = 7;  // by the first part
-    cut.keep(first);
+    cut.keep({}, first);
     track.id = its.next_id;
     cut.begin(kAges, Step(its.step_ms));
     constexpr std::array<std::uint16_t, 1> kOne{0};
@@ -105,6 +105,71 @@ TEST(CutViews, PartsInSuccessiveFramesAreOneView) {
       EXPECT_EQ(second[0].owner, kNobody);
     }
   }
+}
+
+// The other track is gone, so what the older one has become stays.
+TEST(CutViews, ATrackThatHasTakenOverAnotherStays) {
+  CutViews cut;
+  constexpr std::array<std::uint8_t, 2> kAges{0, 32};
+  std::array<FrameHit, 1> first{};
+  std::array<FrameHit, 1> second{};
+  first[0].owner = second[0].owner = 0;
+  second[0].age_ms = 32;
+  std::array<Track, 1> tracks{};
+  Track& track = tracks[0];
+  track.begin(1, {.sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kStartUs);
+  constexpr std::array<std::uint16_t, 1> kOne{0};
+  cut.begin(kAges, Step(40));
+  EXPECT_EQ(cut.join(0, {}, {kOne, first}, track).numbers.size(), 1U);
+  track.sides()[kAlong].high = 4'000;
+  track.seen.has_merged = true;
+  cut.keep(tracks, first);
+  cut.begin(kAges, Step(40));
+  EXPECT_EQ(cut.join(0, {}, {kOne, second}, track).numbers.size(), 1U);
+  EXPECT_EQ(track.box().sides[kAlong].high, 4'000);
+}
+
+// A frame of a whole turn begins and ends in an object. Its older hits are measured, with the newer
+// ones of the frame before; nothing is undone.
+TEST(CutViews, AViewOfAWholeTurnHasOneSweep) {
+  CutViews cut;
+  constexpr std::array<std::uint8_t, 3> kAges{0, 48, 96};
+  Track track;
+  track.begin(1, {.sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kStartUs);
+  constexpr std::array<std::uint16_t, 3> kThree{0, 1, 2};
+  for (const std::size_t hits : {1U, 3U, 3U}) {
+    std::array<FrameHit, 3> of_frame{};
+    of_frame[0].age_ms = 96;
+    for (FrameHit& hit : of_frame) {
+      hit.owner = 0;
+    }
+    cut.begin(kAges, Step(100));
+    const View view = cut.join(0, {}, {kThree, of_frame}, track);
+    ASSERT_EQ(view.numbers.size(), hits);
+    EXPECT_EQ(view.hits[view.numbers[0]].age_ms, 96);
+    EXPECT_EQ(view.hits[view.numbers[hits - 1]].age_ms, hits == 1 ? 96 : 100);
+    EXPECT_EQ(track.confidence, hits == 1 ? 0 : 7);
+    track.confidence = 7;
+    view.hits[view.numbers[0]].owner = kNobody;
+    cut.give_back(0, {kThree, of_frame});
+    EXPECT_EQ(of_frame[0].owner, kNobody);
+    EXPECT_EQ(of_frame[1].owner, 0);
+    cut.keep({}, of_frame);
+  }
+}
+
+// With hits between them, the oldest and the newest are of one sweep over something long.
+TEST(CutViews, AViewWithoutAGapIsWhole) {
+  CutViews cut;
+  constexpr std::array<std::uint8_t, 3> kAges{0, 48, 96};
+  Track track;
+  track.begin(1, {.sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kStartUs);
+  std::array<FrameHit, 3> hits{};
+  hits[1].age_ms = 48;
+  hits[2].age_ms = 96;
+  constexpr std::array<std::uint16_t, 3> kThree{0, 1, 2};
+  cut.begin(kAges, Step(100));
+  EXPECT_EQ(cut.join(0, {}, {kThree, hits}, track).numbers.size(), 3U);
 }
 
 }  // namespace

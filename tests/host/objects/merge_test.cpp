@@ -29,6 +29,7 @@ bool become_one(const Track& first, const Track& second) {
   EXPECT_TRUE(tracks[1].is_there());
   EXPECT_EQ(hits[0].owner, tracks[0].is_there() ? 0 : 1);
   EXPECT_EQ(hits[1].owner, kNobody);
+  EXPECT_EQ(tracks[1].seen.has_merged, !tracks[0].is_there());
   return !tracks[0].is_there();
 }
 
