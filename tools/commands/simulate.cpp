@@ -152,13 +152,6 @@ class DriveRecording {
   std::uint64_t poses_ = 0;
 };
 
-// Only when it is known that the drive can be made.
-void make_truth_folder(const SimulateOptions& options) {
-  if (!options.truth.empty()) {
-    make_folder(options.truth);
-  }
-}
-
 void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
                  const CatalogueEntry& car) {
   const CellArea area = cells_around(drive.ego(frame), car.description->grid.cell_m);
@@ -237,7 +230,6 @@ void simulate(const SimulateOptions& options) {
                   car.vehicle->poses.udp_port);
   }
   DriveRecording recording(options.out, car);
-  make_truth_folder(options);
   std::optional<CellTruthFile> cells;
   if (!options.truth_cells.empty()) {
     cells.emplace(options.truth_cells);
@@ -245,6 +237,9 @@ void simulate(const SimulateOptions& options) {
   std::optional<PointTruthFile> points;
   if (!options.truth_points.empty()) {
     points.emplace(options.truth_points);
+  }
+  if (!options.truth.empty()) {
+    make_truth_folder(options.truth);
   }
   write_osm(options, drive.scene());
   Progress progress("frames", drive.frame_count());
