@@ -47,6 +47,15 @@ std::string_view without_ending(std::string_view path) {
   return path;
 }
 
+constexpr std::size_t kDigitsOfNanoseconds = 9;
+
+// Behind the seconds in a name. Fewer digits, or zeros before them, may be the number of a cloud.
+bool are_nanoseconds(std::string_view digits) {
+  constexpr std::size_t kFewest = 7;
+  return digits.size() == kDigitsOfNanoseconds ||
+         (kFewest <= digits.size() && digits.size() < kDigitsOfNanoseconds && digits[0] != '0');
+}
+
 std::uint64_t digits_as_number(std::string_view digits) {
   std::uint64_t number = 0;
   for (const char digit : digits) {
@@ -250,10 +259,12 @@ std::optional<std::uint64_t> time_in_name(const std::string& path) {
   const std::size_t begin_of_last = stem.find_last_not_of(kDigits) + 1;  // 0 if all are digits
   std::string_view whole = stem.substr(begin_of_last);
   std::uint64_t fraction_us = 0;
-  if (begin_of_last > 1 && stem[begin_of_last - 1] == '.' && !whole.empty()) {
-    std::string digits(whole.substr(0, 6));
-    digits.resize(6, '0');
-    fraction_us = digits_as_number(digits);
+  const char separator = begin_of_last > 1 ? stem[begin_of_last - 1] : ' ';
+  if (separator == '.' ? !whole.empty() : separator == '_' && are_nanoseconds(whole)) {
+    std::string nanoseconds(whole.substr(0, kDigitsOfNanoseconds));
+    nanoseconds.insert(separator == '.' ? nanoseconds.size() : 0,
+                       kDigitsOfNanoseconds - nanoseconds.size(), '0');
+    fraction_us = digits_as_number(nanoseconds) / 1'000;
     const std::string_view before = stem.substr(0, begin_of_last - 1);
     whole = before.substr(before.find_last_not_of(kDigits) + 1);
     if (whole.size() != 10) {

@@ -30,7 +30,7 @@ struct CloudFiles {
 [[nodiscard]] std::vector<std::string> cloud_files_in(const std::string& folder);
 
 // Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a
-// decimal point, milliseconds, microseconds or nanoseconds, of 2001 to 2096.
+// decimal point, seconds_nanoseconds, milliseconds, microseconds or nanoseconds, of 2001 to 2096.
 [[nodiscard]] std::optional<std::uint64_t> time_in_name(const std::string& path);
 
 // In the order of the times in their names or, if one has none, in the order of their numbers, at
