@@ -127,6 +127,11 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
          "moves, a "
          "spinning unit's points are misplaced",
          words);
+  if (2 * sent.parts_of_turns > sent.clouds) {
+    words.push_back(std::to_string(sent.parts_of_turns) +
+                    " clouds look in other directions than the one before, as parts of a turn: set "
+                    "the lidar's driver to publish whole turns");
+  }
   const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
   if (!of_unit.empty()) {
     words.push_back(of_unit);
