@@ -201,6 +201,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   bool is_assumed = false;
   std::uint64_t viewpoints = 0;
   std::string first_viewpoint;
+  std::string its_name;
   for (const CloudFile& file : inputs.clouds.files) {
     SeenCloud cloud = read_cloud_of(file, unit);
     if (cloud.is_assumed && cloud.points.empty()) {
@@ -208,7 +209,8 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
     }
     is_assumed = is_assumed || cloud.is_assumed;
     if (!cloud.viewpoint.empty() && viewpoints++ == 0) {
-      first_viewpoint = file.path + ": VIEWPOINT " + cloud.viewpoint;
+      first_viewpoint = file.path + ": " + cloud.viewpoint;
+      its_name = cloud.viewpoint.substr(0, cloud.viewpoint.find(' '));
     }
     take(std::move(cloud));
   }
@@ -218,7 +220,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   if (viewpoints > 0) {
     constexpr std::string_view kSet =
         "file|files sets|set: its|their points must be in the lidar's frame (";
-    remarks.push_back("iog ignores VIEWPOINT, which " + counted(viewpoints, kSet) +
+    remarks.push_back("iog ignores " + its_name + ", which " + counted(viewpoints, kSet) +
                       first_viewpoint + ')');
   }
   std::ranges::for_each(inputs.behind, read);
