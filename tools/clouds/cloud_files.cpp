@@ -100,6 +100,16 @@ struct Series {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();  // number or time
   std::uint64_t most = 0;
 
+  // A name without a number counts for nothing.
+  void add(const std::string& name) {
+    const std::string_view digits = number_of(name).first.substr(0, kMostDigits);
+    if (digits.empty()) {
+      return;
+    }
+    const std::uint64_t number = time_in_name(name).value_or(digits_as_number(digits));
+    least = std::min(least, number);
+    most = std::max(most, number);
+  }
   [[nodiscard]] bool overlaps(const Series& other) const {
     return least <= other.most && other.least <= most;
   }
@@ -146,17 +156,13 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
   for (const std::string& path : paths) {
     const std::filesystem::path its(path);
     const std::string name = its.filename();
-    const std::string_view digits = number_of(name).first;
     const std::string series = series_of(name, are_units);
     if (series.empty()) {
       continue;
     }
     Series& of_name = all[{its.parent_path(), series}];
-    const std::uint64_t number =
-        time_in_name(path).value_or(digits_as_number(digits.substr(0, kMostDigits)));
     of_name.first_name = of_name.first_name.empty() ? name : of_name.first_name;
-    of_name.least = std::min(of_name.least, number);
-    of_name.most = std::max(of_name.most, number);
+    of_name.add(name);
   }
   if (2 * all.size() > paths.size()) {  // names without an order
     return {};
@@ -251,6 +257,26 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
     throw UsageError(folder + ": " + several);
   }
   return paths;
+}
+
+void demand_parts(const std::vector<std::vector<std::string>>& folders) {
+  std::vector<Series> all;
+  for (const std::vector<std::string>& files : folders) {
+    Series its{.first_name = std::filesystem::path(files.front()).parent_path()};
+    for (const std::string& path : files) {
+      its.add(std::filesystem::path(path).filename());
+    }
+    const auto other =
+        std::ranges::find_if(all, [&](const Series& series) { return its.overlaps(series); });
+    if (other != all.end()) {
+      throw UsageError(
+          printable(other->first_name) + " and " + printable(its.first_name) +
+          ": numbers or times in the names of their files overlap, as those of two "
+          "lidars do: give one folder to each `iog points`; of parts of one drive give "
+          "the files");
+    }
+    all.push_back(its);
+  }
 }
 
 std::optional<std::uint64_t> time_in_name(const std::string& path) {

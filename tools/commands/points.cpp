@@ -171,6 +171,7 @@ struct Inputs {
 Inputs inputs_of(const PointsOptions& options) {
   Inputs all;
   std::vector<std::string> files;
+  std::vector<std::vector<std::string>> folders;
   for (const std::string& input : options.inputs) {
     const bool is_folder = std::filesystem::is_directory(input);
     std::vector<std::string> its = ros::is_recording(input) ? std::vector<std::string>{}
@@ -179,8 +180,12 @@ Inputs inputs_of(const PointsOptions& options) {
     if (its.empty()) {
       (files.empty() ? all.before : all.behind).push_back(input);
     }
+    if (is_folder && !its.empty()) {
+      folders.push_back(its);
+    }
     std::ranges::move(its, std::back_inserter(files));
   }
+  demand_parts(folders);
   if (!files.empty()) {
     all.clouds = timed(files, options.clouds_per_second);
   }

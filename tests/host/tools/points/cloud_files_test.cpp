@@ -87,6 +87,22 @@ TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
   }
 }
 
+TEST(CloudFiles, FoldersOfTwoLidarsAreNoPartsOfADrive) {
+  const auto told = [](const std::vector<std::vector<std::string>>& folders) {
+    return told_by([&] { demand_parts(folders); });
+  };
+  EXPECT_EQ(
+      told({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
+      "front and rear: numbers or times in the names of their files overlap, as those of two "
+      "lidars do: give one folder to each `iog points`; of parts of one drive give the files");
+  EXPECT_NE(
+      told({{"a/7.pcd"}, {"f/1532402927.1.pcd", "f/1532402927.3.pcd"}, {"r/1532402927.2.pcd"}}),
+      "");
+  EXPECT_EQ(told({{"a/0.pcd", "a/1.pcd"}, {"b/2.pcd", "b/3.pcd"}, {"c/1532402927.1.pcd"}}), "");
+  EXPECT_EQ(told({{"a1/map.pcd"}, {"b1/map.pcd"}}), "") << "no number";
+  EXPECT_EQ(told({}), "");
+}
+
 TEST(CloudFiles, EndingsMayHaveCapitals) {
   EXPECT_TRUE(is_cloud_file("SCAN.PCD"));
   EXPECT_EQ(time_in_name("1532402927.5.BIN"), 1'532'402'927'500'000);
