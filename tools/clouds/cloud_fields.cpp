@@ -42,28 +42,6 @@ const CloudField* time_field_of(const CloudRecords& records) {
   return nullptr;
 }
 
-// The field lies within the bytes.
-double number_at(const CloudRecords& records, const CloudField& field, std::size_t point) {
-  const auto bytes = records.bytes.subspan(field.at + point * field.stride, field.bytes);
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < field.bytes; ++i) {
-    const std::byte byte = bytes[records.is_big_endian ? field.bytes - 1 - i : i];
-    bits |= std::to_integer<std::uint64_t>(byte) << 8 * i;
-  }
-  const int spare = 64 - 8 * static_cast<int>(field.bytes);
-  switch (field.kind) {
-    case CloudField::Kind::kUnsigned:
-      return static_cast<double>(bits);
-    case CloudField::Kind::kSigned:
-      return static_cast<double>(static_cast<std::int64_t>(bits << spare) >> spare);
-    case CloudField::Kind::kFloat:
-      break;
-  }
-  return field.bytes == 8
-             ? std::bit_cast<double>(bits)
-             : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-}
-
 void check(const CloudRecords& records, const std::string& what) {
   check_count(records, what);
   for (const std::string_view name : {"x", "y"}) {
@@ -208,6 +186,27 @@ void add_times(const CloudRecords& records, const CloudField& field,
 }
 
 }  // namespace
+
+double number_at(const CloudRecords& records, const CloudField& field, std::size_t record) {
+  const auto bytes = records.bytes.subspan(field.at + record * field.stride, field.bytes);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < field.bytes; ++i) {
+    const std::byte byte = bytes[records.is_big_endian ? field.bytes - 1 - i : i];
+    bits |= std::to_integer<std::uint64_t>(byte) << 8 * i;
+  }
+  const int spare = 64 - 8 * static_cast<int>(field.bytes);
+  switch (field.kind) {
+    case CloudField::Kind::kUnsigned:
+      return static_cast<double>(bits);
+    case CloudField::Kind::kSigned:
+      return static_cast<double>(static_cast<std::int64_t>(bits << spare) >> spare);
+    case CloudField::Kind::kFloat:
+      break;
+  }
+  return field.bytes == 8
+             ? std::bit_cast<double>(bits)
+             : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+}
 
 void demand_metres(std::size_t far, std::size_t points, const std::string& what) {
   if (2 * far > points) {

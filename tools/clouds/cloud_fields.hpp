@@ -20,7 +20,7 @@ struct SeenCloud {
   std::string frame{};              // in which its points are; empty: not known
   std::uint64_t time_us = 0;        // that of its first point, since 1970; 0: no stamp
   bool has_times = false;           // of its points
-  std::string viewpoint{};          // of a PCD file, if it is not the origin: not used
+  std::string viewpoint{};          // of a file, if not the origin, with its name: not used
   bool is_assumed = false;          // time_us: neither a stamp nor a point gives it
   std::uint64_t since_1970_us = 0;  // of its first point by its own time, 2001 to 2096; else 0
   double apart_us = 0;   // from the points' own times to the stamp, which is used; 0: below 1 s
@@ -64,6 +64,10 @@ struct CloudRecords {
   bool is_big_endian = false;
   std::uint64_t stamp_us = 0;  // of the scan, since 1970
 };
+
+// The number of that field, which lies within the bytes, in a record.
+[[nodiscard]] double number_at(const CloudRecords& records, const CloudField& field,
+                               std::size_t record);
 
 // Coordinates become directions and ranges, and the points' times count from the first one. Points
 // without a place, a direction or a time are left out and counted. Sets unit if it is kFound and

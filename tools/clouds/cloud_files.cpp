@@ -47,6 +47,15 @@ std::string_view without_ending(std::string_view path) {
   return path;
 }
 
+constexpr std::size_t kDigitsOfNanoseconds = 9;
+
+// Behind the seconds in a name. Fewer digits, or zeros before them, may be the number of a cloud.
+bool are_nanoseconds(std::string_view digits) {
+  constexpr std::size_t kFewest = 7;
+  return digits.size() == kDigitsOfNanoseconds ||
+         (kFewest <= digits.size() && digits.size() < kDigitsOfNanoseconds && digits[0] != '0');
+}
+
 std::uint64_t digits_as_number(std::string_view digits) {
   std::uint64_t number = 0;
   for (const char digit : digits) {
@@ -91,6 +100,16 @@ struct Series {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();  // number or time
   std::uint64_t most = 0;
 
+  // A name without a number counts for nothing.
+  void add(const std::string& name) {
+    const std::string_view digits = number_of(name).first.substr(0, kMostDigits);
+    if (digits.empty()) {
+      return;
+    }
+    const std::uint64_t number = time_in_name(name).value_or(digits_as_number(digits));
+    least = std::min(least, number);
+    most = std::max(most, number);
+  }
   [[nodiscard]] bool overlaps(const Series& other) const {
     return least <= other.most && other.least <= most;
   }
@@ -137,17 +156,13 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
   for (const std::string& path : paths) {
     const std::filesystem::path its(path);
     const std::string name = its.filename();
-    const std::string_view digits = number_of(name).first;
     const std::string series = series_of(name, are_units);
     if (series.empty()) {
       continue;
     }
     Series& of_name = all[{its.parent_path(), series}];
-    const std::uint64_t number =
-        time_in_name(path).value_or(digits_as_number(digits.substr(0, kMostDigits)));
     of_name.first_name = of_name.first_name.empty() ? name : of_name.first_name;
-    of_name.least = std::min(of_name.least, number);
-    of_name.most = std::max(of_name.most, number);
+    of_name.add(name);
   }
   if (2 * all.size() > paths.size()) {  // names without an order
     return {};
@@ -244,16 +259,38 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
   return paths;
 }
 
+void demand_parts(const std::vector<std::vector<std::string>>& folders) {
+  std::vector<Series> all;
+  for (const std::vector<std::string>& files : folders) {
+    Series its{.first_name = std::filesystem::path(files.front()).parent_path()};
+    for (const std::string& path : files) {
+      its.add(std::filesystem::path(path).filename());
+    }
+    const auto other =
+        std::ranges::find_if(all, [&](const Series& series) { return its.overlaps(series); });
+    if (other != all.end()) {
+      throw UsageError(
+          printable(other->first_name) + " and " + printable(its.first_name) +
+          ": numbers or times in the names of their files overlap, as those of two "
+          "lidars do: give one folder to each `iog points`; of parts of one drive give "
+          "the files");
+    }
+    all.push_back(its);
+  }
+}
+
 std::optional<std::uint64_t> time_in_name(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename();
   const std::string_view stem = without_ending(name);
   const std::size_t begin_of_last = stem.find_last_not_of(kDigits) + 1;  // 0 if all are digits
   std::string_view whole = stem.substr(begin_of_last);
   std::uint64_t fraction_us = 0;
-  if (begin_of_last > 1 && stem[begin_of_last - 1] == '.' && !whole.empty()) {
-    std::string digits(whole.substr(0, 6));
-    digits.resize(6, '0');
-    fraction_us = digits_as_number(digits);
+  const char separator = begin_of_last > 1 ? stem[begin_of_last - 1] : ' ';
+  if (separator == '.' ? !whole.empty() : separator == '_' && are_nanoseconds(whole)) {
+    std::string nanoseconds(whole.substr(0, kDigitsOfNanoseconds));
+    nanoseconds.insert(separator == '.' ? nanoseconds.size() : 0,
+                       kDigitsOfNanoseconds - nanoseconds.size(), '0');
+    fraction_us = digits_as_number(nanoseconds) / 1'000;
     const std::string_view before = stem.substr(0, begin_of_last - 1);
     whole = before.substr(before.find_last_not_of(kDigits) + 1);
     if (whole.size() != 10) {

@@ -120,7 +120,7 @@ std::string viewpoint_of(const PcdFile& file) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     is_origin = is_origin && (i == kW || number_in(words[i]) == 0.0);
   }
-  return is_origin ? std::string() : printable(joined(words, " "));
+  return is_origin ? std::string() : printable("VIEWPOINT " + joined(words, " "));
 }
 
 // LZF (M. Lehmann): runs of up to 32 bytes, and repetitions of earlier ones. Whatever is wrong with

@@ -34,6 +34,7 @@ struct PlyHead {
   std::size_t lines = 0;
   bool is_last = true;  // of the elements
   bool is_whole = false;
+  CloudRecords camera{};  // the element behind the vertices, if it is one camera
 };
 
 void take_line(const std::string& line, const std::string& path, PlyHead& head,
@@ -49,6 +50,7 @@ void take_line(const std::string& line, const std::string& path, PlyHead& head,
     if (head.element.empty() && first != "vertex") {
       throw UsageError(path + ": its first element is " + printable(first) + ", not vertex");
     }
+    head.camera.count = head.is_last && first == "camera" && second == "1" ? 1 : head.camera.count;
     head.element = first;
     head.is_last = first == "vertex";
     records.count = head.is_last ? whole_number_of(second, path) : records.count;
@@ -56,6 +58,10 @@ void take_line(const std::string& line, const std::string& path, PlyHead& head,
     throw UsageError(path + ": its points have a property that is a list, which is not read");
   } else if (key == "property" && head.element == "vertex") {
     add_field(records, field_of(first, second, path), path);
+  } else if (key == "property" && head.camera.count > 0 && first == "list") {
+    head.camera.count = 0;
+  } else if (key == "property" && head.element == "camera" && head.camera.count > 0) {
+    add_field(head.camera, field_of(first, second, path), path);
   }
   ++head.lines;
   head.is_whole = key == "end_header";
@@ -75,20 +81,37 @@ void place_fields(bool are_words, CloudRecords& records) {
   std::ranges::for_each(records.fields, [=](CloudField& field) { field.stride = stride; });
 }
 
-// The vertices of a text as doubles.
-std::vector<std::byte> rows_of(const PlyHead& head, const CloudRecords& records,
-                               const std::string& path) {
-  TextRows text{.text = records.bytes,
-                .line = head.lines + 1,
-                .rows = records.count,
-                .columns = records.fields.size()};
+// The vertices of a text as doubles; the text becomes what is behind them.
+std::vector<std::byte> rows_of(const PlyHead& head, TextRows& text, const std::string& path) {
+  const std::size_t points = text.rows;
   std::vector<std::byte> doubles = doubles_in(text, path);
-  text.rows = 1;
-  if (head.is_last && !doubles_in(text, path).empty()) {
-    throw UsageError(path + ": it has more rows than its " + std::to_string(records.count) +
-                     " points");
+  TextRows more = text;
+  more.rows = 1;
+  if (head.is_last && !doubles_in(more, path).empty()) {
+    throw UsageError(path + ": it has more rows than its " + std::to_string(points) + " points");
   }
   return doubles;
+}
+
+// Where the unit was, and its axes, as PCL writes them. Empty if that is the points' own frame, or
+// if the record, with its bytes, is not whole.
+std::string viewpoint_of(const CloudRecords& camera) {
+  constexpr std::array<std::string_view, 12> kNames{"view_px", "view_py", "view_pz", "x_axisx",
+                                                    "x_axisy", "x_axisz", "y_axisx", "y_axisy",
+                                                    "y_axisz", "z_axisx", "z_axisy", "z_axisz"};
+  std::ostringstream words("camera", std::ios::ate);
+  bool is_own = true;
+  for (const std::string_view name : kNames) {
+    const auto field = std::ranges::find(camera.fields, name, &CloudField::name);
+    if (camera.count == 0 || field == camera.fields.end() ||
+        field->at + field->bytes > camera.bytes.size()) {
+      return {};
+    }
+    const double number = number_at(camera, *field, 0);
+    words << ' ' << number;
+    is_own = is_own && number == (name.front() == name.back() ? 1 : 0);  // an axis along its own
+  }
+  return is_own ? std::string() : words.str();
 }
 
 }  // namespace
@@ -124,11 +147,27 @@ SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
                      " points");
   }
   std::vector<std::byte> doubles;
+  std::vector<std::byte> camera_doubles;
   if (is_ascii) {
-    doubles = rows_of(head, records, path);
+    TextRows text{.text = records.bytes,
+                  .line = head.lines + 1,
+                  .rows = records.count,
+                  .columns = records.fields.size()};
+    doubles = rows_of(head, text, path);
+    records.bytes = doubles;
+    text.rows = head.camera.count;
+    text.columns = head.camera.fields.size();
+    camera_doubles = doubles_in(text, path);
+    head.camera.bytes = camera_doubles;
+  } else if (!records.fields.empty()) {
+    const std::size_t end = records.count * records.fields.front().stride;
+    head.camera.bytes = records.bytes.subspan(std::min(end, records.bytes.size()));
+    head.camera.is_big_endian = records.is_big_endian;
   }
-  records.bytes = is_ascii ? std::span<const std::byte>(doubles) : records.bytes;
-  return cloud_of(records, unit, path);
+  place_fields(is_ascii, head.camera);
+  SeenCloud cloud = cloud_of(records, unit, path);
+  cloud.viewpoint = viewpoint_of(head.camera);
+  return cloud;
 }
 
 }  // namespace iog::tools

@@ -135,6 +135,10 @@ void PointsSender::add_datagrams(SeenCloud&& cloud, std::vector<CapturedDatagram
   sent_.at_range_max += cloud.at_range_max;
   const bool needs_times = lidar::turns(sensor_->format) && !cloud.points.empty();
   sent_.without_times += needs_times && !cloud.has_times ? 1U : 0U;
+  if (lidar::turns(sensor_->format)) {
+    turns_.take(cloud.points);
+    sent_.parts_of_turns = turns_.parts();
+  }
   sent_.points += cloud.points.size();
   const lidar::LayerSearch layers(sensor_->unit().elevations);
   sent_.beyond_layers += static_cast<std::uint64_t>(std::ranges::count_if(

@@ -8,6 +8,7 @@
 
 #include "tools/clouds/cloud_fields.hpp"
 #include "tools/clouds/cloud_order.hpp"
+#include "tools/clouds/turn_parts.hpp"
 #include "tools/formats/capture/datagram.hpp"
 #include "tools/formats/points/points_writer.hpp"
 #include "tools/vehicles/vehicle_catalogue.hpp"
@@ -27,6 +28,7 @@ struct SentClouds {
   std::uint64_t without_stamp = 0;     // clouds: it is 0
   std::uint64_t same_stamps = 0;       // clouds: it is that of the one before
   std::uint64_t without_times = 0;     // clouds of a spinning unit: their points have none
+  std::uint64_t parts_of_turns = 0;    // clouds of a spinning unit (TurnParts)
   std::uint64_t wrong_times = 0;       // scans: SeenCloud::has_wrong_times
   std::uint64_t at_once = 0;           // scans: SeenCloud::is_at_once
   std::uint64_t at_range_max = 0;      // beams: SeenCloud::at_range_max
@@ -80,6 +82,7 @@ class PointsSender {
   const vehicle::Sensor* sensor_;
   std::string frame_{};  // of the clouds
   CloudOrder order_;
+  TurnParts turns_{};
   std::uint64_t last_us_ = 0;
   SentClouds sent_;
 };

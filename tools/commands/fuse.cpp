@@ -85,12 +85,14 @@ void demand_grids(const FuseOptions& options, const vehicle::Vehicle& car) {
   }
 }
 
-const GridFrame& demanded(const ChosenFrame& chosen, std::optional<std::uint64_t> number,
-                          std::size_t count) {
-  if (!chosen.get()) {
-    throw UsageError(number ? words_of_missing(*number, count) : "no frame has evidence");
+bool writes_frame(const FuseOptions& options) {
+  return !options.out_raw.empty() || !options.pictures.folder.empty();
+}
+
+void demand_frame(const FuseOptions& options, const ChosenFrame& chosen, std::size_t count) {
+  if (writes_frame(options) && options.frame && !chosen.get()) {
+    throw UsageError(words_of_missing(*options.frame, count));
   }
-  return *chosen.get();
 }
 
 // What the packets of a drive say of the car's file.
@@ -206,21 +208,25 @@ class ClassDrawing {
     }
   }
 
-  // clocks: how those of poses and packets differ.
-  void write(const RunStatistics& statistics, std::uint16_t pose_port,
-             const std::string& clocks) const {
-    if (options_->classes_png.empty()) {
+  // UsageError or CheckFailed if there is nothing to draw. clocks: how those of poses and packets
+  // differ.
+  void demand(const RunStatistics& statistics, std::uint16_t pose_port,
+              const std::string& clocks) const {
+    if (options_->classes_png.empty() || classes_) {
       return;
     }
-    if (!classes_ && options_->frame) {
+    if (options_->frame) {
       throw UsageError(words_of_missing(*options_->frame, statistics.records().size()));
     }
-    if (!classes_) {
-      throw CheckFailed(
-          "no frame to draw has a place: " +
-          (clocks.empty() ? statistics.classes().why_nothing_placed(pose_port) : clocks));
+    throw CheckFailed(
+        "no frame to draw has a place: " +
+        (clocks.empty() ? statistics.classes().why_nothing_placed(pose_port) : clocks));
+  }
+
+  void write() const {
+    if (classes_) {
+      picture_of(*classes_, title_, options_->pictures.scale).write_png(options_->classes_png);
     }
-    picture_of(*classes_, title_, options_->pictures.scale).write_png(options_->classes_png);
   }
 
  private:
@@ -311,13 +317,15 @@ void fuse(const FuseOptions& options) {
                       options.vehicle + " holds no scan of its sensors; `iog info " +
                       options.drive.captures[0] + "` says what it is");
   }
+  demand_frame(options, chosen, statistics.records().size());
+  drawing.demand(statistics, vehicle.poses.udp_port, capture.time_words());
   if (recorder) {
     recorder->finish();
   }
   write_tables(options, statistics);
-  drawing.write(statistics, vehicle.poses.udp_port, capture.time_words());
-  if (!options.out_raw.empty() || !options.pictures.folder.empty()) {
-    const GridFrame& frame = demanded(chosen, options.frame, statistics.records().size());
+  drawing.write();
+  if (writes_frame(options) && chosen.get()) {
+    const GridFrame& frame = *chosen.get();
     pictures.write_last(frame);
     if (!options.out_raw.empty()) {
       OutputFile file(options.out_raw);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,8 @@ struct OdometryOptions {
   std::string out;
 };
 
-void compare(const OdometryOptions& options, const CatalogueEntry& car,
+void compare(const OdometryOptions& options, const ConvertedLog& log,
              const std::vector<TurnPose>& turns) {
-  const ConvertedLog log = log_of(options.drive, car);
   for (const std::string& words : words_of(log)) {
     std::cout << options.drive.poses << ": " << words << '\n';
   }
@@ -59,6 +59,10 @@ void estimate(const OdometryOptions& options) {
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   demand_fit(options.drive.captures, car);
+  std::optional<ConvertedLog> log;
+  if (!options.drive.poses.empty()) {
+    log = log_of(options.drive, car);
+  }
   const std::vector<TurnPose> turns = motion_in(options.drive.captures, car);
   std::cout << options.drive.name() << ": " << words_of(turns) << '\n';
   if (!options.out.empty()) {
@@ -72,8 +76,8 @@ void estimate(const OdometryOptions& options) {
     throw CheckFailed(options.drive.name() + ": only " + std::to_string(sure) + " of " +
                       std::to_string(motions) + " turns determine the motion");
   }
-  if (!options.drive.poses.empty()) {
-    compare(options, car, turns);
+  if (log) {
+    compare(options, *log, turns);
   }
 }
 

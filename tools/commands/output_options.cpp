@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <unistd.h>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "tools/program/unknown_word.hpp"
 
 namespace iog::tools {
@@ -26,6 +29,29 @@ bool is_output(const CLI::App& command, const CLI::Option& option) {
   return std::ranges::find(kOutputs, name) != kOutputs.end() ||
          (name == "stream" && command.get_name() != "record") ||
          (name == "osm" && command.get_name() == "simulate");
+}
+
+// Whether the command makes a folder of it, with those above it.
+bool is_folder(const CLI::App& command, const CLI::Option& option, const files::path& path) {
+  constexpr std::array<std::string_view, 3> kDrawing{"fuse", "receive", "batch"};
+  const std::string name = command.get_name();
+  const bool is_recorded = path.extension() == ".mcap" || path.extension() == ".pcap";
+  return option.get_single_name() == "out" &&
+         (name == "record" ? !is_recorded : std::ranges::find(kDrawing, name) != kDrawing.end());
+}
+
+// Every output is made beside its place at first (OutputPlace), except devices and pipes.
+void demand_place(const std::string& path) {
+  std::error_code error;
+  const bool is_folder = files::is_directory(path, error);
+  if (files::exists(path, error) && !files::is_regular_file(path, error) && !is_folder) {
+    return;
+  }
+  const files::path target = files::weakly_canonical(files::absolute(path), error);
+  errno = is_folder ? EISDIR : 0;
+  if (is_folder || access((target.parent_path() / ".").c_str(), W_OK | X_OK) != 0) {
+    throw file_error(path, "cannot be written");
+  }
 }
 
 bool is_file(const std::string& path, const std::string& output) {
@@ -66,6 +92,9 @@ void check_outputs(const CLI::App& command) {
       }
       std::error_code error;
       outputs.insert(path);
+      if (path != "-" && !is_folder(command, *option, path)) {
+        demand_place(path);
+      }
       if (path != "-" &&
           !places.insert(files::weakly_canonical(files::absolute(path), error)).second) {
         throw UsageError(option->get_name() + " " + path + ": given twice");

@@ -127,6 +127,11 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
          "moves, a "
          "spinning unit's points are misplaced",
          words);
+  if (2 * sent.parts_of_turns > sent.clouds) {
+    words.push_back(std::to_string(sent.parts_of_turns) +
+                    " clouds look in other directions than the one before, as parts of a turn: set "
+                    "the lidar's driver to publish whole turns");
+  }
   const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
   if (!of_unit.empty()) {
     words.push_back(of_unit);
@@ -166,6 +171,7 @@ struct Inputs {
 Inputs inputs_of(const PointsOptions& options) {
   Inputs all;
   std::vector<std::string> files;
+  std::vector<std::vector<std::string>> folders;
   for (const std::string& input : options.inputs) {
     const bool is_folder = std::filesystem::is_directory(input);
     std::vector<std::string> its = ros::is_recording(input) ? std::vector<std::string>{}
@@ -174,8 +180,12 @@ Inputs inputs_of(const PointsOptions& options) {
     if (its.empty()) {
       (files.empty() ? all.before : all.behind).push_back(input);
     }
+    if (is_folder && !its.empty()) {
+      folders.push_back(its);
+    }
     std::ranges::move(its, std::back_inserter(files));
   }
+  demand_parts(folders);
   if (!files.empty()) {
     all.clouds = timed(files, options.clouds_per_second);
   }
@@ -196,6 +206,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   bool is_assumed = false;
   std::uint64_t viewpoints = 0;
   std::string first_viewpoint;
+  std::string its_name;
   for (const CloudFile& file : inputs.clouds.files) {
     SeenCloud cloud = read_cloud_of(file, unit);
     if (cloud.is_assumed && cloud.points.empty()) {
@@ -203,7 +214,8 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
     }
     is_assumed = is_assumed || cloud.is_assumed;
     if (!cloud.viewpoint.empty() && viewpoints++ == 0) {
-      first_viewpoint = file.path + ": VIEWPOINT " + cloud.viewpoint;
+      first_viewpoint = file.path + ": " + cloud.viewpoint;
+      its_name = cloud.viewpoint.substr(0, cloud.viewpoint.find(' '));
     }
     take(std::move(cloud));
   }
@@ -213,7 +225,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   if (viewpoints > 0) {
     constexpr std::string_view kSet =
         "file|files sets|set: its|their points must be in the lidar's frame (";
-    remarks.push_back("iog ignores VIEWPOINT, which " + counted(viewpoints, kSet) +
+    remarks.push_back("iog ignores " + its_name + ", which " + counted(viewpoints, kSet) +
                       first_viewpoint + ')');
   }
   std::ranges::for_each(inputs.behind, read);

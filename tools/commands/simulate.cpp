@@ -152,13 +152,6 @@ class DriveRecording {
   std::uint64_t poses_ = 0;
 };
 
-// Only when it is known that the drive can be made.
-void make_truth_folder(const SimulateOptions& options) {
-  if (!options.truth.empty()) {
-    make_folder(options.truth);
-  }
-}
-
 void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
                  const CatalogueEntry& car) {
   const CellArea area = cells_around(drive.ego(frame), car.description->grid.cell_m);
@@ -167,6 +160,9 @@ void write_cells(CellTruthFile& file, std::uint32_t frame, const Drive& drive,
 }
 
 void write_osm(const SimulateOptions& options, const Scene& scene) {
+  if (options.osm.out.empty()) {
+    return;
+  }
   const MapPlace place = map_place_of(options.osm);
   const DrawnMap map = drawn_map(scene, map_errors_of(options.osm),
                                  options.osm.seed.value_or(options.seed), options.seconds);
@@ -210,7 +206,6 @@ PlacedDrive placed_drive(const SimulateOptions& options, const CatalogueEntry& c
   const Motion motion = options.is_moving ? Motion::kContinuous : Motion::kStepwise;
   PlacedDrive placed{Drive(car, options.seed, options.seconds, std::move(scene), motion)};
   if (!options.osm.out.empty()) {
-    write_osm(options, placed.drive.scene());
     placed.map = map_place_of(options.osm).transform();
   }
   return placed;
@@ -222,10 +217,11 @@ void simulate(const SimulateOptions& options) {
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   PlacedDrive placed = placed_drive(options, car);
+  Drive& drive = placed.drive;
   if (options.out.empty()) {
+    write_osm(options, drive.scene());
     return;
   }
-  Drive& drive = placed.drive;
   std::optional<PoseFeed> poses;
   if (options.is_moving) {
     PoseOptions feed = pose_options(options);
@@ -234,7 +230,6 @@ void simulate(const SimulateOptions& options) {
                   car.vehicle->poses.udp_port);
   }
   DriveRecording recording(options.out, car);
-  make_truth_folder(options);
   std::optional<CellTruthFile> cells;
   if (!options.truth_cells.empty()) {
     cells.emplace(options.truth_cells);
@@ -243,6 +238,10 @@ void simulate(const SimulateOptions& options) {
   if (!options.truth_points.empty()) {
     points.emplace(options.truth_points);
   }
+  if (!options.truth.empty()) {
+    make_truth_folder(options.truth);
+  }
+  write_osm(options, drive.scene());
   Progress progress("frames", drive.frame_count());
   for (std::uint32_t frame = 0; frame < drive.frame_count(); ++frame) {
     const bool is_told = frame % options.truth_every == 0;

@@ -14,6 +14,7 @@
 #include "tools/receive/frame_record.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "tools/vehicles/grid_words.hpp"
+#include "tools/vehicles/key_file.hpp"
 #include "tools/vehicles/network_words.hpp"
 #include "tools/vehicles/two_returns.hpp"
 #include "tools/vehicles/unused_band.hpp"
@@ -62,7 +63,8 @@ void show_all() {
                 << words_of_heights(sensor) << '\n';
     }
     std::cout << warning_of_two_returns(entry) << warning_of_upward_mounts(entry)
-              << warning_of_unused_band(entry);
+              << warning_of_unused_band(entry)
+              << warning_of_key_file(entry.vehicle->name, std::string(entry.key_file));
     if (vehicle::have_classes(entry.vehicle->grids)) {
       std::cout << "  " << std::left << std::setw(14) << "poses"
                 << " UDP " << entry.vehicle->poses.udp_port << '\n'

@@ -140,6 +140,11 @@ Facts RunStatistics::facts() const {
   add_fact(facts, "frames_damaged", damaged_);
   add_fact(facts, "tiles", tiles_);
   add_fact(facts, "tiles_not_sent", tiles_not_sent_);
+  for (std::size_t i = 0; i < sensor_count_; ++i) {
+    const std::string sensor = "sensor_" + std::to_string(i) + '_';
+    add_facts(facts, sensor, sensor_frames_[i], kSensorStateNames);
+    add_fact(facts, sensor + "blocked", blocked_frames_[i]);
+  }
   add_facts(facts, "points_", fates_, kPointFateNames);
   add_facts(facts, "packets_", packet_drops_, kPacketDropNames);
   const std::array stages{std::pair{"fuse", &fuse_us_}, std::pair{"mark", &mark_us_},

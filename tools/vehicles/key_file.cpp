@@ -31,4 +31,15 @@ authentication::Key read_key_file(const std::string& path) {
   return key;
 }
 
+std::string warning_of_key_file(std::string_view car, const std::string& path) {
+  try {
+    if (!path.empty()) {
+      static_cast<void>(read_key_file(path));
+    }
+  } catch (const UsageError& error) {
+    return "warning: " + std::string(car) + ": key_file " + error.what() + '\n';
+  }
+  return {};
+}
+
 }  // namespace iog::tools

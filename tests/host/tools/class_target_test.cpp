@@ -1,6 +1,7 @@
 // Class grids of simulated drives in which the car moves: by the target's own pipeline, as
 // `iog fuse --classes-hashes` makes them.
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -148,6 +149,18 @@ TEST(ClassTarget, ClassesArePinned) {
   ASSERT_EQ(run.classes().records().size(), 10U);
   EXPECT_GT(run.classes().records().back().tiles, 100U);
   EXPECT_EQ(run.classes().run_hash(), 0xC72A55A0U);
+}
+
+TEST(ClassTarget, FactsHaveTheFramesOfEachSensor) {
+  const RunStatistics run = fused(*four_lux().vehicle, PlacedDrive(10));
+  EXPECT_NE(run.table(false).find("\nsensor 3              10 complete\n"), std::string::npos)
+      << run.table(false);
+  const Facts facts = run.facts();
+  std::map<std::string, std::string> values(facts.begin(), facts.end());
+  EXPECT_EQ(values["sensor_3_complete"], "10");
+  EXPECT_EQ(values["sensor_3_never_seen"] + values["sensor_3_partial"] + values["sensor_3_blocked"],
+            "000");
+  EXPECT_FALSE(values.contains("sensor_4_complete"));
 }
 
 // What the cells around the hits of moving tracks are called, as far as they lie in the track's

@@ -72,6 +72,7 @@ TEST(KeyFile, HoldsThirtyTwoDigits) {
     return read_key_file(path);
   };
   EXPECT_EQ(key_in("  000102030405060708090a0b0c0d0E0F\r\n")[15], std::byte{15});
+  EXPECT_EQ(warning_of_key_file("car", path) + warning_of_key_file("car", ""), "");
   for (const std::string_view text :
        {"", "00", "00000000000000000000000000000000", "000102030405060708090a0b0c0d0e0f10",
         "000102030405060708090a0b0c0d0e0g", "0x0102030405060708090a0b0c0d0e0f",
@@ -79,6 +80,8 @@ TEST(KeyFile, HoldsThirtyTwoDigits) {
         "-1010203040506070809010203040506"}) {
     EXPECT_THROW(static_cast<void>(key_in(text)), UsageError) << text;
   }
+  EXPECT_TRUE(warning_of_key_file("car", path)
+                  .starts_with("warning: car: key_file " + path + ": a key is"));
   EXPECT_THROW(static_cast<void>(read_key_file(folder / "none.key")), UsageError);
 }
 

@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
 
 #include "tools/car/tables.hpp"
 #include "tools/formats/picture/pgm.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 
 namespace iog::tools {
 namespace {
+
+constexpr std::string_view kMark = "truth of iogrid";  // by which iog knows its own pictures
 
 // The cells of a grid along x or y.
 struct Axis {
@@ -67,6 +73,20 @@ std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> soli
   return occupied;
 }
 
+void make_truth_folder(const std::string& folder) {
+  make_folder(folder);
+  const std::vector<std::filesystem::path> pictures = numbered_files(folder, "truth", ".pgm");
+  for (const std::filesystem::path& path : pictures) {
+    if (!has_remark(path, kMark)) {
+      throw UsageError(path.string() +
+                       ": not written by iog, or edited since; give another --truth");
+    }
+  }
+  for (const std::filesystem::path& path : pictures) {
+    std::filesystem::remove(path);
+  }
+}
+
 void write_truth(const std::string& path, const std::vector<bool>& occupied,
                  const geometry::Grid& grid) {
   std::vector<std::uint8_t> pixels;
@@ -77,7 +97,7 @@ void write_truth(const std::string& path, const std::vector<bool>& occupied,
       pixels.push_back(occupied[place] ? 0 : 255);
     }
   }
-  write_pgm(path, grid.columns, grid.rows, pixels);
+  write_pgm(path, grid.columns, grid.rows, pixels, kMark);
 }
 
 }  // namespace iog::tools

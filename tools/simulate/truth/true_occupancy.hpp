@@ -18,6 +18,10 @@ namespace iog::tools {
 [[nodiscard]] std::vector<bool> true_occupancy(const EgoPose& ego, std::span<const Solid> solids,
                                                const description::Description& description);
 
+// Makes the folder of pictures truth_NNNNNN.pgm, and removes those of an earlier run. UsageError,
+// and nothing is removed, if one of them is not iog's.
+void make_truth_folder(const std::string& folder);
+
 // Writes a PGM picture of the grid: 0 is occupied, 255 is free, x points right, and the row of
 // highest y is at the top. UsageError if it cannot be written.
 void write_truth(const std::string& path, const std::vector<bool>& occupied,

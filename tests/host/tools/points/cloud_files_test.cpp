@@ -87,6 +87,22 @@ TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
   }
 }
 
+TEST(CloudFiles, FoldersOfTwoLidarsAreNoPartsOfADrive) {
+  const auto told = [](const std::vector<std::vector<std::string>>& folders) {
+    return told_by([&] { demand_parts(folders); });
+  };
+  EXPECT_EQ(
+      told({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
+      "front and rear: numbers or times in the names of their files overlap, as those of two "
+      "lidars do: give one folder to each `iog points`; of parts of one drive give the files");
+  EXPECT_NE(
+      told({{"a/7.pcd"}, {"f/1532402927.1.pcd", "f/1532402927.3.pcd"}, {"r/1532402927.2.pcd"}}),
+      "");
+  EXPECT_EQ(told({{"a/0.pcd", "a/1.pcd"}, {"b/2.pcd", "b/3.pcd"}, {"c/1532402927.1.pcd"}}), "");
+  EXPECT_EQ(told({{"a1/map.pcd"}, {"b1/map.pcd"}}), "") << "no number";
+  EXPECT_EQ(told({}), "");
+}
+
 TEST(CloudFiles, EndingsMayHaveCapitals) {
   EXPECT_TRUE(is_cloud_file("SCAN.PCD"));
   EXPECT_EQ(time_in_name("1532402927.5.BIN"), 1'532'402'927'500'000);
@@ -108,10 +124,15 @@ TEST(CloudFiles, ATimeInANameCounts) {
   EXPECT_EQ(time_in_name("a/1532402927.647951.bin"), kUs);
   EXPECT_EQ(time_in_name("cloud_1532402927.647951123.ply"), kUs);
   EXPECT_EQ(time_in_name("1532402927.5.bin"), 1'532'402'927'500'000);
+  EXPECT_EQ(time_in_name("cloud_1532402927_647951123.ply"), kUs);
+  EXPECT_EQ(time_in_name("1532402927_007951123.pcd"), kUs - 640'000);
+  EXPECT_EQ(time_in_name("1532402927_7951123.pcd"), kUs - 640'000);
   EXPECT_EQ(time_in_name("1532402927647.bin"), kUs / 1000 * 1000);
   EXPECT_EQ(time_in_name("1532402927.bin"), kUs / 1'000'000 * 1'000'000);
   for (const char* name : {"000012.bin", "0000000012.bin", "scan12.5.pcd", "2018-07-24.pcd", ".pcd",
-                           "cloud.pcd", "9532402927.bin", "1532402927647951/3.bin"}) {
+                           "cloud.pcd", "9532402927.bin", "1532402927647951/3.bin",
+                           "1532402927_000012.pcd", "1532402927_00000012.pcd", "1532402927_0.pcd",
+                           "153240292_647951123.pcd", "9532402927_647951123.pcd"}) {
     EXPECT_EQ(time_in_name(name), std::nullopt) << name;
   }
   const CloudFiles all = timed({"1532402927.10.pcd", "1532402927.9.pcd", "1532402926.pcd"}, 10);

@@ -71,6 +71,39 @@ TEST_F(PlyFile, ReadsEachFormat) {
   }
 }
 
+// As PCL writes it behind the points: where the unit was, its axes, and numbers of the camera.
+TEST_F(PlyFile, APoseOfItsCameraIsTold) {
+  const auto viewpoint_of = [&](bool is_ascii, const std::vector<double>& pose) {
+    std::string words = std::string("ply\nformat ") +
+                        (is_ascii ? "ascii" : "binary_little_endian") +
+                        " 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                        "element camera 1\n";
+    for (const char* const name :
+         {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy",
+          "y_axisz", "z_axisx", "z_axisy", "z_axisz", "k1"}) {
+      words += std::string("property float ") + name + '\n';
+    }
+    words += "end_header\n";
+    Bytes bytes;
+    std::string row = "1 2\n";
+    add(bytes, 1.F);
+    add(bytes, 2.F);
+    for (const double number : pose) {
+      add(bytes, static_cast<float>(number));
+      row += std::to_string(number) + ' ';
+    }
+    return is_ascii ? ply(words + row).viewpoint : ply(words, bytes).viewpoint;
+  };
+  for (const bool is_ascii : {true, false}) {
+    EXPECT_EQ(viewpoint_of(is_ascii, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5}), "");
+    EXPECT_EQ(viewpoint_of(is_ascii, {10, -2, 1.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5}),
+              "camera 10 -2 1.5 1 0 0 0 1 0 0 0 1");
+    EXPECT_EQ(viewpoint_of(is_ascii, {0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0, 1, 5}),
+              "camera 0 0 0 0 1 0 -1 0 0 0 0 1");
+    EXPECT_EQ(viewpoint_of(is_ascii, {}), "") << "the file ends before it";
+  }
+}
+
 TEST_F(PlyFile, TellsWhatIsWrong) {
   EXPECT_EQ(told_of("solid\n"), ": this is no PLY file: its head has no end_header");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\n"),

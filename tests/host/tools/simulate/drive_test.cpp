@@ -1,6 +1,8 @@
 #include "tools/simulate/drives/drive.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -8,10 +10,14 @@
 #include "gtest/gtest.h"
 
 #include "../drive_sample.hpp"
+#include "fakes/temporary_folder.hpp"
 #include "lidar/ibeo_lux.hpp"
 #include "stream/crc32.hpp"
 #include "tools/formats/lux/lux_scan.hpp"
+#include "tools/formats/picture/pgm.hpp"
 #include "tools/frames/frame_assembler.hpp"
+#include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "tools/simulate/truth/true_occupancy.hpp"
 
 namespace iog::tools {
@@ -134,6 +140,23 @@ TEST(Truth, HasTheGridOfTheCar) {
   EXPECT_EQ(std::ranges::count(occupied, true), 32);
   EXPECT_TRUE(occupied[320 * 1024]);
   EXPECT_TRUE(occupied[327 * 1024 + 3]);
+}
+
+TEST(Truth, TakesThePlaceOfItsOwnPicturesAlone) {
+  const tests::TemporaryFolder folder;
+  make_truth_folder(folder.path());
+  const std::vector<bool> nothing(geometry::kCellCount, false);
+  write_truth(folder / "truth_000025.pgm", nothing, {});
+  make_truth_folder(folder.path());
+  EXPECT_THROW(static_cast<void>(read_file(folder / "truth_000025.pgm")), UsageError);
+  write_truth(folder / "truth_000050.pgm", nothing, {});
+  for (const char* const mine : {"truth_000000.pgm", "truth_000100.pgm"}) {
+    write_pgm(folder / mine, 1, 1, std::array{std::uint8_t{255}});
+    EXPECT_THROW(make_truth_folder(folder.path()), UsageError) << mine;
+    EXPECT_EQ(read_file(folder / mine).size(), 12U) << mine;
+    std::filesystem::rename(folder / mine, folder / "truth.pgm");
+  }
+  EXPECT_FALSE(read_file(folder / "truth_000050.pgm").empty());
 }
 
 }  // namespace
