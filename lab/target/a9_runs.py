@@ -3,7 +3,8 @@
 A run is one image of the benchmark in QEMU. It gives rows: of instructions, which QEMU counts, or of
 what the cost model of docs/a9_model.md says. lab/target/measure_a9 makes all of them, lab/check some.
 Runs of frames with classes are in a9_perception.py, those of the map's layer in a9_map.py, those of
-units that turn in a9_turning.py, those with classes of them in a9_moved.py, those of growing loads in a9_scaling.py.
+units that turn in a9_turning.py, those with classes of them in a9_moved.py, those of growing loads in a9_scaling.py,
+those of other constants of the model in a9_sensitivity.py.
 """
 
 import concurrent.futures
@@ -25,6 +26,7 @@ PARTS = {
     "map": ("map_cost",),
     "turning": ("turning",),
     "moved": ("moved_cost",),
+    "sensitivity": ("sensitivity",),
 }
 
 

@@ -1,0 +1,91 @@
+"""The runs of lab/data/cortex_a9.csv that say how far the model's uncertain constants move the headlines of
+docs/results/goals.md; a9_runs.py says what a run is.
+
+A run takes the pessimistic value of one constant (its variant), and the nominal values of all others. What is
+compared are the cycles of a few frames; `nominal` is of the same frames.
+"""
+
+import csv
+import typing
+
+import a9_cores
+import a9_moved
+import a9_perception
+import a9_runs
+import a9_turning
+
+# Of all constants those that move the ring road's frame by at least 4 % (lab/a9_model/run --sensitivity all), but for
+# page_kb: the firmware's sections are no assumption.
+CONSTANTS = ("window", "stores_wait_for_data", "l2_extra", "ddr_latency", "uncached_write")
+FRAMES = 2
+WARM_UP = 8  # of classes
+FUSED = ("decode", "beams", "carve", "mark", "clear")
+POINTS = ("roof_vlp16", "roof_hdl64e")
+KINDS = (a9_turning.BAND + a9_turning.SHORT_LINES, a9_turning.SHORT_LINES)
+
+
+class Headline(typing.NamedTuple):
+    """An image and its arguments, taken apart by stages; `sums` are those that are summed, by their names."""
+
+    name: str
+    image: str
+    arguments: tuple
+    stages: dict[str, list[str]]
+    outside: dict[str, list[str]]
+    sums: dict[str, tuple[str, ...]]
+
+
+def _frames(name: str, image: str, *arguments) -> Headline:
+    stages = a9_runs.STAGES
+    return Headline(name, f"frame_cost-{image}", arguments, stages, a9_runs.OUTSIDE,
+                    {"fused": FUSED, "frame": tuple(stages)})
+
+
+def _classes(name: str, image: str, capture: str) -> Headline:
+    stages = a9_perception.STAGES
+    return Headline(name, image, (capture, FRAMES, WARM_UP), stages, a9_perception.OUTSIDE,
+                    {"frame": tuple(stages)})
+
+
+def images() -> list[str]:
+    return [f"frame_cost-{vehicle}{kind}" for vehicle in POINTS for kind in KINDS] + [
+        a9_cores.image_of(drive) for drive in ("city", a9_moved.TRACKED)]
+
+
+def headlines(scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list[Headline]:
+    """scenes, drives and turns: captures by their names; the drives with poses."""
+    found = [_frames(f"scene={scene} coding={coding}", "reference_car", capture, coding, a9_runs.ALL_SENSORS, FRAMES,
+                     "kept", a9_runs.WARM_UP)
+             for scene, capture in scenes.items() for coding in ("raw", "shortest")]
+    found += [_frames(f"vehicle={vehicle}{kind}", vehicle + kind, turns[vehicle], "shortest", 1, 1, "kept", 1)
+              for vehicle in POINTS for kind in KINDS]
+    return found + [_classes(f"drive={drive}", a9_cores.image_of(drive), capture) for drive, capture in drives.items()]
+
+
+def of_headline(place: a9_runs.Place, headline: Headline, variant: str, options: str) -> list[a9_runs.Row]:
+    _, own = a9_runs.modelled(place, options, headline.stages | headline.outside, place.images / headline.image,
+                              *headline.arguments)
+    return [a9_runs.Row(f"sensitivity {headline.name}", stage, variant, "cycles",
+                        str(sum(own[part]["cycles"] for part in parts)))
+            for stage, parts in headline.sums.items()]
+
+
+def of_cores(place: a9_runs.Place, drive: str, capture: str, variant: str, options: str) -> list[a9_runs.Row]:
+    """On four cores, without what their synchronisation takes."""
+    printed = a9_runs.printed_by_model(place, options, a9_cores.FUNCTIONS | a9_cores.OUTSIDE,
+                                       place.images / a9_cores.image_of(drive), capture, FRAMES, WARM_UP,
+                                       max(a9_cores.CORES))
+    rows = a9_cores.divided(drive, variant, max(a9_cores.CORES), a9_cores.rounds_of(printed),
+                            a9_cores.ddr_line(place, "nominal"))
+    return [a9_runs.Row(f"sensitivity drive={drive} cores={max(a9_cores.CORES)}", "frame", variant, "cycles",
+                        str(sum(row.bounded_cycles for row in rows)))]
+
+
+def runs(place: a9_runs.Place, scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list:
+    table = csv.DictReader(a9_runs.output_of(place.model / "a9_constants", "--csv").splitlines())
+    values = {row["constant"]: row["pessimistic"] for row in table}
+    variants = {"nominal": "nominal"} | {name: f"nominal,{name}={values[name]}" for name in CONSTANTS}
+    return ([lambda d=drive, c=capture, v=variant, o=options: of_cores(place, d, c, v, o)
+             for drive, capture in drives.items() for variant, options in variants.items()] +
+            [lambda h=headline, v=variant, o=options: of_headline(place, h, v, o)
+             for headline in reversed(headlines(scenes, drives, turns)) for variant, options in variants.items()])
