@@ -194,10 +194,14 @@ def keep_other_drives(found: pathlib.Path) -> None:
 
 
 def commit() -> str:
-    """The one that is checked out; with a + if sources were changed since."""
-    words = ["git", "-C", ROOT, "describe", "--always", "--exclude=*", "--abbrev=8", "--dirty=+"]
-    done = subprocess.run(words, check=False, text=True, capture_output=True)
-    return done.stdout.strip() if done.returncode == 0 else "an unknown commit"
+    """The one that is checked out; with a + if anything but what lab/run writes was changed since."""
+    def git(*words: str):
+        return subprocess.run(["git", "-C", ROOT, *words], check=False, text=True, capture_output=True)
+    done = git("describe", "--always", "--exclude=*", "--abbrev=8")
+    if done.returncode != 0:
+        return "an unknown commit"
+    is_same = git("diff", "--quiet", "HEAD", "--", ".", ":!lab/data", ":!docs").returncode == 0
+    return done.stdout.strip() + ("" if is_same else "+")
 
 
 def stamps() -> dict[str, str]:
