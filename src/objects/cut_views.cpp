@@ -25,6 +25,7 @@ void CutViews::begin(std::span<const std::uint8_t> ages_ms, Step step) {
   kept_[now_].of_slot.fill(kNone);
   joined_count_ = 0;
   joined_of_.fill({});
+  waiting_count_ = 0;
 }
 
 View CutViews::join(std::size_t slot, Point car, View now, Track& track) {
@@ -40,6 +41,7 @@ View CutViews::join(std::size_t slot, Point car, View now, Track& track) {
         add(slot, track, now.hits[number], 0);
       }
     }
+    waiting_count_ += now.numbers.size() - (joined_count_ - joined_of_[slot].first);
     for (std::size_t i = 0; is_on && i < carried_of_.of(slot).size(); ++i) {
       add(slot, track, carried_[carried_of_.of(slot)[i]], step_.ms());
     }
@@ -63,7 +65,7 @@ void CutViews::undo(std::size_t slot, Point car, Track& track) const {
   track.look_from(car);
 }
 
-// The least age of the hits of the older sweep; 0 if there is one sweep, or no room for a second.
+// The least age of the hits of the older sweep; 0 if there is one sweep, or no room for two.
 std::int32_t CutViews::older_sweep_of(const View& view) const {
   if (kept_[now_].count == kMostCutTracks || joined_count_ + view.numbers.size() > joined_.size() ||
       !has_hit_of(view, newest_ms_) || !has_hit_of(view, oldest_ms_)) {
@@ -71,13 +73,15 @@ std::int32_t CutViews::older_sweep_of(const View& view) const {
   }
   std::int32_t newer = newest_ms_;
   std::int32_t older = oldest_ms_;
+  std::size_t waiting = waiting_count_;
   for (const std::uint16_t number : view.numbers) {
     const std::int32_t age_ms = view.hits[number].age_ms;
     const bool is_newer = age_ms <= (newest_ms_ + oldest_ms_) / 2;
     newer = is_newer ? std::max(newer, age_ms) : newer;
     older = is_newer ? older : std::min(older, age_ms);
+    waiting += is_newer ? 1U : 0U;
   }
-  return older - newer > kTurnGapMs ? older : 0;
+  return older - newer > kTurnGapMs && waiting <= carried_.size() ? older : 0;
 }
 
 // The oldest slice has a part of it, and so had the newest slice of the last frame.
@@ -131,13 +135,19 @@ void CutViews::give_back(std::size_t slot, View now) const {
 void CutViews::keep(std::span<const Track> tracks, std::span<const FrameHit> hits) {
   Kept& kept = kept_[now_];
   for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    kept.of_slot[slot] = tracks[slot].seen.has_merged ? kNone : kept.of_slot[slot];
+    if (tracks[slot].seen.has_merged && kept.waits_below(slot) == kAll) {
+      kept.of_slot[slot] = kNone;
+    }
   }
   carried_count_ = 0;
-  for (const FrameHit& hit : hits) {
-    if (hit.owner != kNobody && carried_count_ < carried_.size() &&
-        hit.age_ms < kept.waits_below(static_cast<std::size_t>(hit.owner))) {
-      carried_[carried_count_++] = hit;
+  for (const bool is_waiting : {true, false}) {
+    for (const FrameHit& hit : hits) {
+      const std::int32_t below_ms =
+          hit.owner == kNobody ? 0 : kept.waits_below(static_cast<std::size_t>(hit.owner));
+      if ((below_ms < kAll) == is_waiting && hit.age_ms < below_ms &&
+          carried_count_ < carried_.size()) {
+        carried_[carried_count_++] = hit;
+      }
     }
   }
   carried_of_.group(std::span(carried_).first(carried_count_),

@@ -9,12 +9,13 @@
 //
 // A frame of a whole turn may see an object twice: its rest in the oldest slices, and its first
 // part in the newest slices, almost a turn later. Then only the older hits are processed. The newer
-// hits wait for the next frame, so that each view has one sweep over the object.
+// hits wait for the next frame, so that each view has one sweep over the object. They are dropped
+// if the object is not in the oldest slice of the next frame.
 //
 // If a track takes over another one, its changes stay, because the other track is gone.
 //
-// Only the tracks in the lowest slots and at most kMostCutHits hits are kept for the next frame.
-// The views of other tracks stay in two parts.
+// Only the tracks in the lowest slots and at most kMostCutHits hits are kept for the next frame,
+// first those that wait. The views of other tracks stay in two parts, or have two sweeps.
 #pragma once
 
 #include <array>
@@ -87,9 +88,10 @@ class CutViews {
   std::int32_t newest_ms_ = 0;
   std::int32_t oldest_ms_ = 0;
   Step step_{1};
-  bool is_adjacent_ = false;    // the frame begins where the last one ended
-  std::array<Kept, 2> kept_{};  // of this frame and the last one
-  std::size_t now_ = 0;         // which one is of this frame
+  bool is_adjacent_ = false;       // the frame begins where the last one ended
+  std::array<Kept, 2> kept_{};     // of this frame and the last one
+  std::size_t now_ = 0;            // which one is of this frame
+  std::size_t waiting_count_ = 0;  // hits of this frame that wait for the next one
   std::size_t carried_count_ = 0;
   std::array<FrameHit, kMostCutHits> carried_{};
   OwnedHits carried_of_{};

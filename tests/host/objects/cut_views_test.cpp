@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "objects/drawn_scene.hpp"
 
@@ -155,6 +157,41 @@ TEST(CutViews, AViewOfAWholeTurnHasOneSweep) {
     EXPECT_EQ(of_frame[0].owner, kNobody);
     EXPECT_EQ(of_frame[1].owner, 0);
     cut.keep({}, of_frame);
+  }
+}
+
+// What waits is not undone, so a track that has taken over another one keeps it.
+TEST(CutViews, HitsWaitAcrossAMerge) {
+  CutViews cut;
+  constexpr std::array<std::uint8_t, 2> kAges{0, 96};
+  constexpr std::array<std::uint16_t, 2> kTwo{0, 1};
+  std::array<Track, 1> tracks{};
+  tracks[0].begin(1, {.sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kStartUs);
+  tracks[0].seen.has_merged = true;
+  for (const std::size_t hits : {1U, 2U}) {
+    std::array<FrameHit, 2> of_frame{};
+    of_frame[0].owner = of_frame[1].owner = 0;
+    of_frame[1].age_ms = 96;
+    cut.begin(kAges, Step(100));
+    EXPECT_EQ(cut.join(0, {}, {kTwo, of_frame}, tracks[0]).numbers.size(), hits);
+    cut.keep(tracks, of_frame);
+  }
+}
+
+// More than kMostCutHits hits cannot wait: such a view has two sweeps, and loses no hit.
+TEST(CutViews, WhatCannotWaitIsMeasuredAtOnce) {
+  constexpr std::array<std::uint8_t, 2> kAges{0, 96};
+  for (const std::size_t newer : {kMostCutHits, kMostCutHits + 1}) {
+    CutViews cut;
+    Track track;
+    track.begin(1, {.sides = {Interval{0, 1'000}, Interval{0, 1'000}}}, kStartUs);
+    std::vector<FrameHit> hits(newer + 1);
+    std::vector<std::uint16_t> numbers(hits.size());
+    std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
+    hits[newer].age_ms = 96;
+    cut.begin(kAges, Step(100));
+    EXPECT_EQ(cut.join(0, {}, {numbers, hits}, track).numbers.size(),
+              newer == kMostCutHits ? 1U : hits.size());
   }
 }
 
