@@ -107,24 +107,6 @@ void CarClocks::add_packet(const CapturedDatagram& datagram, std::size_t number)
   steps_[number].add(its_us, datagram.time_us);
 }
 
-std::string CarClocks::words_of_crowd() const {
-  for (const auto& [sensor, senders] : heard_) {
-    if (std::string words = tools::words_of_crowd(car_->sensors[sensor], senders, false);
-        !words.empty()) {
-      return words;
-    }
-  }
-  for (const auto& [sensor, lost] : lost_) {
-    if (lost.is_of_several()) {
-      const description::SensorConfig& its = car_->sensors[sensor];
-      return "several units send to UDP port " + std::to_string(its.udp_port) +
-             " from one address, and sensor " + std::string(its.name) +
-             " is a mixture of them: let each send to a port of its own";
-    }
-  }
-  return {};
-}
-
 std::vector<std::string> CarClocks::words_of_lost() const {
   std::vector<std::string> all;
   for (const auto& [sensor, lost] : lost_) {

@@ -51,9 +51,15 @@ class CarClocks {
     }
     return words;
   }
-  // That several units send to the port of a sensor: from several addresses, none of which the
-  // car's file names (CaptureIdentity refuses those that do so from the begin), or from one.
-  [[nodiscard]] std::string words_of_crowd() const;
+  // That several units send to the port of a sensor whose address the car's file does not name;
+  // how CaptureIdentity refuses those that do so from the begin.
+  [[nodiscard]] std::string words_of_crowd() const {
+    std::string words;
+    for (const auto& [sensor, senders] : heard_) {
+      words = words.empty() ? tools::words_of_crowd(car_->sensors[sensor], senders, false) : words;
+    }
+    return words;
+  }
   // As of LostPackets, of each sensor that has any. Complete when everything has been read.
   [[nodiscard]] std::vector<std::string> words_of_lost() const;
   // That they have no time in common, with both spans.

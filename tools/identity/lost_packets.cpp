@@ -33,7 +33,6 @@ void LostPackets::add(const lidar::PacketInfo& info, std::uint32_t source_ipv4,
     return;
   }
   fingerprints_[packets_++ % fingerprints_.size()] = info.fingerprint;
-  mix_.add(info, source_ipv4, ticks_per_turn);
   const bool is_overtaken = since_us > 0 && later(now_us, time_us_) <= kPauseUs;
   is_whole_ = is_whole_ && source_ipv4 == source_ipv4_;
   if (is_whole_ && is_overtaken) {
@@ -140,7 +139,7 @@ std::string LostPackets::words(const std::string& name) const {
   for (const auto& [width, count] : scans_) {
     came += count;
   }
-  if (came == 0 || is_of_several()) {
+  if (came == 0) {
     return {};
   }
   const double missing =

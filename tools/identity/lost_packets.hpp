@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "lidar/scan_point.hpp"
-#include "tools/identity/unit_mix.hpp"
 
 namespace iog::tools {
 
@@ -30,8 +29,6 @@ class LostPackets {
   // Returns "about 226 of 754 packets of roof (30 %) are missing: ...", or an empty text if less
   // than 1 % is missing. Complete when everything has been read.
   [[nodiscard]] std::string words(const std::string& name) const;
-  // As of UnitMix. Then nothing shows what is missing, and words() is empty.
-  [[nodiscard]] bool is_of_several() const { return mix_.is_of_several(); }
 
  private:
   // Of 0.25 degrees each.
@@ -52,7 +49,6 @@ class LostPackets {
   std::array<std::uint64_t, 8> fingerprints_{};  // of the last packets
   std::uint64_t packets_ = 0;
   std::uint64_t overtaken_ = 0;
-  UnitMix mix_;
 
   // Of a unit that turns.
   std::uint32_t ticks_per_turn_ = 0;

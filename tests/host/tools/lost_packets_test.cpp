@@ -43,7 +43,6 @@ std::string told(const Unit& unit, const IsKept& is_kept) {
       lost.add(unit.packet(i), kAddress, kTurn);
     }
   }
-  EXPECT_FALSE(lost.is_of_several());
   return lost.words("roof");
 }
 
@@ -111,7 +110,6 @@ TEST(LostPackets, OvertakenAndDamagedPacketsAndPausesAreNoLoss) {
     lost.add(unit.packet(i % 5 == 3 ? i + 1 : i % 5 == 4 ? i - 1 : i), kAddress, kTurn);
   }
   EXPECT_EQ(lost.words("roof"), "");
-  EXPECT_FALSE(lost.is_of_several());
   LostPackets damaged;
   for (std::uint64_t i = 0; i < 3'000; ++i) {
     i % 3 == 0 ? damaged.skip() : damaged.add(unit.packet(i), kAddress, kTurn);
@@ -196,7 +194,6 @@ std::string told_of_lux(
                kAddress, 0);
     }
   }
-  EXPECT_FALSE(lost.is_of_several());
   return lost.words("front");
 }
 
@@ -220,51 +217,6 @@ TEST(LostPackets, OfAWholeRecordingOfALuxAreNone) {
                 4, 1, [](std::uint64_t /*i*/) { return true; },
                 [](std::uint64_t i) { return i % 37 != 0; }),
             "");
-}
-
-// Of one address; the second one's clock and direction are its own, or nearly those of the first.
-TEST(LostPackets, AMixtureOfTwoUnitsIsToldInstead) {
-  const Unit unit;
-  for (const std::uint64_t ahead : {0U, 1U, 31U, 75U * 10 + 31, 75U * 600}) {
-    LostPackets lost;
-    std::mt19937 random(1);
-    for (std::uint64_t of_first = 0, of_second = 0; of_first < 3'000;) {
-      const bool is_first = random() % 2 == 0;
-      lidar::PacketInfo packet = unit.packet(is_first ? of_first++ : ahead + of_second++);
-      packet.fingerprint += is_first ? 0 : 1'000'000;
-      packet.sector.first_ticks =
-          static_cast<std::uint16_t>(packet.sector.first_ticks + (is_first ? 0 : 20));
-      lost.add(packet, kAddress, kTurn);
-    }
-    EXPECT_TRUE(lost.is_of_several()) << ahead;
-    EXPECT_EQ(lost.words("roof"), "");
-  }
-}
-
-// From the address of each car's first unit, to its port.
-TEST(LostPackets, OfEachMakerAMixtureIsTold) {
-  for (const char* const name : {"reference_car", "roof_vlp16", "roof_os1_64", "roof_xt32"}) {
-    const CatalogueEntry& car = find_vehicle(name);
-    std::vector<CapturedDatagram> datagrams = sample_drive(car, 1, 30);
-    std::erase_if(datagrams,
-                  [&](const auto& its) { return its.destination.port != car.sensors[0].udp_port; });
-    CarClocks alone(car);
-    std::ranges::for_each(datagrams, [&](const auto& its) { alone.add(its); });
-    EXPECT_EQ(alone.words_of_crowd(), "");
-    const std::size_t own = datagrams.size();
-    for (std::size_t i = own / 3; i < own; ++i) {  // of another time: another direction or number
-      datagrams.push_back(datagrams[i]);
-      datagrams.back().time_us = datagrams[i - own / 3].time_us + 700;
-    }
-    std::ranges::stable_sort(datagrams, {}, &CapturedDatagram::time_us);
-    CarClocks mixed(car);
-    std::ranges::for_each(datagrams, [&](const auto& its) { mixed.add(its); });
-    EXPECT_EQ(mixed.words_of_crowd(),
-              "several units send to UDP port " + std::to_string(car.sensors[0].udp_port) +
-                  " from one address, and sensor " + std::string(car.sensors[0].name) +
-                  " is a mixture of them: let each send to a port of its own");
-    EXPECT_EQ(mixed.words_of_lost().size(), 0U);
-  }
 }
 
 // A third of the packets of each car's units.
