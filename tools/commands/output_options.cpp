@@ -28,7 +28,7 @@ bool is_output(const CLI::App& command, const CLI::Option& option) {
   const std::string name = option.get_single_name();
   return std::ranges::find(kOutputs, name) != kOutputs.end() ||
          (name == "stream" && command.get_name() != "record") ||
-         (name == "osm" && command.get_name() == "simulate");
+         ((name == "osm" || name == "truth") && command.get_name() == "simulate");
 }
 
 // Whether the command makes a folder of it, with those above it.
@@ -36,20 +36,44 @@ bool is_folder(const CLI::App& command, const CLI::Option& option, const files::
   constexpr std::array<std::string_view, 3> kDrawing{"fuse", "receive", "batch"};
   const std::string name = command.get_name();
   const bool is_recorded = path.extension() == ".mcap" || path.extension() == ".pcap";
-  return option.get_single_name() == "out" &&
-         (name == "record" ? !is_recorded : std::ranges::find(kDrawing, name) != kDrawing.end());
+  return option.get_single_name() == "truth" ||
+         (option.get_single_name() == "out" &&
+          (name == "record" ? !is_recorded : std::ranges::find(kDrawing, name) != kDrawing.end()));
 }
 
-// Every output is made beside its place at first (OutputPlace), except devices and pipes.
-void demand_place(const std::string& path) {
+files::path place_of(const std::string& path) {
+  std::error_code error;
+  return files::weakly_canonical(files::absolute(path), error);
+}
+
+// The folders that the command makes, with those above them.
+std::set<files::path> made_folders(const CLI::App& command) {
+  std::set<files::path> made;
+  for (const CLI::Option* const option : tools::options_of(command)) {
+    for (const std::string& path : option->results()) {
+      if (is_output(command, *option) && is_folder(command, *option, path)) {
+        for (files::path its = place_of(path + "/."); its != its.root_path();
+             its = its.parent_path()) {
+          made.insert(its);
+        }
+      }
+    }
+  }
+  return made;
+}
+
+// Every output is made beside its place at first (OutputPlace), except devices and pipes. made: the
+// folders that will be there.
+void demand_place(const std::string& path, const std::set<files::path>& made) {
   std::error_code error;
   const bool is_folder = files::is_directory(path, error);
   if (files::exists(path, error) && !files::is_regular_file(path, error) && !is_folder) {
     return;
   }
-  const files::path target = files::weakly_canonical(files::absolute(path), error);
+  const files::path parent = place_of(path).parent_path();
+  const bool is_made = made.contains(parent) && !files::exists(parent, error);
   errno = is_folder ? EISDIR : 0;
-  if (is_folder || access((target.parent_path() / ".").c_str(), W_OK | X_OK) != 0) {
+  if (is_folder || (!is_made && access((parent / ".").c_str(), W_OK | X_OK) != 0)) {
     throw file_error(path, "cannot be written");
   }
 }
@@ -84,19 +108,18 @@ void check_outputs(const CLI::App& command) {
   std::set<files::path> places;
   std::set<std::string> outputs;
   std::set<std::string> inputs;
+  const std::set<files::path> made = made_folders(command);
   for (const CLI::Option* const option : options_of(command)) {
     for (const std::string& path : option->results()) {
       if (!is_output(command, *option)) {
         inputs.insert(path);
         continue;
       }
-      std::error_code error;
       outputs.insert(path);
       if (path != "-" && !is_folder(command, *option, path)) {
-        demand_place(path);
+        demand_place(path, made);
       }
-      if (path != "-" &&
-          !places.insert(files::weakly_canonical(files::absolute(path), error)).second) {
+      if (path != "-" && !places.insert(place_of(path)).second) {
         throw UsageError(option->get_name() + " " + path + ": given twice");
       }
     }

@@ -109,8 +109,13 @@ void record(RecordOptions options) {
   if (!options.drive.captures.empty()) {
     demand_fit(options.drive.captures, find_vehicle(options.vehicle));
   }
+  std::vector<std::string> paths = options.out;
+  std::stable_partition(paths.begin(), paths.end(),
+                        [](const std::string& path) {  // files may lie in folders
+                          return !std::filesystem::path(path).has_extension();
+                        });
   Recorder::Recordings recordings;
-  for (const std::string& path : options.out) {
+  for (const std::string& path : paths) {
     recordings.push_back(recording_of(path, options));
   }
   Recorder recorder(std::move(recordings));

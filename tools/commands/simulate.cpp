@@ -229,6 +229,9 @@ void simulate(const SimulateOptions& options) {
     poses.emplace(simulated_poses(drive.scene(), feed, options.seed, options.seconds + 0.1),
                   car.vehicle->poses.udp_port);
   }
+  if (!options.truth.empty()) {
+    make_truth_folder(options.truth);
+  }
   DriveRecording recording(options.out, car);
   std::optional<CellTruthFile> cells;
   if (!options.truth_cells.empty()) {
@@ -237,9 +240,6 @@ void simulate(const SimulateOptions& options) {
   std::optional<PointTruthFile> points;
   if (!options.truth_points.empty()) {
     points.emplace(options.truth_points);
-  }
-  if (!options.truth.empty()) {
-    make_truth_folder(options.truth);
   }
   write_osm(options, drive.scene());
   Progress progress("frames", drive.frame_count());
