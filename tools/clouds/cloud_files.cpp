@@ -179,6 +179,17 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
   return {};
 }
 
+// By which the files of a drive are in order, whatever the words before the first number are: the
+// time in the name, or all of its numbers. Empty: there is none.
+std::string key_of(const std::string& path) {
+  if (const std::optional<std::uint64_t> time_us = time_in_name(path)) {
+    return natural_key(std::to_string(*time_us)).first;
+  }
+  const std::string name = std::filesystem::path(path).filename();
+  const std::string_view stem = without_ending(name);
+  return natural_key(stem.substr(std::min(stem.size(), stem.find_first_of(kDigits)))).first;
+}
+
 // How far the number of the file is behind that of the one before; 0: not known.
 std::uint64_t step_between(const CloudFile& before, const CloudFile& file) {
   const auto [from, from_head] = number_of(before.path);
@@ -259,24 +270,34 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
   return paths;
 }
 
-void demand_parts(const std::vector<std::vector<std::string>>& folders) {
-  std::vector<Series> all;
+std::string words_of_overlap(const std::vector<std::vector<std::string>>& folders) {
+  struct Range {
+    std::string folder;
+    std::string least{};
+    std::string most{};
+  };
+  std::vector<Range> all;
   for (const std::vector<std::string>& files : folders) {
-    Series its{.first_name = std::filesystem::path(files.front()).parent_path()};
+    Range its{.folder = std::filesystem::path(files.front()).parent_path()};
     for (const std::string& path : files) {
-      its.add(std::filesystem::path(path).filename());
+      const std::string key = key_of(path);
+      its.least = its.least.empty() ? key : std::min(its.least, key);
+      its.most = std::max(its.most, key);
     }
-    const auto other =
-        std::ranges::find_if(all, [&](const Series& series) { return its.overlaps(series); });
+    const auto other = std::ranges::find_if(all, [&](const Range& range) {
+      return range.least <= its.most && its.least <= range.most;
+    });
+    if (its.most.empty()) {
+      continue;
+    }
     if (other != all.end()) {
-      throw UsageError(
-          printable(other->first_name) + " and " + printable(its.first_name) +
-          ": numbers or times in the names of their files overlap, as those of two "
-          "lidars do: give one folder to each `iog points`; of parts of one drive give "
-          "the files");
+      return "files of " + printable(other->folder) + " and " + printable(its.folder) +
+             " have the same numbers or times in their names: if they are of two lidars, give each "
+             "folder to a run of its own";
     }
     all.push_back(its);
   }
+  return {};
 }
 
 std::optional<std::uint64_t> time_in_name(const std::string& path) {

@@ -29,9 +29,10 @@ struct CloudFiles {
 // are of several formats or, by their names, of several lidars or drives.
 [[nodiscard]] std::vector<std::string> cloud_files_in(const std::string& folder);
 
-// Files of several folders, as cloud_files_in() returns them, as parts of one drive. UsageError if
-// numbers or times in the names of two folders overlap, as those of two lidars do.
-void demand_parts(const std::vector<std::vector<std::string>>& folders);
+// Files of several folders, as cloud_files_in() returns them, are those of one drive. A remark if
+// numbers or times in the names of two folders overlap, as those of two lidars do, or of parts that
+// are each numbered from 0. Empty: none.
+[[nodiscard]] std::string words_of_overlap(const std::vector<std::vector<std::string>>& folders);
 
 // Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a
 // decimal point, seconds_nanoseconds, milliseconds, microseconds or nanoseconds, of 2001 to 2096.

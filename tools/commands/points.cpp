@@ -185,9 +185,11 @@ Inputs inputs_of(const PointsOptions& options) {
     }
     std::ranges::move(its, std::back_inserter(files));
   }
-  demand_parts(folders);
   if (!files.empty()) {
     all.clouds = timed(files, options.clouds_per_second);
+  }
+  if (const std::string overlap = words_of_overlap(folders); !overlap.empty()) {
+    all.clouds.remarks.push_back(overlap);
   }
   return all;
 }

@@ -87,20 +87,34 @@ TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
   }
 }
 
-TEST(CloudFiles, FoldersOfTwoLidarsAreNoPartsOfADrive) {
-  const auto told = [](const std::vector<std::vector<std::string>>& folders) {
-    return told_by([&] { demand_parts(folders); });
-  };
-  EXPECT_EQ(
-      told({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
-      "front and rear: numbers or times in the names of their files overlap, as those of two "
-      "lidars do: give one folder to each `iog points`; of parts of one drive give the files");
-  EXPECT_NE(
-      told({{"a/7.pcd"}, {"f/1532402927.1.pcd", "f/1532402927.3.pcd"}, {"r/1532402927.2.pcd"}}),
-      "");
-  EXPECT_EQ(told({{"a/0.pcd", "a/1.pcd"}, {"b/2.pcd", "b/3.pcd"}, {"c/1532402927.1.pcd"}}), "");
-  EXPECT_EQ(told({{"a1/map.pcd"}, {"b1/map.pcd"}}), "") << "no number";
-  EXPECT_EQ(told({}), "");
+TEST(CloudFiles, FoldersThatMayBeOfTwoLidarsAreTold) {
+  using Folders = std::vector<std::vector<std::string>>;
+  EXPECT_EQ(words_of_overlap({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
+            "files of front and rear have the same numbers or times in their names: if they are of "
+            "two lidars, give each folder to a run of its own");
+  for (const Folders& folders : std::vector<Folders>{
+           {{"a/7.pcd"}, {"f/1532402927.1.pcd", "f/1532402927.3.pcd"}, {"r/1532402927.2.pcd"}},
+           {{"f/1532402927.1.pcd", "f/1532402927.9.pcd"}, {"r/1532402927.10.pcd"}},
+           {{"a/front_8.pcd", "a/front_10.pcd"}, {"b/rear_9.pcd", "b/rear_11.pcd"}},
+           {{"pA/000000.pcd", "pA/000001.pcd"}, {"pB/000000.pcd", "pB/000001.pcd"}}}) {
+    EXPECT_NE(words_of_overlap(folders), "") << folders[0][0];
+  }
+}
+
+TEST(CloudFiles, FoldersThatFollowEachOtherArePartsOfADrive) {
+  using Folders = std::vector<std::vector<std::string>>;
+  for (const Folders& folders : std::vector<Folders>{
+           {{"a/0.pcd", "a/1.pcd"}, {"b/2.pcd", "b/3.pcd"}, {"c/1532402927.1.pcd"}},
+           {{"simB/100.000000000.pcd", "simB/101.900000000.pcd"},
+            {"simA/0.000000000.pcd", "simA/1.900000000.pcd"}},
+           {{"a/20240501_103000_100.pcd", "a/20240501_103959_900.pcd"},
+            {"b/20240501_104000_100.pcd", "b/20240501_104959_900.pcd"}},
+           {{"a/000000_lidar1.pcd", "a/000099_lidar1.pcd"},
+            {"b/000100_lidar1.pcd", "b/000199_lidar1.pcd"}},
+           {{"a1/map.pcd"}, {"b1/map.pcd"}},
+           {}}) {
+    EXPECT_EQ(words_of_overlap(folders), "");
+  }
 }
 
 TEST(CloudFiles, EndingsMayHaveCapitals) {
