@@ -49,11 +49,12 @@ std::string_view without_ending(std::string_view path) {
 
 constexpr std::size_t kDigitsOfNanoseconds = 9;
 
-// Behind the seconds in a name. Fewer digits, or zeros before them, may be the number of a cloud.
-bool are_nanoseconds(std::string_view digits) {
-  constexpr std::size_t kFewest = 7;
-  return digits.size() == kDigitsOfNanoseconds ||
-         (kFewest <= digits.size() && digits.size() < kDigitsOfNanoseconds && digits[0] != '0');
+// Behind the seconds in a name. Fewer digits, or zeros before them, may be the number of a cloud,
+// unless may_be_short: the former are nanoseconds too.
+bool are_nanoseconds(std::string_view digits, bool may_be_short) {
+  const std::size_t fewest = may_be_short ? 1 : 7;
+  return digits.size() == kDigitsOfNanoseconds || (may_be_short && digits == "0") ||
+         (fewest <= digits.size() && digits.size() < kDigitsOfNanoseconds && digits[0] != '0');
 }
 
 std::uint64_t digits_as_number(std::string_view digits) {
@@ -80,8 +81,7 @@ std::string words_of_other(const std::string& path) {
   const std::string hint = hint_of(bytes);
   return (hint.empty() ? "" : hint + "; ") +
          "use .mcap, .db3, .pcd, .ply, KITTI's .bin, nuScenes' .pcd.bin, and folders of a "
-         "bag, "
-         "of such files or of KITTI";
+         "bag, of such files or of KITTI";
 }
 
 // "000007" and what is before it in its path.
@@ -90,6 +90,15 @@ std::pair<std::string_view, std::string_view> number_of(std::string_view path) {
   const std::size_t behind = stem.find_last_of(kDigits) + 1;  // 0 if there is no digit
   const std::size_t begin = stem.substr(0, behind).find_last_not_of(kDigits) + 1;
   return {stem.substr(begin, behind - begin), stem.substr(0, begin)};
+}
+
+// Whether most names are seconds_nanoseconds, so that a short last number is nanoseconds as well.
+bool have_nanoseconds(const std::vector<std::string>& paths) {
+  const auto count = std::ranges::count_if(paths, [](const std::string& path) {
+    const auto [digits, head] = number_of(path);
+    return head.ends_with('_') && are_nanoseconds(digits, false) && time_in_name(path);
+  });
+  return 2 * count > std::ssize(paths);
 }
 
 constexpr std::size_t kMostDigits = 18;  // of a number in a name, so that it fits into 64 bits
@@ -101,12 +110,13 @@ struct Series {
   std::uint64_t most = 0;
 
   // A name without a number counts for nothing.
-  void add(const std::string& name) {
+  void add(const std::string& name, bool may_be_short) {
     const std::string_view digits = number_of(name).first.substr(0, kMostDigits);
     if (digits.empty()) {
       return;
     }
-    const std::uint64_t number = time_in_name(name).value_or(digits_as_number(digits));
+    const std::uint64_t number =
+        time_in_name(name, may_be_short).value_or(digits_as_number(digits));
     least = std::min(least, number);
     most = std::max(most, number);
   }
@@ -153,6 +163,7 @@ std::string series_of(std::string_view name, bool are_units) {
 // few series whose numbers overlap. are_units: as of series_of(). Empty: nothing.
 std::string words_of_several(const std::vector<std::string>& paths, bool are_units) {
   std::map<std::pair<std::string, std::string>, Series> all;  // by folder and series
+  const bool may_be_short = have_nanoseconds(paths);
   for (const std::string& path : paths) {
     const std::filesystem::path its(path);
     const std::string name = its.filename();
@@ -162,7 +173,7 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
     }
     Series& of_name = all[{its.parent_path(), series}];
     of_name.first_name = of_name.first_name.empty() ? name : of_name.first_name;
-    of_name.add(name);
+    of_name.add(name, may_be_short);
   }
   if (2 * all.size() > paths.size()) {  // names without an order
     return {};
@@ -181,8 +192,8 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
 
 // By which the files of a drive are in order, whatever the words before the first number are: the
 // time in the name, or all of its numbers. Empty: there is none.
-std::string key_of(const std::string& path) {
-  if (const std::optional<std::uint64_t> time_us = time_in_name(path)) {
+std::string key_of(const std::string& path, bool may_be_short) {
+  if (const std::optional<std::uint64_t> time_us = time_in_name(path, may_be_short)) {
     return natural_key(std::to_string(*time_us)).first;
   }
   const std::string name = std::filesystem::path(path).filename();
@@ -279,17 +290,16 @@ std::string words_of_overlap(const std::vector<std::vector<std::string>>& folder
   std::vector<Range> all;
   for (const std::vector<std::string>& files : folders) {
     Range its{.folder = std::filesystem::path(files.front()).parent_path()};
+    const bool may_be_short = have_nanoseconds(files);
     for (const std::string& path : files) {
-      const std::string key = key_of(path);
-      its.least = its.least.empty() ? key : std::min(its.least, key);
+      const std::string key = key_of(path, may_be_short);
+      const bool is_one_empty = its.least.empty() || key.empty();
+      its.least = is_one_empty ? std::max(its.least, key) : std::min(its.least, key);
       its.most = std::max(its.most, key);
     }
     const auto other = std::ranges::find_if(all, [&](const Range& range) {
-      return range.least <= its.most && its.least <= range.most;
+      return !its.most.empty() && range.least <= its.most && its.least <= range.most;
     });
-    if (its.most.empty()) {
-      continue;
-    }
     if (other != all.end()) {
       return "files of " + printable(other->folder) + " and " + printable(its.folder) +
              " have the same numbers or times in their names: if they are of two lidars, give each "
@@ -300,14 +310,15 @@ std::string words_of_overlap(const std::vector<std::vector<std::string>>& folder
   return {};
 }
 
-std::optional<std::uint64_t> time_in_name(const std::string& path) {
+std::optional<std::uint64_t> time_in_name(const std::string& path, bool may_be_short) {
   const std::string name = std::filesystem::path(path).filename();
   const std::string_view stem = without_ending(name);
   const std::size_t begin_of_last = stem.find_last_not_of(kDigits) + 1;  // 0 if all are digits
   std::string_view whole = stem.substr(begin_of_last);
   std::uint64_t fraction_us = 0;
   const char separator = begin_of_last > 1 ? stem[begin_of_last - 1] : ' ';
-  if (separator == '.' ? !whole.empty() : separator == '_' && are_nanoseconds(whole)) {
+  if (separator == '.' ? !whole.empty()
+                       : separator == '_' && are_nanoseconds(whole, may_be_short)) {
     std::string nanoseconds(whole.substr(0, kDigitsOfNanoseconds));
     nanoseconds.insert(separator == '.' ? nanoseconds.size() : 0,
                        kDigitsOfNanoseconds - nanoseconds.size(), '0');
@@ -339,8 +350,9 @@ std::optional<std::uint64_t> time_in_name(const std::string& path) {
 CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second) {
   CloudFiles all;
   bool have_times = true;
+  const bool may_be_short = have_nanoseconds(paths);
   for (const std::string& path : paths) {
-    const std::optional<std::uint64_t> time_us = time_in_name(path);
+    const std::optional<std::uint64_t> time_us = time_in_name(path, may_be_short);
     have_times = have_times && time_us.has_value();
     all.files.push_back({.path = path, .time_us = time_us.value_or(0)});
   }

@@ -36,7 +36,9 @@ struct CloudFiles {
 
 // Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a
 // decimal point, seconds_nanoseconds, milliseconds, microseconds or nanoseconds, of 2001 to 2096.
-[[nodiscard]] std::optional<std::uint64_t> time_in_name(const std::string& path);
+// may_be_short: behind seconds_ even fewer than 7 digits are nanoseconds, as in a drive of such.
+[[nodiscard]] std::optional<std::uint64_t> time_in_name(const std::string& path,
+                                                        bool may_be_short = false);
 
 // In the order of the times in their names or, if one has none, in the order of their numbers, at
 // so many clouds per second from kDriveStartUs.

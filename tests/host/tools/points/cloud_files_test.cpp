@@ -111,7 +111,7 @@ TEST(CloudFiles, FoldersThatFollowEachOtherArePartsOfADrive) {
             {"b/20240501_104000_100.pcd", "b/20240501_104959_900.pcd"}},
            {{"a/000000_lidar1.pcd", "a/000099_lidar1.pcd"},
             {"b/000100_lidar1.pcd", "b/000199_lidar1.pcd"}},
-           {{"a1/map.pcd"}, {"b1/map.pcd"}},
+           {{"a1/map.pcd"}, {"b1/1.pcd", "b1/map.pcd"}},
            {}}) {
     EXPECT_EQ(words_of_overlap(folders), "");
   }
@@ -156,6 +156,27 @@ TEST(CloudFiles, ATimeInANameCounts) {
   EXPECT_EQ(all.remarks,
             std::vector<std::string>{"files were put in the order of the times in their names"});
   EXPECT_EQ(timed({"1532402927.1.pcd", "map.pcd"}, 10).files[0].time_us, kDriveStartUs);
+}
+
+// A driver may write both numbers of a stamp without zeros before them.
+TEST(CloudFiles, ShortNanosecondsAreATimeAmongLongOnes) {
+  const std::vector<std::string> drive{"1532402927_951123.pcd", "1532402927_100951123.pcd",
+                                       "1532402927_200951123.pcd", "1532402928_0.pcd",
+                                       "1532402928_99951123.pcd"};
+  const CloudFiles all = timed(drive, 10);
+  EXPECT_EQ(paths_of(all), drive);
+  EXPECT_EQ(all.files[0].time_us, 1'532'402'927'000'951U);
+  EXPECT_EQ(all.files[3].time_us, 1'532'402'928'000'000U);
+  EXPECT_EQ(all.remarks, std::vector<std::string>{});
+  EXPECT_EQ(all.remarks_if_assumed, std::vector<std::string>{});
+  for (const char* const number : {"1532402928_000012.pcd", "1532402928_00951123.pcd"}) {
+    EXPECT_EQ(timed({drive[1], drive[2], number}, 10).files[0].time_us, kDriveStartUs) << number;
+  }
+  EXPECT_EQ(timed({drive[0], drive[1]}, 10).files[0].time_us, kDriveStartUs) << "not most";
+  EXPECT_EQ(words_of_overlap({{"a/1532402926_951123.pcd", "a/1532402926_100951123.pcd",
+                               "a/1532402926_200951123.pcd"},
+                              {drive[1], drive[2]}}),
+            "");
 }
 
 class CloudFolder : public ::testing::Test {
