@@ -5,17 +5,33 @@
 #include "lidar/points.hpp"
 
 namespace iog::tools {
+namespace {
+
+// Whether a cloud sees most directions of one arc, and none beyond it for a quarter turn and more.
+// Few returns of a whole turn lie in any direction.
+bool is_arc(const TurnParts::Directions& seen) {
+  std::size_t gap = 0;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < 2 * seen.size(); ++i) {  // twice around, over the seam
+    gap = seen.test(i % seen.size()) ? 0 : gap + 1;
+    longest = std::max(longest, std::min(gap, seen.size()));
+  }
+  return 4 * longest >= seen.size() && 2 * seen.count() >= seen.size() - longest;
+}
+
+}  // namespace
 
 void TurnParts::take(const std::vector<WirePoint>& points) {
   constexpr std::size_t kFewest = 8;  // directions of a cloud
   constexpr std::size_t kOfMany = 4;
-  std::bitset<kDirections> seen;
+  Directions seen;
   for (const WirePoint& point : points) {
     seen.set(static_cast<std::size_t>(point.first) * kDirections /
              lidar::PointsPacket::kPartsPerTurn);
   }
   const std::size_t fewer = std::min(seen.count(), before_.count());
-  parts_ += fewer >= kFewest && kOfMany * (seen & before_).count() <= fewer ? 1U : 0U;
+  const bool are_arcs = fewer >= kFewest && is_arc(seen) && is_arc(before_);
+  parts_ += are_arcs && kOfMany * (seen & before_).count() <= fewer ? 1U : 0U;
   before_ = seen;
 }
 

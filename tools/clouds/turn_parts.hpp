@@ -12,18 +12,18 @@ namespace iog::tools {
 
 class TurnParts {
  public:
+  static constexpr std::size_t kDirections = 120;  // of 3 degrees each
+  using Directions = std::bitset<kDirections>;
+
   // Takes the next cloud in order of time.
   void take(const std::vector<WirePoint>& points);
 
-  // Clouds that have hardly a direction in common with the one before. A part of a turn with few
-  // points does not count.
+  // Clouds that have hardly any direction in common with the one before. Only those count that fill
+  // an arc with points.
   [[nodiscard]] std::uint64_t parts() const { return parts_; }
 
  private:
-  // Of 3 degrees each.
-  static constexpr std::size_t kDirections = 120;
-
-  std::bitset<kDirections> before_{};
+  Directions before_{};
   std::uint64_t parts_ = 0;
 };
 

@@ -129,8 +129,9 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
          words);
   if (2 * sent.parts_of_turns > sent.clouds) {
     words.push_back(std::to_string(sent.parts_of_turns) +
-                    " clouds look in other directions than the one before, as parts of a turn: set "
-                    "the lidar's driver to publish whole turns");
+                    " clouds see other directions than the cloud before them. They seem to be "
+                    "parts of turns: let the lidar's driver publish whole turns, and record "
+                    "again.");
   }
   const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
   if (!of_unit.empty()) {

@@ -1,6 +1,8 @@
 // A driver may publish several clouds for a turn of its unit.
 #include "tools/clouds/turn_parts.hpp"
 
+#include <random>
+
 #include "gtest/gtest.h"
 
 #include "lidar/points.hpp"
@@ -41,6 +43,23 @@ TEST(TurnParts, WholeTurnsAndOneFieldOfViewAreNone) {
     }
   }
   EXPECT_EQ(parts_of(0, 120), 0U);
+}
+
+// Of a field, or in rain.
+TEST(TurnParts, WholeTurnsWithFewReturnsAreNone) {
+  for (const int returns : {8, 12, 16, 30, 60}) {
+    std::mt19937 random(1);
+    TurnParts parts;
+    for (int cloud = 0; cloud < kTaken; ++cloud) {
+      std::vector<WirePoint> points;
+      for (int i = 0; i < returns; ++i) {
+        const auto degree = static_cast<int>(random() % 360);
+        points.push_back({.first = degree * lidar::PointsPacket::kPartsPerDegree});
+      }
+      parts.take(points);
+    }
+    EXPECT_EQ(parts.parts(), 0U) << returns;
+  }
 }
 
 }  // namespace
