@@ -37,6 +37,27 @@ struct PlyHead {
   CloudRecords camera{};  // the element behind the vertices, if it is one camera
 };
 
+// The camera serves only for a remark: what is wrong with it refuses no cloud.
+void add_to_camera(const std::string& type, const std::string& name, const std::string& path,
+                   CloudRecords& camera) {
+  try {
+    add_field(camera, field_of(type, name, path), path);
+  } catch (const UsageError&) {  // a list, too
+    camera.count = 0;
+  }
+}
+
+std::vector<std::byte> camera_row_of(TextRows text, const CloudRecords& camera,
+                                     const std::string& path) {
+  text.rows = camera.count;
+  text.columns = camera.fields.size();
+  try {
+    return doubles_in(text, path);
+  } catch (const UsageError&) {
+    return {};
+  }
+}
+
 void take_line(const std::string& line, const std::string& path, PlyHead& head,
                CloudRecords& records) {
   std::istringstream in(line);
@@ -58,10 +79,8 @@ void take_line(const std::string& line, const std::string& path, PlyHead& head,
     throw UsageError(path + ": its points have a property that is a list, which is not read");
   } else if (key == "property" && head.element == "vertex") {
     add_field(records, field_of(first, second, path), path);
-  } else if (key == "property" && head.camera.count > 0 && first == "list") {
-    head.camera.count = 0;
   } else if (key == "property" && head.element == "camera" && head.camera.count > 0) {
-    add_field(head.camera, field_of(first, second, path), path);
+    add_to_camera(first, second, path, head.camera);
   }
   ++head.lines;
   head.is_whole = key == "end_header";
@@ -155,9 +174,7 @@ SeenCloud read_ply(const std::string& path, TimeUnit& unit, std::uint64_t stamp_
                   .columns = records.fields.size()};
     doubles = rows_of(head, text, path);
     records.bytes = doubles;
-    text.rows = head.camera.count;
-    text.columns = head.camera.fields.size();
-    camera_doubles = doubles_in(text, path);
+    camera_doubles = camera_row_of(text, head.camera, path);
     head.camera.bytes = camera_doubles;
   } else if (!records.fields.empty()) {
     const std::size_t end = records.count * records.fields.front().stride;

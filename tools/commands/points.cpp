@@ -218,7 +218,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
     is_assumed = is_assumed || cloud.is_assumed;
     if (!cloud.viewpoint.empty() && viewpoints++ == 0) {
       first_viewpoint = file.path + ": " + cloud.viewpoint;
-      its_name = cloud.viewpoint.substr(0, cloud.viewpoint.find(' '));
+      its_name = cloud.viewpoint.starts_with("camera") ? "the camera's pose" : "VIEWPOINT";
     }
     take(std::move(cloud));
   }

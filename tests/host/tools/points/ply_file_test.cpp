@@ -104,6 +104,33 @@ TEST_F(PlyFile, APoseOfItsCameraIsTold) {
   }
 }
 
+TEST_F(PlyFile, NothingOfItsCameraOrBehindItRefusesACloud) {
+  const std::string words =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "element camera 1\n";
+  std::string pose;
+  for (const char* const name :
+       {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy",
+        "y_axisz", "z_axisx", "z_axisy", "z_axisz"}) {
+    pose += std::string("property float ") + name + '\n';
+  }
+  const std::string faces = "element face 1\nproperty list uchar int vertex_index\n";
+  const auto viewpoint_of = [&](const std::string& head, const std::string& rows) {
+    const SeenCloud cloud = ply(words + head + "end_header\n1 2\n" + rows);
+    EXPECT_EQ(cloud.points.size(), 1U) << head << rows;
+    return cloud.viewpoint;
+  };
+  EXPECT_EQ(viewpoint_of(pose + faces, "0 0 9 1 0 0 0 1 0 0 0 1\n3 0 0 0\n"),
+            "camera 0 0 9 1 0 0 0 1 0 0 0 1");
+  for (const char* const row : {"0 0 9 1 0 0\n0 1 0 0 0 1\n", "a\n", ""}) {
+    EXPECT_EQ(viewpoint_of(pose, row), "") << row;
+  }
+  for (const char* const more :
+       {"property half k\n", "property list uchar int k\n", "property\n"}) {
+    EXPECT_EQ(viewpoint_of(pose + more, "0 0 9 1 0 0 0 1 0 0 0 1 1 1\n"), "") << more;
+  }
+}
+
 TEST_F(PlyFile, TellsWhatIsWrong) {
   EXPECT_EQ(told_of("solid\n"), ": this is no PLY file: its head has no end_header");
   EXPECT_EQ(told_of("ply\nformat ascii 1.0\n"),
