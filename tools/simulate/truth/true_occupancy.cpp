@@ -79,7 +79,7 @@ void make_truth_folder(const std::string& folder) {
   for (const std::filesystem::path& path : pictures) {
     if (!has_remark(path, kMark)) {
       throw UsageError(path.string() +
-                       ": not written by iog, or edited since; give another --truth");
+                       ": not written by this iog, or edited since; give another --truth");
     }
   }
   for (const std::filesystem::path& path : pictures) {
