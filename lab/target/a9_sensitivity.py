@@ -2,7 +2,7 @@
 docs/results/goals.md; a9_runs.py says what a run is.
 
 A run takes the pessimistic value of one constant (its variant), and the nominal values of all others. What is
-compared are the cycles of a few frames; `nominal` is of the same frames.
+compared are the cycles of a few frames on one core; `nominal` is of the same frames.
 """
 
 import csv
@@ -70,22 +70,9 @@ def of_headline(place: a9_runs.Place, headline: Headline, variant: str, options:
             for stage, parts in headline.sums.items()]
 
 
-def of_cores(place: a9_runs.Place, drive: str, capture: str, variant: str, options: str) -> list[a9_runs.Row]:
-    """On four cores, without what their synchronisation takes."""
-    printed = a9_runs.printed_by_model(place, options, a9_cores.FUNCTIONS | a9_cores.OUTSIDE,
-                                       place.images / a9_cores.image_of(drive), capture, FRAMES, WARM_UP,
-                                       max(a9_cores.CORES))
-    rows = a9_cores.divided(drive, variant, max(a9_cores.CORES), a9_cores.rounds_of(printed),
-                            a9_cores.ddr_line(place, "nominal"))
-    return [a9_runs.Row(f"sensitivity drive={drive} cores={max(a9_cores.CORES)}", "frame", variant, "cycles",
-                        str(sum(row.bounded_cycles for row in rows)))]
-
-
 def runs(place: a9_runs.Place, scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list:
     table = csv.DictReader(a9_runs.output_of(place.model / "a9_constants", "--csv").splitlines())
     values = {row["constant"]: row["pessimistic"] for row in table}
     variants = {"nominal": "nominal"} | {name: f"nominal,{name}={values[name]}" for name in CONSTANTS}
-    return ([lambda d=drive, c=capture, v=variant, o=options: of_cores(place, d, c, v, o)
-             for drive, capture in drives.items() for variant, options in variants.items()] +
-            [lambda h=headline, v=variant, o=options: of_headline(place, h, v, o)
-             for headline in reversed(headlines(scenes, drives, turns)) for variant, options in variants.items()])
+    return [lambda h=headline, v=variant, o=options: of_headline(place, h, v, o)
+            for headline in reversed(headlines(scenes, drives, turns)) for variant, options in variants.items()]
