@@ -13,6 +13,7 @@ import a9_moved
 import a9_perception
 import a9_runs
 import a9_scaling
+import a9_sensitivity
 import a9_turning
 
 
@@ -125,6 +126,13 @@ class Runs(unittest.TestCase):
         with mock.patch.object(a9_runs, "printed_by_model", lambda *_: ["perception_cost points_after=0"]):
             rows += a9_runs.results_of({"moved": a9_moved.modelled_runs(
                 place, dict.fromkeys(a9_moved.VEHICLES, "drive.pcap"))})["moved"]
+        constants = "\n".join(["constant,pessimistic", *(f"{name},1" for name in a9_sensitivity.CONSTANTS)])
+        scenes = dict.fromkeys(("city", "ring_road"), "drive.pcap")
+        with mock.patch.object(a9_runs, "modelled", nothing_modelled), \
+                mock.patch.object(a9_runs, "output_of", lambda *_: constants):
+            rows += a9_runs.results_of({"sensitivity": a9_sensitivity.runs(
+                place, scenes, {**scenes, a9_moved.TRACKED: "drive.pcap"},
+                dict.fromkeys(a9_sensitivity.POINTS, "drive.pcap"))})["sensitivity"]
         self.assertEqual([tuple(row[:4]) for row in rows],
                          [key for key in stored if key[2] != "counted"])
 
