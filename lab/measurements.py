@@ -194,7 +194,7 @@ def keep_other_drives(found: pathlib.Path) -> None:
 
 
 def commit() -> str:
-    """The one that is checked out; with a + if anything but what lab/run writes was changed since."""
+    """The one that is checked out; with a + if anything outside lab/data and docs was changed since."""
     def git(*words: str):
         return subprocess.run(["git", "-C", ROOT, *words], check=False, text=True, capture_output=True)
     done = git("describe", "--always", "--exclude=*", "--abbrev=8")

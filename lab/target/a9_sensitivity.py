@@ -14,8 +14,8 @@ import a9_perception
 import a9_runs
 import a9_turning
 
-# Of all constants those that move the ring road's frame by at least 4 % (lab/a9_model/run --sensitivity all), but for
-# page_kb: the firmware's sections are no assumption.
+# Constants that move the ring road's frame by at least 4 % (lab/a9_model/run --sensitivity all), except page_kb: the
+# firmware fixes its sections.
 CONSTANTS = ("window", "stores_wait_for_data", "l2_extra", "ddr_latency", "uncached_write")
 FRAMES = 2
 WARM_UP = 8  # of classes
@@ -25,7 +25,7 @@ KINDS = (a9_turning.BAND + a9_turning.SHORT_LINES, a9_turning.SHORT_LINES)
 
 
 class Headline(typing.NamedTuple):
-    """An image and its arguments, taken apart by stages; `sums` are those that are summed, by their names."""
+    """An image, its arguments and its stages; `sums` maps each name to the stages that it adds up."""
 
     name: str
     image: str

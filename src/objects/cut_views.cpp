@@ -65,7 +65,7 @@ void CutViews::undo(std::size_t slot, Point car, Track& track) const {
   track.look_from(car);
 }
 
-// The least age of the hits of the older sweep; 0 if there is one sweep, or no room for two.
+// Returns the least age in the older sweep; 0 if there is one sweep, or no room for two.
 std::int32_t CutViews::older_sweep_of(const View& view) const {
   if (kept_[now_].count == kMostCutTracks || joined_count_ + view.numbers.size() > joined_.size() ||
       !has_hit_of(view, newest_ms_) || !has_hit_of(view, oldest_ms_)) {

@@ -15,7 +15,7 @@
 // If a track takes over another one, its changes stay, because the other track is gone.
 //
 // Only the tracks in the lowest slots and at most kMostCutHits hits are kept for the next frame,
-// first those that wait. The views of other tracks stay in two parts, or have two sweeps.
+// waiting hits first. The views of other tracks stay in two parts, or have two sweeps.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ struct SeenCloud {
   std::string frame{};              // in which its points are; empty: not known
   std::uint64_t time_us = 0;        // that of its first point, since 1970; 0: no stamp
   bool has_times = false;           // of its points
-  std::string viewpoint{};          // of a file, if not the origin, with its name: not used
+  std::string viewpoint{};          // of the file, with its keyword; empty: the origin; not used
   bool is_assumed = false;          // time_us: neither a stamp nor a point gives it
   std::uint64_t since_1970_us = 0;  // of its first point by its own time, 2001 to 2096; else 0
   double apart_us = 0;   // from the points' own times to the stamp, which is used; 0: below 1 s

@@ -49,8 +49,8 @@ std::string_view without_ending(std::string_view path) {
 
 constexpr std::size_t kDigitsOfNanoseconds = 9;
 
-// Behind the seconds in a name. Fewer digits, or zeros before them, may be the number of a cloud,
-// unless may_be_short: the former are nanoseconds too.
+// Whether digits behind the seconds in a name are nanoseconds. Fewer than 7, or leading zeros, may
+// be a cloud's number. With may_be_short, fewer digits are nanoseconds, too.
 bool are_nanoseconds(std::string_view digits, bool may_be_short) {
   const std::size_t fewest = may_be_short ? 1 : 7;
   return digits.size() == kDigitsOfNanoseconds || (may_be_short && digits == "0") ||
@@ -190,8 +190,8 @@ std::string words_of_several(const std::vector<std::string>& paths, bool are_uni
   return {};
 }
 
-// By which the files of a drive are in order, whatever the words before the first number are: the
-// time in the name, or all of its numbers. Empty: there is none.
+// Returns the key that orders the files of a drive: the time in the name, or its numbers. Words
+// before the first number do not count. Empty: there is none.
 std::string key_of(const std::string& path, bool may_be_short) {
   if (const std::optional<std::uint64_t> time_us = time_in_name(path, may_be_short)) {
     return natural_key(std::to_string(*time_us)).first;
@@ -301,9 +301,9 @@ std::string words_of_overlap(const std::vector<std::vector<std::string>>& folder
       return !its.most.empty() && range.least <= its.most && its.least <= range.most;
     });
     if (other != all.end()) {
-      return "files of " + printable(other->folder) + " and " + printable(its.folder) +
-             " have the same numbers or times in their names: if they are of two lidars, give each "
-             "folder to a run of its own";
+      return "numbers or times in the file names of " + printable(other->folder) + " and " +
+             printable(its.folder) +
+             " overlap: if they are of two lidars, give each folder to a run of its own";
     }
     all.push_back(its);
   }

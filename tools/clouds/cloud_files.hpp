@@ -29,14 +29,14 @@ struct CloudFiles {
 // are of several formats or, by their names, of several lidars or drives.
 [[nodiscard]] std::vector<std::string> cloud_files_in(const std::string& folder);
 
-// Files of several folders, as cloud_files_in() returns them, are those of one drive. A remark if
-// numbers or times in the names of two folders overlap, as those of two lidars do, or of parts that
-// are each numbered from 0. Empty: none.
+// Takes the files of several folders, as cloud_files_in() returns them. Returns a remark if numbers
+// or times in the names of two folders overlap. Folders of two lidars do, and parts of one drive
+// that are each numbered from 0. Empty: none.
 [[nodiscard]] std::string words_of_overlap(const std::vector<std::vector<std::string>>& folders);
 
 // Microseconds since 1970 of a file whose name ends with such a time: seconds, with or without a
 // decimal point, seconds_nanoseconds, milliseconds, microseconds or nanoseconds, of 2001 to 2096.
-// may_be_short: behind seconds_ even fewer than 7 digits are nanoseconds, as in a drive of such.
+// may_be_short: fewer than 7 digits behind seconds_ are nanoseconds, too.
 [[nodiscard]] std::optional<std::uint64_t> time_in_name(const std::string& path,
                                                         bool may_be_short = false);
 

@@ -7,8 +7,8 @@
 namespace iog::tools {
 namespace {
 
-// Whether a cloud sees most directions of one arc, and none beyond it for a quarter turn and more.
-// Few returns of a whole turn lie in any direction.
+// Whether a cloud fills most of one arc, and leaves at least a quarter of a turn empty. Few returns
+// of a whole turn fill no arc.
 bool is_arc(const TurnParts::Directions& seen) {
   std::size_t gap = 0;
   std::size_t longest = 0;

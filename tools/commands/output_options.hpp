@@ -5,8 +5,8 @@
 
 namespace iog::tools {
 
-// UsageError if an output of this parsed command is also one of its inputs, is given twice, or has
-// a place where no file can be made. Links are followed. To be called before anything is opened for
+// UsageError if an output of this parsed command is also one of its inputs, is given twice, or
+// cannot be created at its path. Links are followed. To be called before anything is opened for
 // writing.
 void check_outputs(const CLI::App& command);
 

@@ -89,9 +89,10 @@ TEST(CloudFiles, NamesOfOneDriveAreNotThoseOfTwoLidars) {
 
 TEST(CloudFiles, FoldersThatMayBeOfTwoLidarsAreTold) {
   using Folders = std::vector<std::vector<std::string>>;
-  EXPECT_EQ(words_of_overlap({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
-            "files of front and rear have the same numbers or times in their names: if they are of "
-            "two lidars, give each folder to a run of its own");
+  EXPECT_EQ(
+      words_of_overlap({{"front/0.pcd", "front/1.pcd"}, {"rear/1.pcd", "rear/2.pcd"}}),
+      "numbers or times in the file names of front and rear overlap: if they are of two lidars, "
+      "give each folder to a run of its own");
   for (const Folders& folders : std::vector<Folders>{
            {{"a/7.pcd"}, {"f/1532402927.1.pcd", "f/1532402927.3.pcd"}, {"r/1532402927.2.pcd"}},
            {{"f/1532402927.1.pcd", "f/1532402927.9.pcd"}, {"r/1532402927.10.pcd"}},
