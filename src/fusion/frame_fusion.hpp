@@ -175,8 +175,8 @@ class FrameFusion {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
       // The lambda is not inlined because processing a point with a ground estimate needs more
       // registers than the processor has.
-      packet.for_each_point([count, turn = turns_.turn_to(sensor, ground, judge)](
-                                const lidar::ScanPoint& point) { count(turn.add(point)); });
+      packet.for_each_point([ count, turn = turns_.turn_to(sensor, ground, judge) ](
+          const lidar::ScanPoint& point) __attribute__((always_inline)) { count(turn.add(point)); });
     } else {
       const ground::PacketJudge judge(ground, lows,
                                       grid::AzimuthCarver::tilt_of(sensor, ground, packet));

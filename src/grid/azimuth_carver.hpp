@@ -160,8 +160,7 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
         const std::uint32_t out_mm = beams.out_mm(point.layer, point.range_mm);
         const auto judged = judge.judge(sector, out_mm, z_mm);
         is_tall = judged.is_tall;
-        return vehicle::Height{.is_obstacle = judged.fate == vehicle::Fate::kUsed,
-                               .otherwise = judged.fate,
+        return vehicle::Height{.fate = judged.fate,
                                .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
       });
   if (classified.evidence.is_any()) {

@@ -19,26 +19,30 @@
 namespace iog::grid {
 
 struct BandJudge {
-  const TurnLayers* layers;
-
-  // Checks the height of a return at this distance along the line of an azimuth step against the
-  // limits, and sets `is_tall`. `reach_mm` has the same meaning as in vehicle::classify().
-  [[nodiscard]] vehicle::Height height(std::uint32_t /*step*/, std::size_t layer,
-                                       std::uint32_t along_mm, std::uint32_t reach_mm,
-                                       bool& is_tall) const {
-    const vehicle::Ranges& in_band = layers->layers[layer].in_band;
-    const bool ends_in_band = in_band.contain(reach_mm);
-    is_tall = layers->tall[layer].contain(along_mm);
-    return {.is_obstacle = ends_in_band,
-            .otherwise = vehicle::Fate::kOutsideHeightBand,
-            .is_whole = ends_in_band && in_band.first == 0};
+  // Returns the function `height_at` of vehicle::classify() for a return at this distance along the
+  // line of an azimuth step. If the return is an obstacle, the function sets `is_tall`, which must
+  // outlive it.
+  [[nodiscard]] static auto height_at(const TurnLayers& layers, std::uint32_t /*step*/,
+                                      std::size_t layer, std::uint32_t along_mm, bool& is_tall) {
+    // The lambda is inlined because a function call costs about 40 instructions per point.
+    return [&layers, layer, along_mm, &is_tall ](std::uint32_t reach_mm)
+        __attribute__((always_inline)) {
+      const vehicle::Ranges& in_band = layers.layers[layer].in_band;
+      const bool ends_in_band = in_band.contain(reach_mm);
+      is_tall = ends_in_band && layers.tall[layer].contain(along_mm);
+      return vehicle::Height{
+          .fate = ends_in_band ? vehicle::Fate::kUsed : vehicle::Fate::kOutsideHeightBand,
+          .is_whole = ends_in_band && in_band.first == 0};
+    };
   }
   // `behind_mm()` and `rank()` return the members of TurnLayer with the same names.
-  [[nodiscard]] std::uint32_t behind_mm(std::uint32_t /*step*/, std::size_t layer) const {
-    return layers->layers[layer].behind_mm;
+  [[nodiscard]] static std::uint32_t behind_mm(const TurnLayers& layers, std::uint32_t /*step*/,
+                                               std::size_t layer) {
+    return layers.layers[layer].behind_mm;
   }
-  [[nodiscard]] std::uint32_t rank(std::uint32_t /*step*/, std::size_t layer) const {
-    return layers->layers[layer].rank;
+  [[nodiscard]] static std::uint32_t rank(const TurnLayers& layers, std::uint32_t /*step*/,
+                                          std::size_t layer) {
+    return layers.layers[layer].rank;
   }
 };
 
@@ -46,24 +50,26 @@ struct BandJudge {
 struct GroundJudge {
   const ground::Beams* beams;
   const ground::Exits* exits;
-  std::uint32_t zones_mm;
   ground::PacketJudge judge;
 
-  [[nodiscard]] vehicle::Height height(std::uint32_t step, std::size_t layer,
-                                       std::uint32_t along_mm, std::uint32_t reach_mm,
-                                       bool& is_tall) const {
-    const std::uint32_t sector = beams->sector_of(step);
-    const std::int32_t z_mm = beams->height_mm(beams->slope(layer), along_mm);
-    const auto judged = judge.judge(sector, along_mm, z_mm);
-    is_tall = judged.is_tall;
-    return {.is_obstacle = judged.fate == vehicle::Fate::kUsed,
-            .otherwise = judged.fate,
-            .is_whole = reach_mm <= exits->to_mm(sector, layer)};
+  [[nodiscard]] auto height_at(const TurnLayers& /*layers*/, std::uint32_t step, std::size_t layer,
+                               std::uint32_t along_mm, bool& is_tall) const {
+    return [ this, step, layer, along_mm, &is_tall ](std::uint32_t reach_mm)
+        __attribute__((always_inline)) {
+      const std::uint32_t sector = beams->sector_of(step);
+      const std::int32_t z_mm = beams->height_mm(beams->slope(layer), along_mm);
+      const auto judged = judge.judge(sector, along_mm, z_mm);
+      is_tall = judged.is_tall;
+      return vehicle::Height{.fate = judged.fate,
+                             .is_whole = reach_mm <= exits->to_mm(sector, layer)};
+    };
   }
-  [[nodiscard]] std::uint32_t behind_mm(std::uint32_t step, std::size_t layer) const {
-    return exits->to_mm(beams->sector_of(step), layer) + zones_mm;
+  [[nodiscard]] std::uint32_t behind_mm(const TurnLayers& layers, std::uint32_t step,
+                                        std::size_t layer) const {
+    return exits->to_mm(beams->sector_of(step), layer) + layers.zones_mm;
   }
-  [[nodiscard]] std::uint32_t rank(std::uint32_t step, std::size_t layer) const {
+  [[nodiscard]] std::uint32_t rank(const TurnLayers& /*layers*/, std::uint32_t step,
+                                   std::size_t layer) const {
     return exits->rank_of(beams->sector_of(step), layer);
   }
 };

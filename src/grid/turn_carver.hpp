@@ -35,7 +35,7 @@ class TurnCarver {
         : carver_(&carver),
           sensor_(&sensor),
           waiting_(&carver.waiting_),
-          layers_(carver.layers_->layers.data()),
+          layers_(carver.layers_),
           azimuths_(sensor.azimuths),
           judge_(judge) {}
 
@@ -47,7 +47,7 @@ class TurnCarver {
     TurnCarver* carver_;
     const vehicle::Sensor* sensor_;
     WaitingLines* waiting_;
-    const TurnLayer* layers_;
+    const TurnLayers* layers_;
     vehicle::AzimuthSteps azimuths_;
     Judge judge_;
   };
@@ -56,14 +56,14 @@ class TurnCarver {
   // until turn_to() is called for another sensor.
   Turn<BandJudge> turn_to(const vehicle::Sensor& sensor) {
     begin_turning(sensor, nullptr);
-    return {*this, sensor, {layers_}};
+    return {*this, sensor, {}};
   }
   // Same as above, for a packet of a sensor with a ground estimate (docs/ground.md). The ground
   // must not change while beams are pending.
   Turn<GroundJudge> turn_to(const vehicle::Sensor& sensor, const ground::Ground& ground,
                             const ground::PacketJudge& judge) {
     begin_turning(sensor, &ground);
-    return {*this, sensor, {&ground.beams(), &ground.exits(), layers_->zones_mm, judge}};
+    return {*this, sensor, {&ground.beams(), &ground.exits(), judge}};
   }
 
   // Estimates the car's tilt from one packet. The packet type must have for_each_sample().
@@ -132,12 +132,11 @@ inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point)
     carver_->begin_line(step);
   }
   const std::uint32_t along_mm =
-      vehicle::along_line_mm(point.range_mm, layers_[point.layer].range_share);
+      vehicle::along_line_mm(point.range_mm, layers_->layers[point.layer].range_share);
   bool is_tall = false;
-  const vehicle::Classification classified = vehicle::classify(
-      *sensor_, waiting_->on_car(step), point, along_mm, [&](std::uint32_t reach_mm) {
-        return judge_.height(step, point.layer, along_mm, reach_mm, is_tall);
-      });
+  const vehicle::Classification classified =
+      vehicle::classify(*sensor_, waiting_->on_car(step), point, along_mm,
+                        judge_.height_at(*layers_, step, point.layer, along_mm, is_tall));
   const vehicle::Evidence evidence = classified.evidence;
   if (evidence.is_any()) {
     if (along_mm == 0 && point.range_mm != 0) [[unlikely]] {
@@ -145,8 +144,8 @@ inline vehicle::Fate TurnCarver::Turn<Judge>::add(const lidar::ScanPoint& point)
         carver_->mark_at_start(step, is_tall);
       }
     } else if (evidence.marks() || evidence.is_whole_in_band() ||
-               along_mm < judge_.behind_mm(step, point.layer) ||
-               !waiting_->add_behind(step, judge_.rank(step, point.layer))) {
+               along_mm < judge_.behind_mm(*layers_, step, point.layer) ||
+               !waiting_->add_behind(step, judge_.rank(*layers_, step, point.layer))) {
       waiting_->add(step, {{along_mm, evidence, is_tall}, point.layer});
     }
   }

@@ -132,12 +132,13 @@ class PacketJudge {
 
   // The result of judge(). `judge()` adds a return to the lows and classifies it by its height
   // above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return above
-  // the car's plane.
+  // the car's plane. Not inlined, because it needs more registers than its callers leave.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;
   };
-  [[nodiscard]] Judged judge(std::uint32_t sector, std::uint32_t out_mm, std::int32_t z_mm) const {
+  [[nodiscard, gnu::noinline]] Judged judge(std::uint32_t sector, std::uint32_t out_mm,
+                                            std::int32_t z_mm) const {
     const Bins bins = beams_->bins();
     lows_->add(bins, sector, out_mm, z_mm);
     const std::int32_t z_level_mm = z_mm - tilt_.at(out_mm);
@@ -154,8 +155,16 @@ class PacketJudge {
  private:
   [[nodiscard]] static constexpr vehicle::Fate fate_of(Kind kind) {
     using vehicle::Fate;
-    constexpr std::array kFates{Fate::kGround, Fate::kUsed, Fate::kOverhang, Fate::kUnderGround};
-    return kFates[static_cast<std::size_t>(kind)];
+    switch (kind) {
+      case Kind::kGround:
+        return Fate::kGround;
+      case Kind::kObstacle:
+        return Fate::kUsed;
+      case Kind::kOverhang:
+        return Fate::kOverhang;
+      default:
+        return Fate::kUnderGround;
+    }
   }
 
   const Beams* beams_;

@@ -147,11 +147,10 @@ struct Classification {
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// The height of a return. If a return at this height is not an obstacle, the point's outcome is
-// `otherwise`. `is_whole` is true if the beam is at obstacle height from its start to the return.
+// The height of a return: kUsed at the height of an obstacle, otherwise the point's outcome.
+// `is_whole` is true if the beam is at obstacle height from its start to the return.
 struct Height {
-  bool is_obstacle = true;
-  Fate otherwise = Fate::kUsed;
+  Fate fate = Fate::kUsed;
   bool is_whole = false;
 };
 
@@ -185,8 +184,8 @@ template <typename HeightAt>
   if (is_too_far) {
     return classified(Fate::kTooFar, is_first, height.is_whole);
   }
-  if (!height.is_obstacle) {
-    return classified(height.otherwise, is_first);
+  if (height.fate != Fate::kUsed) {
+    return classified(height.fate, is_first);
   }
   return classified(is_first ? Fate::kUsed : Fate::kLaterEcho, true, height.is_whole);
 }
@@ -199,8 +198,7 @@ template <typename HeightAt>
                                                                     std::uint32_t along_mm) {
   return classify(sensor, ranges.on_car, point, along_mm, [&](std::uint32_t reach_mm) {
     const bool ends_in_band = ranges.in_band.contain(reach_mm);
-    return Height{.is_obstacle = ends_in_band,
-                  .otherwise = Fate::kOutsideHeightBand,
+    return Height{.fate = ends_in_band ? Fate::kUsed : Fate::kOutsideHeightBand,
                   .is_whole = ends_in_band && ranges.in_band.first == 0};
   });
 }
