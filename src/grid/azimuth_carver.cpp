@@ -82,8 +82,18 @@ inline LineSteps& AzimuthCarver::steps_of(KeptLine& line, Between end) {
   return steps_on(shares ? kept_->first_line() : line);
 }
 
-// If another line occupies the slot, it is carved first.
 inline LineSteps& AzimuthCarver::steps_on(KeptLine& line) {
+  if (latest_->line != &line) {
+    latest_ = &open(line);
+  }
+  if (!latest_->steps.free.has_room()) {
+    beams_.carve(line, latest_->steps);
+  }
+  return latest_->steps;
+}
+
+// If another line occupies the slot, it is carved first.
+AzimuthCarver::OpenLine& AzimuthCarver::open(KeptLine& line) {
   const std::uint32_t place = place_of(line.number());
   OpenLine& open = open_lines_[place];
   if (open.line != &line) {
@@ -91,10 +101,8 @@ inline LineSteps& AzimuthCarver::steps_on(KeptLine& line) {
     lines_in_use_ |= 1U << place;
     open.line = &line;
     open.steps.begin_at(line.in_grid().first);
-  } else if (!open.steps.free.has_room()) {
-    beams_.carve(line, open.steps);
   }
-  return open.steps;
+  return open;
 }
 
 void AzimuthCarver::carve_place(std::uint32_t place) {

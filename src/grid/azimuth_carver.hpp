@@ -25,7 +25,9 @@ class AzimuthCarver {
  public:
   // All arguments must outlive the carver.
   AzimuthCarver(const vehicle::Vehicle& vehicle, FrameGrids& grids, PendingMarks& marks)
-      : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {}
+      : beams_(grids, marks), vehicle_(&vehicle), lines_(vehicle.sensors) {
+    latest_ = open_lines_.data();
+  }
 
   // Stores the mark for this point. Carves the point's beam, either immediately or when the next
   // azimuth begins. The sensor must belong to the vehicle, and its layers must not share lines. The
@@ -106,6 +108,7 @@ class AzimuthCarver {
   void take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of);
   LineSteps& steps_of(KeptLine& line, Between end);
   LineSteps& steps_on(KeptLine& line);
+  [[gnu::noinline]] OpenLine& open(KeptLine& line);
   KeptLine& further_line(const vehicle::Layer& layer);
   void carve_place(std::uint32_t place);
 
@@ -123,6 +126,7 @@ class AzimuthCarver {
   std::uint32_t lines_in_use_ = 0;
   std::uint16_t azimuth_ticks_ = 0;
   std::uint32_t azimuth_step_ = 0;
+  OpenLine* latest_ = nullptr;  // of the latest beam; the next beam is often on the same line
   KeptBeam further_beam_;
   KeptHeight further_height_;
   std::array<OpenLine, kOpenLines> open_lines_{};

@@ -151,7 +151,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& bea
       steps.add_low(freed.within(less_over_ground(low_of(), sensor, line, its)));
     }
   };
-  const LinePart limits = beam.limits == nullptr ? line.in_grid() : beam.limits->part;
+  const LinePart& limits = beam.limits == nullptr ? line.in_grid() : beam.limits->part;
   if (beam.limits != nullptr && range_mm >= beam.limits->free_from_mm) {
     const LinePart& part = limits;
     if (!part.is_empty()) {
@@ -172,7 +172,7 @@ inline void BeamCarver::add(const vehicle::Sensor& sensor, const BeamOnLine& bea
   if (its.evidence.carves()) {
     const Between end =
         has_hit ? Between::before(hit) : end_without_hit(sensor, line, beam.clears_mm, range_mm);
-    const LinePart part{limits.first, std::min(limits.end, end)};
+    const LinePart part = limits.up_to(end);
     if (!part.is_empty()) {
       LineSteps& steps = steps_of(part.end);
       steps.free.begin_beam(part.first, -sensor.profile.free);

@@ -54,6 +54,9 @@ struct LinePart {
   Between end;
 
   [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
+  // Returns the part up to `limit`. Values are compared, not references, so that the compiler keeps
+  // them in registers.
+  [[nodiscard]] LinePart up_to(Between limit) const { return {first, limit < end ? limit : end}; }
   // Returns the intersection of two parts.
   [[nodiscard]] LinePart within(const LinePart& other) const {
     return {std::max(first, other.first), std::min(end, other.end)};

@@ -76,7 +76,7 @@ std::uint32_t TurnCarver::add_points(FreeSteps& steps, const Gate& gate, const K
     }
     const std::uint32_t range_mm = point.along_mm();
     const Position hit = line.through(*sensor_, range_mm);
-    const LinePart part{in_grid.first, std::min(in_grid.end, Between::before(hit))};
+    const LinePart part = in_grid.up_to(Between::before(hit));
     if (!part.is_empty()) {
       [[maybe_unused]] const Between freed =
           BeamCarver::add_zones(*sensor_, steps, line, part, range_mm);
