@@ -1,7 +1,7 @@
 #include "intake/blocked_sectors.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
 #include <span>
 
 #include "geometry/grid.hpp"
@@ -27,6 +27,7 @@ constexpr bool contains(const lidar::Sector& sector, std::uint32_t azimuth_ticks
 
 BlockedSectors::BlockedSectors(const vehicle::Sensor& sensor, const SectorView& view)
     : sensor_(&sensor), view_(&view), turns_(lidar::turns(sensor.format)) {
+  find_likely_sectors();
   const std::size_t layers = sensor.layer_count;
   sampled_count_ = static_cast<std::uint8_t>(std::min(layers, kMaxSampled));
   for (std::size_t i = 0; i < sampled_count_; ++i) {
@@ -39,6 +40,11 @@ BlockedSectors::BlockedSectors(const vehicle::Sensor& sensor, const SectorView& 
     std::ranges::replace(kinds_, Kind::kLevel, Kind::kSky);
   } else if (std::ranges::count(kinds_, Kind::kLevel) == 0) {
     std::ranges::replace(kinds_, Kind::kSky, Kind::kOpen);
+  }
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    const bool is_reached = kinds_[i] != Kind::kUnseen;
+    reached_ |= std::uint64_t{is_reached ? 1U : 0U} << i;
+    judged_ |= std::uint64_t{is_reached && kinds_[i] != Kind::kSky ? 1U : 0U} << i;
   }
   state_.levels.fill(kFull);
 }
@@ -61,7 +67,7 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
     const std::int64_t drop =
         sensor_->origin_z - vehicle::end_height_of(sensor_->layers[layer], direction);
     if (turns_ && drop * kSteepest >= range && sensor_->origin_z * range_mm <= kGroundMm * drop) {
-      low_layers_[sector][layer / 64] |= std::uint64_t{1} << layer % 64;
+      low_layers_[sector][layer / 32] |= std::uint32_t{1} << layer % 32;
       kind = Kind::kGround;
     } else if (kind == Kind::kSky && drop >= sensor_->origin_z) {
       kind = Kind::kLevel;
@@ -70,11 +76,27 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   return kind;
 }
 
-// Returns kSectors if no sector contains the azimuth. The points of a packet are close together, so
-// the search begins at the likely sector and widens to both sides.
-std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const {
+void BlockedSectors::find_likely_sectors() {
   const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
-  for (std::size_t i = 0; i < kSectors; ++i) {
+  likely_shift_ = static_cast<std::uint8_t>(std::bit_width((turn - 1) / kLikely));
+  for (std::uint32_t i = 0; i <= (turn - 1) >> likely_shift_; ++i) {
+    for (std::size_t sector = 0; sector < kSectors; ++sector) {
+      if (contains((*view_)[sector], i << likely_shift_, turn)) {
+        likely_[i] = static_cast<std::uint8_t>(sector);
+      }
+    }
+  }
+}
+
+// Returns kSectors if no sector contains the azimuth. The search begins at the likely sector and
+// widens to both sides.
+std::size_t BlockedSectors::sector_of(std::uint32_t azimuth_ticks) const {
+  const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
+  const std::size_t likely = likely_[azimuth_ticks >> likely_shift_];
+  if (contains((*view_)[likely], azimuth_ticks, turn)) [[likely]] {
+    return likely;
+  }
+  for (std::size_t i = 1; i < kSectors; ++i) {
     const std::size_t beside = i % 2 == 0 ? i / 2 : kSectors - (i + 1) / 2;
     const std::size_t sector = (likely + beside) % kSectors;
     if (contains((*view_)[sector], azimuth_ticks, turn)) {
@@ -89,28 +111,27 @@ bool BlockedSectors::is_return(const lidar::ScanPoint& point) const {
          !point.is_rain;
 }
 
-void BlockedSectors::Sums::add(bool is_beam, bool is_return) {
-  constexpr std::uint16_t kMost = std::numeric_limits<std::uint16_t>::max();
-  beams = static_cast<std::uint16_t>(beams + (is_beam && beams < kMost ? 1 : 0));
-  returns = static_cast<std::uint16_t>(returns + (is_return && returns < kMost ? 1 : 0));
+void BlockedSectors::Sums::keep_within_limits() {
+  beams = std::min(beams, kMost);
+  returns = std::min(returns, kMost);
 }
 
 void BlockedSectors::add(const Packet& packet) {
-  std::size_t sector = 0;
   lidar::Sector decided{};  // no further point in it changes anything
   const auto look = [&](const lidar::ScanPoint& point) {
     const bool comes_back = is_return(point);
     frame_returns_ += comes_back ? 1U : 0U;
-    const std::size_t its = sector_of(point.azimuth_ticks, sector);
-    if (its == kSectors) {
+    const std::size_t sector = sector_of(point.azimuth_ticks);
+    if (sector == kSectors) {
       return;
     }
-    sector = its;
     all_[sector].add(point.echo == 0, comes_back);
     if (is_judged(sector, point)) {
       sums_[sector].add(point.echo == 0, comes_back);
     }
-    decided = is_decided(sector) ? (*view_)[sector] : lidar::Sector{};
+    if (!turns_) {
+      decided = is_decided(sector) ? (*view_)[sector] : lidar::Sector{};
+    }
   };
   if (turns_) {
     const auto layers = std::span(sampled_).first(sampled_count_);
@@ -129,7 +150,7 @@ void BlockedSectors::add(const Packet& packet) {
 
 // A unit that does not spin needs one return, unless a sector is open.
 bool BlockedSectors::is_decided(std::size_t sector) const {
-  return !turns_ && frame_returns_ > 0 && kinds_[sector] != Kind::kOpen &&
+  return frame_returns_ > 0 && kinds_[sector] != Kind::kOpen &&
          (kinds_[sector] != Kind::kLevel || sums_[sector].returns > 0);
 }
 
@@ -140,11 +161,17 @@ bool BlockedSectors::is_over(std::uint32_t swept_ticks, std::uint64_t swept) con
              : swept != 0;
 }
 
-// If a spinning unit has only a few beams in a sector, they are kept until its next turn.
-bool BlockedSectors::is_seen(std::size_t sector, std::uint64_t swept) const {
-  const Sums& sums = kinds_[sector] == Kind::kOpen ? all_[sector] : sums_[sector];
-  return kinds_[sector] != Kind::kUnseen &&
-         (turns_ ? sums.beams >= kFewestBeams : (swept >> sector & 1U) != 0);
+// Calls visit(sector) for each sector that the turn or scan has seen. If a spinning unit has only a
+// few beams in a sector, they are kept until its next turn.
+template <typename Visit>
+void BlockedSectors::for_each_seen(std::uint64_t swept, Visit&& visit) const {
+  for (std::uint64_t left = turns_ ? reached_ : reached_ & swept; left != 0; left &= left - 1) {
+    const auto sector = static_cast<std::size_t>(std::countr_zero(left));
+    const Sums& sums = kinds_[sector] == Kind::kOpen ? all_[sector] : sums_[sector];
+    if (!turns_ || sums.beams >= kFewestBeams) {
+      visit(sector);
+    }
+  }
 }
 
 int BlockedSectors::level_after(std::size_t sector) const {
@@ -175,17 +202,11 @@ BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
   const bool is_empty = turn_returns_ + frame_returns_ == 0;
   after.empty_turns =
       static_cast<std::uint8_t>(is_empty ? std::min<int>(state_.empty_turns + 1, kEmptyTurns) : 0);
-  std::uint64_t judged = 0;
-  for (std::size_t i = 0; i < kSectors; ++i) {
+  for_each_seen(swept, [&](std::size_t i) {
     const std::uint64_t bit = std::uint64_t{1} << i;
-    const bool is_judged = kinds_[i] != Kind::kUnseen && kinds_[i] != Kind::kSky;
-    judged |= is_judged ? bit : 0;
-    if (!is_seen(i, swept)) {
-      continue;
-    }
     after.seen |= bit;
-    if (!is_judged) {
-      continue;
+    if ((judged_ & bit) == 0) {
+      return;
     }
     const bool is_empty_unit = after.empty_turns == kEmptyTurns && kinds_[i] != Kind::kOpen;
     const int level = is_empty_unit ? 0 : level_after(i);
@@ -198,8 +219,8 @@ BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
     }
     after.blocked |= after.levels[i] == 0 ? bit : 0;
     after.blocked &= after.levels[i] == kFull ? ~bit : ~std::uint64_t{0};
-  }
-  judged &= after.seen;
+  });
+  const std::uint64_t judged = judged_ & after.seen;
   after.blocked &= judged;
   if (judged != 0 && after.blocked == judged) {
     after.blocked = after.seen;
@@ -210,11 +231,15 @@ BlockedSectors::State BlockedSectors::after_frame(std::uint32_t swept_ticks,
 void BlockedSectors::end_frame(std::uint32_t swept_ticks, std::uint64_t swept) {
   state_ = after_frame(swept_ticks, swept);
   const bool ends_turn = is_over(swept_ticks, swept);
-  for (std::size_t i = 0; i < kSectors; ++i) {
-    if (ends_turn && is_seen(i, swept)) {
+  if (ends_turn) {
+    for_each_seen(swept, [&](std::size_t i) {
       sums_[i] = {};
       all_[i] = {};
-    }
+    });
+  }
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    sums_[i].keep_within_limits();
+    all_[i].keep_within_limits();
   }
   turn_ticks_ = ends_turn ? 0 : turn_ticks_ + swept_ticks;
   turn_returns_ = ends_turn ? 0 : turn_returns_ + frame_returns_;
@@ -227,11 +252,9 @@ AzimuthParts BlockedSectors::silent_azimuths(const Packet& packet) const {
   std::array<bool, AzimuthParts::kParts> are_blocked{};
   std::array<bool, AzimuthParts::kParts> are_met{};
   std::array<bool, AzimuthParts::kParts> are_open{};
-  std::size_t sector = 0;
   packet.for_each_point([&](const lidar::ScanPoint& point) {
     const std::size_t part = silent.part_of(point.azimuth_ticks);
-    const std::size_t its = sector_of(point.azimuth_ticks, sector);
-    sector = its == kSectors ? sector : its;
+    const std::size_t its = sector_of(point.azimuth_ticks);
     are_met[part] = true;
     are_blocked[part] |= its != kSectors && (state_.blocked >> its & 1U) != 0;
     are_open[part] |= its != kSectors && kinds_[its] == Kind::kOpen;

@@ -112,33 +112,48 @@ class BlockedSectors {
   static constexpr std::size_t kMaxSampled = 32;
   static constexpr std::int16_t kFull = 96;  // maximum level; a sector at level 0 is blocked
 
+  // A frame has fewer points than a word can count. What is kept for the next frame is limited.
   struct Sums {
-    std::uint16_t beams = 0;
-    std::uint16_t returns = 0;
+    static constexpr std::uint32_t kMost = 65'535;
+    std::uint32_t beams = 0;
+    std::uint32_t returns = 0;
 
-    void add(bool is_beam, bool is_return);
+    void add(bool is_beam, bool is_return) {
+      beams += is_beam ? 1U : 0U;
+      returns += is_return ? 1U : 0U;
+    }
+    void keep_within_limits();
     [[nodiscard]] bool are_below(std::uint32_t part) const { return part * returns < beams; }
   };
   static constexpr std::uint16_t kAllGave = 8192;
 
   [[nodiscard]] Kind kind_of(std::size_t sector);
-  [[nodiscard]] std::size_t sector_of(std::uint32_t azimuth_ticks, std::size_t likely) const;
+  void find_likely_sectors();
+  [[nodiscard]] std::size_t sector_of(std::uint32_t azimuth_ticks) const;
   [[nodiscard]] bool is_judged(std::size_t sector, const lidar::ScanPoint& point) const {
     return kinds_[sector] == Kind::kGround
-               ? (low_layers_[sector][point.layer / 64] >> point.layer % 64 & 1U) != 0
+               ? (low_layers_[sector][point.layer / 32] >> point.layer % 32 & 1U) != 0
                : kinds_[sector] != Kind::kOpen || point.range_mm != 0;
   }
   [[nodiscard]] bool is_return(const lidar::ScanPoint& point) const;
   [[nodiscard]] bool is_decided(std::size_t sector) const;
   [[nodiscard]] bool is_over(std::uint32_t swept_ticks, std::uint64_t swept) const;
-  [[nodiscard]] bool is_seen(std::size_t sector, std::uint64_t swept) const;
+  template <typename Visit>
+  void for_each_seen(std::uint64_t swept, Visit&& visit) const;
   [[nodiscard]] int level_after(std::size_t sector) const;
 
   const vehicle::Sensor* sensor_ = nullptr;
   const SectorView* view_ = nullptr;
   bool turns_ = false;
   std::array<Kind, kSectors> kinds_{};
-  std::array<std::array<std::uint64_t, vehicle::kMaxLayers / 64>, kSectors> low_layers_{};
+  // Bit i is set if the sensor reaches sector i, and if the sector can be blocked by itself.
+  std::uint64_t reached_ = 0;
+  std::uint64_t judged_ = 0;
+  std::array<std::array<std::uint32_t, vehicle::kMaxLayers / 32>, kSectors> low_layers_{};
+  // The sector at the start of each interval of 2^likely_shift_ ticks.
+  static constexpr std::size_t kLikely = 256;
+  std::array<std::uint8_t, kLikely> likely_{};
+  std::uint8_t likely_shift_ = 0;
   std::array<std::uint8_t, kMaxSampled> sampled_{};
   std::uint8_t sampled_count_ = 0;
 
