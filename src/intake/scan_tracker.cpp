@@ -1,12 +1,18 @@
 #include "intake/scan_tracker.hpp"
 
-#include <span>
-
 namespace iog::intake {
 
+// Nearly all packets are new. So all of the halves are compared, which lanes of a processor do at
+// once, and no search ends early.
 bool ScanTracker::is_known(std::uint64_t fingerprint) const {
-  const auto known = std::span(fingerprints_).first(fingerprint_count_);
-  return std::ranges::find(known, fingerprint) != known.end();
+  const auto low = static_cast<std::uint32_t>(fingerprint);
+  const auto high = static_cast<std::uint32_t>(fingerprint >> 32);
+  std::uint32_t found = 0;
+  for (std::size_t i = 0; i < fingerprint_count_; ++i) {
+    found |= static_cast<std::uint32_t>(fingerprints_low_[i] == low) &
+             static_cast<std::uint32_t>(fingerprints_high_[i] == high);
+  }
+  return found != 0;
 }
 
 // Scan numbers have 16 bits on the wire and wrap.
@@ -58,7 +64,8 @@ void ScanTracker::accept(const lidar::PacketInfo& packet) {
   swept_.add(packet.sector);
   points_ += packet.point_count;
   packets_ = packets_ < 0xFFFF ? static_cast<std::uint16_t>(packets_ + 1) : packets_;
-  fingerprints_[fingerprint_next_] = packet.fingerprint;
+  fingerprints_low_[fingerprint_next_] = static_cast<std::uint32_t>(packet.fingerprint);
+  fingerprints_high_[fingerprint_next_] = static_cast<std::uint32_t>(packet.fingerprint >> 32);
   fingerprint_next_ = fingerprint_next_ + 1 < remembered_ ? fingerprint_next_ + 1 : 0;
   fingerprint_count_ = std::min(fingerprint_count_ + 1, remembered_);
   age_frames_ = 0;

@@ -116,7 +116,9 @@ class ScanTracker {
   std::uint64_t begin_us_ = 0;     // start of the newest scan or of the part of a turn in the frame
   std::uint64_t last_us_ = 0;      // latest start of a packet in this frame
   std::uint16_t age_frames_ = 0;
-  std::array<std::uint64_t, kMaxRemembered> fingerprints_{};  // ring buffer
+  // A ring buffer of the halves of fingerprints.
+  std::array<std::uint32_t, kMaxRemembered> fingerprints_low_{};
+  std::array<std::uint32_t, kMaxRemembered> fingerprints_high_{};
   std::size_t fingerprint_count_ = 0;
   std::size_t fingerprint_next_ = 0;
 };
