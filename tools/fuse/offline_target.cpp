@@ -34,10 +34,10 @@ OfflineTarget::OfflineTarget(const vehicle::Vehicle& vehicle, MessageHandler on_
 OfflineTarget::AnyPipeline OfflineTarget::pipeline_of(const vehicle::Vehicle& vehicle,
                                                       app::Coding coding) {
   if (!vehicle::have_classes(vehicle.grids)) {
-    return std::make_unique<Indexes>(vehicle, kReplayer, platform_, coding);
+    return make_large<Indexes>(vehicle, kReplayer, platform_, coding);
   }
   demand_fit_for_classes(vehicle);
-  return std::make_unique<Classes>(vehicle, kReplayer, platform_, coding);
+  return make_large<Classes>(vehicle, kReplayer, platform_, coding);
 }
 
 void OfflineTarget::begin_with_map(std::vector<std::uint8_t> block) {

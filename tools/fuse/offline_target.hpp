@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
@@ -17,6 +16,7 @@
 #include "stream/message.hpp"
 #include "tools/formats/capture/capture_clock.hpp"
 #include "tools/formats/capture/datagram.hpp"
+#include "tools/program/large_pages.hpp"
 #include "vehicle/vehicle.hpp"
 #include "work/round.hpp"
 
@@ -111,7 +111,7 @@ class OfflineTarget {
 
   using Indexes = app::Pipeline<OfflinePlatform>;
   using Classes = app::PerceptionPipeline<OfflinePlatform>;
-  using AnyPipeline = std::variant<std::unique_ptr<Indexes>, std::unique_ptr<Classes>>;
+  using AnyPipeline = std::variant<Large<Indexes>, Large<Classes>>;
 
   // As its replayer sends it. The capture's datagram outlives it.
   [[nodiscard]] static intake::Datagram datagram_of(const CapturedDatagram& captured);
