@@ -124,18 +124,19 @@ def divided(drive: str, variant: str, cores: int, rounds: list[Round], ddr_line:
 
 
 def ddr_line(place: a9_runs.Place, variant: str) -> int:
-    """Cycles of the memory channel for a line."""
+    """Cycles of the memory channel for a line. Constants that follow the variant's name do not change it."""
     constants = csv.DictReader(a9_runs.output_of(place.model / "a9_constants", "--csv").splitlines())
-    return next(int(row[variant]) for row in constants if row["constant"] == "ddr_line")
+    return next(int(row[variant.split(",")[0]]) for row in constants if row["constant"] == "ddr_line")
 
 
 def image_of(drive: str) -> str:
     return "perception_cost" if drive != a9_moved.TRACKED else f"perception_cost-{drive}_objects"
 
 
-def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str) -> list[Row]:
+def of_drive(place: a9_runs.Place, drive: str, variant: str, capture: str, frames: int = FRAMES,
+             before: int = WARM_UP) -> list[Row]:
     printed = a9_runs.printed_by_model(place, variant, FUNCTIONS | OUTSIDE,
-                                       place.images / image_of(drive), capture, FRAMES, WARM_UP,
+                                       place.images / image_of(drive), capture, frames, before,
                                        max(CORES))
     rounds, line = rounds_of(printed), ddr_line(place, variant)
     return [row for cores in CORES for row in divided(drive, variant, cores, rounds, line)]

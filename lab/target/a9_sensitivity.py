@@ -2,7 +2,7 @@
 docs/results/goals.md; a9_runs.py says what a run is.
 
 A run takes the pessimistic value of one constant (its variant), and the nominal values of all others. What is
-compared are the cycles of a few frames on one core; `nominal` is of the same frames.
+compared are the cycles of a few frames; `nominal` is of the same frames.
 """
 
 import csv
@@ -22,6 +22,8 @@ WARM_UP = 8  # of classes
 FUSED = ("decode", "beams", "carve", "mark", "clear")
 POINTS = ("roof_vlp16", "roof_hdl64e")
 KINDS = (a9_turning.BAND + a9_turning.SHORT_LINES, a9_turning.SHORT_LINES)
+# The worst frames of the page, each with what the core keeps of a line.
+WORST = {"three_echoes": "kept", "random_azimuths": "forgotten"}
 
 
 class Headline(typing.NamedTuple):
@@ -41,6 +43,11 @@ def _frames(name: str, image: str, *arguments) -> Headline:
                     {"fused": FUSED, "frame": tuple(stages)})
 
 
+def _tree(name: str, capture: str) -> Headline:
+    stages = {"tree": ["target/tree_cost:build_tree"]}
+    return Headline(name, "tree_cost", (capture, FRAMES), stages, {}, {"tree": ("tree",)})
+
+
 def _classes(name: str, image: str, capture: str) -> Headline:
     stages = a9_perception.STAGES
     return Headline(name, image, (capture, FRAMES, WARM_UP), stages, a9_perception.OUTSIDE,
@@ -53,10 +60,15 @@ def images() -> list[str]:
 
 
 def headlines(scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list[Headline]:
-    """scenes, drives and turns: captures by their names; the drives with poses."""
+    """Of one core. scenes, drives and turns: captures by their names; the drives with poses."""
     found = [_frames(f"scene={scene} coding={coding}", "reference_car", capture, coding, a9_runs.ALL_SENSORS, FRAMES,
                      "kept", a9_runs.WARM_UP)
              for scene, capture in scenes.items() for coding in ("raw", "shortest")]
+    road = scenes["ring_road"]
+    found += [_frames("scene=ring_road paths=forgotten", "reference_car", road, "raw", a9_runs.ALL_SENSORS, FRAMES,
+                      "forgotten", 1), _tree("scene=ring_road tree", road)]
+    found += [_frames(f"worst={kind} paths={paths}", "reference_car", a9_runs.worst_capture(kind), "raw",
+                      a9_runs.ALL_SENSORS, 1, paths, 1) for kind, paths in WORST.items()]
     found += [_frames(f"vehicle={vehicle}{kind}", vehicle + kind, turns[vehicle], "shortest", 1, 1, "kept", 1)
               for vehicle in POINTS for kind in KINDS]
     return found + [_classes(f"drive={drive}", a9_cores.image_of(drive), capture) for drive, capture in drives.items()]
@@ -70,9 +82,18 @@ def of_headline(place: a9_runs.Place, headline: Headline, variant: str, options:
             for stage, parts in headline.sums.items()]
 
 
+def of_four_cores(place: a9_runs.Place, drive: str, capture: str, variant: str, options: str) -> list[a9_runs.Row]:
+    """Without what docs/results/four_cores.md adds for the rounds themselves."""
+    rows = a9_cores.of_drive(place, drive, options, capture, frames=FRAMES, before=WARM_UP)
+    cycles = sum(row.bounded_cycles for row in rows if row.cores == max(a9_cores.CORES))
+    return [a9_runs.Row(f"sensitivity drive={drive} cores=4", "frame", variant, "cycles", str(cycles))]
+
+
 def runs(place: a9_runs.Place, scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list:
     table = csv.DictReader(a9_runs.output_of(place.model / "a9_constants", "--csv").splitlines())
     values = {row["constant"]: row["pessimistic"] for row in table}
     variants = {"nominal": "nominal"} | {name: f"nominal,{name}={values[name]}" for name in CONSTANTS}
-    return [lambda h=headline, v=variant, o=options: of_headline(place, h, v, o)
-            for headline in reversed(headlines(scenes, drives, turns)) for variant, options in variants.items()]
+    one_core = [lambda h=headline, v=variant, o=options: of_headline(place, h, v, o)
+                for headline in reversed(headlines(scenes, drives, turns)) for variant, options in variants.items()]
+    return [lambda d=drive, c=capture, v=variant, o=options: of_four_cores(place, d, c, v, o)
+            for drive, capture in drives.items() for variant, options in variants.items()] + one_core
