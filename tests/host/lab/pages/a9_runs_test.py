@@ -126,9 +126,13 @@ class Runs(unittest.TestCase):
         with mock.patch.object(a9_runs, "printed_by_model", lambda *_: ["perception_cost points_after=0"]):
             rows += a9_runs.results_of({"moved": a9_moved.modelled_runs(
                 place, dict.fromkeys(a9_moved.VEHICLES, "drive.pcap"))})["moved"]
-        constants = "\n".join(["constant,pessimistic", *(f"{name},1" for name in a9_sensitivity.CONSTANTS)])
+        constants = "\n".join(["constant,nominal,pessimistic",
+                               *(f"{name},1,1" for name in ("ddr_line", *a9_sensitivity.CONSTANTS))])
+        no_rounds = ["perception_cost rounds=0",
+                     "round=0 of=other " + " ".join(f"{counter}=0" for counter in a9_cores.COUNTERS)]
         scenes = dict.fromkeys(("city", "ring_road"), "drive.pcap")
         with mock.patch.object(a9_runs, "modelled", nothing_modelled), \
+                mock.patch.object(a9_runs, "printed_by_model", lambda *_: no_rounds), \
                 mock.patch.object(a9_runs, "output_of", lambda *_: constants):
             rows += a9_runs.results_of({"sensitivity": a9_sensitivity.runs(
                 place, scenes, {**scenes, a9_moved.TRACKED: "drive.pcap"},
