@@ -173,8 +173,7 @@ class FrameFusion {
                                  ground::Lows& lows, const Packet& packet, Count&& count) {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
-      // The lambda is not inlined because processing a point with a ground estimate needs more
-      // registers than the processor has.
+      // The lambda is inlined; only PacketJudge::judge() is a call.
       packet.for_each_point([ count, turn = turns_.turn_to(sensor, ground, judge) ](
           const lidar::ScanPoint& point) __attribute__((always_inline)) { count(turn.add(point)); });
     } else {

@@ -132,7 +132,8 @@ class PacketJudge {
 
   // The result of judge(). `judge()` adds a return to the lows and classifies it by its height
   // above the ground. An obstacle has the outcome kUsed. `z_mm` is the height of the return above
-  // the car's plane. Not inlined, because it needs more registers than its callers leave.
+  // the car's plane. The function is not inlined, because a point with a ground estimate needs more
+  // registers than the processor has.
   struct Judged {
     vehicle::Fate fate = vehicle::Fate::kUsed;
     bool is_tall = false;

@@ -146,7 +146,8 @@ class BlockedSectors {
   const SectorView* view_ = nullptr;
   bool turns_ = false;
   std::array<Kind, kSectors> kinds_{};
-  // Bit i is set if the sensor reaches sector i, and if the sector can be blocked by itself.
+  // Bit i of `reached_` is set if the sensor reaches sector i. Bit i of `judged_` is also set
+  // unless sector i is a sky sector, which depends on the others.
   std::uint64_t reached_ = 0;
   std::uint64_t judged_ = 0;
   std::array<std::array<std::uint32_t, vehicle::kMaxLayers / 32>, kSectors> low_layers_{};

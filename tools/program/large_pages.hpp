@@ -33,7 +33,7 @@ template <typename T, typename... Args>
   if (place == nullptr) {
     throw std::bad_alloc();
   }
-  madvise(place.get(), kBytes, MADV_HUGEPAGE);  // a system without large pages ignores it
+  madvise(place.get(), kBytes, MADV_HUGEPAGE);  // without large pages, small ones serve
   Large<T> made(new (place.get()) T(std::forward<Args>(args)...));
   static_cast<void>(place.release());
   return made;
