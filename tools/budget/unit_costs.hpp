@@ -10,29 +10,29 @@
 namespace iog::tools {
 
 // A point of a kept azimuth, received, decoded, turned to a beam and marked.
-inline constexpr double kPointCycles = 492.28;
+inline constexpr double kPointCycles = 470.94;
 // A cell, carved.
 inline constexpr double kCellCycles = 2.22;
 // A known tile: found, encoded as short as can be, sent and cleared.
-inline constexpr double kTileCycles = 8605.41;
+inline constexpr double kTileCycles = 8659.53;
 // A tile of classes, with all that makes it.
-inline constexpr double kClassTileCycles = 42368.69;
+inline constexpr double kClassTileCycles = 42350.21;
 // A point of an azimuth that comes once, with carving.
-inline constexpr double kPointOnceCycles = 4616.48;
+inline constexpr double kPointOnceCycles = 4602.72;
 // A point that carves hardly anything, as a later echo does.
-inline constexpr double kLaterEchoCycles = 492.18;
+inline constexpr double kLaterEchoCycles = 464.74;
 // As kTileCycles, of the dearer drive.
-inline constexpr double kDearestTileCycles = 8847.81;
+inline constexpr double kDearestTileCycles = 8854.56;
 // As kClassTileCycles, of the dearer drive.
-inline constexpr double kDearestClassTileCycles = 43313.74;
+inline constexpr double kDearestClassTileCycles = 43301.80;
 // An azimuth step of a level unit that turns, of which the line is carved.
-inline constexpr double kTurnStepCycles = 771.37;
+inline constexpr double kTurnStepCycles = 827.85;
 // A point of such a unit, besides.
-inline constexpr double kTurnPointCycles = 433.85;
+inline constexpr double kTurnPointCycles = 380.15;
 // A turn of a unit that follows the ground, besides.
-inline constexpr double kGroundTurnCycles = 1388526.25;
+inline constexpr double kGroundTurnCycles = 1644632.05;
 // A point of such a unit, besides.
-inline constexpr double kGroundPointCycles = 131.55;
+inline constexpr double kGroundPointCycles = 140.32;
 // A frame with classes where a unit says what opens ground, besides.
 inline constexpr double kMovedFrameCycles = 500943.69;
 // A point of such a unit, besides.
@@ -47,7 +47,7 @@ inline constexpr double kTypicalClassTiles = 454.49;
 inline constexpr double kTurnTiles = 416.17;
 
 // The share of one core's time that a frame with classes takes on one core, two, and so on.
-inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.677, 0.467, 0.395};
+inline constexpr std::array<double, 4> kShareOfCores{1.000, 0.676, 0.466, 0.394};
 
 // A mean frame of the reference car without classes, by the same model.
 struct ModelledFrame {
@@ -60,33 +60,33 @@ struct ModelledFrame {
 
 // Whole frames, from which the costs above are made.
 inline constexpr std::array<ModelledFrame, 2> kWholeFrames{{
-    {"city", 2885, 466621, 231, 4441763},
-    {"ring_road", 2321, 721236, 478, 6856635},
+    {"city", 2885, 466621, 231, 4372061},
+    {"ring_road", 2321, 721236, 478, 6860469},
 }};
 
 // Frames without their tiles, which were sent raw.
 inline constexpr std::array<ModelledFrame, 6> kFusedFrames{{
-    {"city, 2 LUX", 1551, 254292, 132, 1294511},
-    {"city, 3 LUX", 2240, 369547, 154, 1829102},
-    {"city, 4 LUX", 2885, 466621, 231, 2350750},
-    {"ring_road, 2 LUX", 1186, 325771, 226, 1268420},
-    {"ring_road, 3 LUX", 1790, 531740, 267, 1894684},
-    {"ring_road, 4 LUX", 2321, 721236, 478, 2757937},
+    {"city, 2 LUX", 1551, 254292, 132, 1255224},
+    {"city, 3 LUX", 2240, 369547, 154, 1776839},
+    {"city, 4 LUX", 2885, 466621, 231, 2277530},
+    {"ring_road, 2 LUX", 1186, 325771, 226, 1248326},
+    {"ring_road, 3 LUX", 1790, 531740, 267, 1865664},
+    {"ring_road, 4 LUX", 2321, 721236, 478, 2720285},
 }};
 
 // The worst frames, with tiles sent raw.
 inline constexpr std::array<ModelledFrame, 11> kWorstFrames{{
-    {"full_range", 3216, 1424967, 668, 8912510},
-    {"random_ranges", 3216, 744588, 600, 7970148},
-    {"layers_apart", 3216, 888340, 665, 8798820},
-    {"beyond_range", 3216, 1451672, 680, 8428026},
-    {"three_echoes", 9648, 1344110, 666, 10778179},
-    {"missing_returns", 1618, 721483, 664, 8072538},
-    {"random_azimuths", 3216, 1999952, 665, 18358514},
-    {"diagonal", 3216, 2222062, 126, 7440446},
-    {"one_direction", 3216, 1538471, 48, 1755045},
-    {"short_beams", 9648, 24984, 4, 4866894},
-    {"flood", 9648, 6802620, 126, 10521116},
+    {"full_range", 3216, 1424967, 668, 8836649},
+    {"random_ranges", 3216, 744588, 600, 7900648},
+    {"layers_apart", 3216, 888340, 665, 8734230},
+    {"beyond_range", 3216, 1451672, 680, 8426818},
+    {"three_echoes", 9648, 1344110, 666, 10669070},
+    {"missing_returns", 1618, 721483, 664, 8029731},
+    {"random_azimuths", 3216, 1999952, 665, 18310282},
+    {"diagonal", 3216, 2222062, 126, 7259724},
+    {"one_direction", 3216, 1538471, 48, 1626564},
+    {"short_beams", 9648, 24984, 4, 4598034},
+    {"flood", 9648, 6802620, 126, 10120186},
 }};
 
 struct ModelledTurn {
@@ -100,16 +100,16 @@ struct ModelledTurn {
 inline constexpr double kTurnSteps = 8192;
 // Whole frames of units that turn, by a height band.
 inline constexpr std::array<ModelledTurn, 3> kTurns{{
-    {"VLP-16", 28954, 323, 22568808},
-    {"HDL-32E", 69466, 460, 40163573},
-    {"HDL-64E S3", 111130, 466, 60069296},
+    {"VLP-16", 28954, 323, 21495742},
+    {"HDL-32E", 69466, 460, 36918917},
+    {"HDL-64E S3", 111130, 466, 54615790},
 }};
 
 // The same where they follow the ground.
 inline constexpr std::array<ModelledTurn, 3> kGroundTurns{{
-    {"VLP-16", 28954, 328, 27968638},
-    {"HDL-32E", 69466, 474, 50290521},
-    {"HDL-64E S3", 111130, 491, 76273479},
+    {"VLP-16", 28954, 328, 27281708},
+    {"HDL-32E", 69466, 474, 48156502},
+    {"HDL-64E S3", 111130, 491, 71930846},
 }};
 
 struct ModelledFramePart {
