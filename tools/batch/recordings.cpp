@@ -43,7 +43,9 @@ std::vector<std::string> poses_beside(const files::path& capture) {
       const auto is_same = [&](const std::string& other) {
         return files::equivalent(log, other, error);
       };
-      if (files::exists(log, error) && std::ranges::none_of(found, is_same)) {
+      // A link to a log that is not there is one, too: reading it fails.
+      if (files::exists(files::symlink_status(log, error)) &&
+          std::ranges::none_of(found, is_same)) {
         found.push_back(log);
       }
     }
@@ -71,7 +73,8 @@ std::vector<ListedCapture> in_folder(const files::path& folder) {
   std::error_code error;
   for (files::recursive_directory_iterator next(folder, error), end; !error && next != end;
        next.increment(error)) {
-    if (is_capture(next->path()) && next->is_regular_file(error)) {
+    const bool is_broken_link = next->is_symlink() && !next->exists();
+    if (is_capture(next->path()) && (is_broken_link || next->is_regular_file(error))) {
       found.push_back(recording_of(next->path().lexically_relative(folder).string(), next->path()));
     }
   }

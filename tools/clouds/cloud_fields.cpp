@@ -131,6 +131,9 @@ class PointTimes {
   std::vector<double> sorted_;  // the finite ones
 };
 
+// From here on, neighbours among float32 numbers differ by more than 8.
+constexpr double kCoarsestFloat32 = 1e8;
+
 // 0: it is no time of 2001 to 2096.
 std::uint64_t since_1970_us(double us) {
   constexpr double kSeptember2001Us = 1e15;
@@ -150,6 +153,12 @@ void add_times(const CloudRecords& records, const CloudField& field,
     return;
   }
   const double span = times.inner_span().value_or(times.span());
+  // As float32, times of 2001 and later have steps of 64 s and more. A text may hold more.
+  const bool is_float32 = field.kind == CloudField::Kind::kFloat && field.bytes < 8 &&
+                          double{static_cast<float>(times.first())} == times.first();
+  if (is_float32 && std::abs(times.first()) >= kCoarsestFloat32) {
+    return;
+  }
   if (span == 0) {
     for (const double us : kUnits) {  // of which one at most fits
       const std::uint64_t its_us = since_1970_us(times.first() * us);

@@ -264,7 +264,8 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
   for (const std::filesystem::directory_entry& entry :
        std::filesystem::directory_iterator(folder)) {
     const std::string path = entry.path();
-    if (is_cloud_file(path) && !entry.is_directory()) {
+    const bool is_hidden = entry.path().filename().string().starts_with('.');  // "._1.pcd" of macOS
+    if (is_cloud_file(path) && !is_hidden && !entry.is_directory()) {
       endings.insert(ending_of(path));
       paths.push_back(path);
     }

@@ -110,7 +110,7 @@ CloudSet read_cloud_set(const std::string& folder) {
   }
   throw UsageError(folder +
                    ": neither velodyne_points, as in KITTI's raw data, nor velodyne, as in "
-                   "its odometry data, is in this folder");
+                   "its odometry data, nor a file .pcd, .ply or .bin is in this folder");
 }
 
 // A point of a corrected cloud stood still while the unit moved on, or had not come so far: the

@@ -19,7 +19,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_option(command, "--out", "FOLDER", options.folder,
              "Write pictures and a ROS map into this folder: frame_NNNNNN.png, map.pgm, map.yaml");
   add_option(command, "--every", "N", options.every, "Draw every Nth frame, not only the last one")
-      ->check(not_below_zero());
+      ->check(above_zero());
   add_scale_options(command, options.scale);
 }
 

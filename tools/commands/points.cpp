@@ -208,12 +208,14 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   std::ranges::for_each(inputs.before, read);
   bool is_assumed = false;
   std::uint64_t viewpoints = 0;
+  std::uint64_t left_out = 0;
   std::string first_viewpoint;
   std::string its_name;
   for (const CloudFile& file : inputs.clouds.files) {
     SeenCloud cloud = read_cloud_of(file, unit);
     if (cloud.is_assumed && cloud.points.empty()) {
-      continue;  // the others may have times of their own
+      ++left_out;  // the others may have times of their own
+      continue;
     }
     is_assumed = is_assumed || cloud.is_assumed;
     if (!cloud.viewpoint.empty() && viewpoints++ == 0) {
@@ -225,6 +227,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   if (is_assumed) {
     std::ranges::copy(inputs.clouds.remarks_if_assumed, std::back_inserter(remarks));
   }
+  remark(left_out, "cloud|clouds without a point and a time was|were left out", remarks);
   if (viewpoints > 0) {
     constexpr std::string_view kSet =
         "file|files sets|set: its|their points must be in the lidar's frame (";
@@ -310,14 +313,15 @@ void send_clouds(PointsOptions options) {
   });
   take_all(sender.finish());
   if (sender.sent().clouds == 0) {
-    throw UsageError("there is no cloud in what is given");
+    throw UsageError("there is no cloud with a point in what is given");
   }
   sender.demand_order();
   remark(untimed, "point|points whose time is no number or 0 was|were not sent", remarks);
-  const std::string where = destination.finish(remarks);
+  const bool has_points = sender.sent().points > 0;
+  const std::string where = has_points ? destination.finish(remarks) : "in no file";
   report(sender.sent(), options.unit, std::move(remarks), where,
          options.out == "-" ? std::cerr : std::cout);
-  if (sender.sent().points == 0) {
+  if (!has_points) {
     throw CheckFailed("no cloud has a point to send");
   }
 }

@@ -136,6 +136,9 @@ void record(RecordOptions options) {
   for (const std::string& path : options.out) {
     table << row("written", path);
   }
+  if (was_interrupted() && !(options.drive.captures.empty() && options.stream.empty())) {
+    throw CheckFailed("interrupted: only the first part of the source is recorded");
+  }
 }
 
 void add_sources(CLI::App& command, RecordOptions& options) {

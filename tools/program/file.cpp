@@ -46,12 +46,23 @@ UsageError file_error(const std::string& path, std::string_view what) {
 
 std::vector<std::byte> read_file(const std::string& path) {
   std::ifstream stream = opened(path);
-  std::vector<std::byte> bytes(std::filesystem::file_size(path));
+  // A pipe has no size.
+  std::error_code has_no_size;
+  const std::uintmax_t size = std::filesystem::file_size(path, has_no_size);
+  constexpr std::size_t kChunk = 1U << 16;
+  std::vector<std::byte> bytes(has_no_size ? kChunk : size + 1);
+  std::size_t count = 0;
   errno = 0;
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) {
+  while (stream) {
+    bytes.resize(std::max(bytes.size(), count + kChunk));
+    stream.read(reinterpret_cast<char*>(bytes.data() + count),
+                static_cast<std::streamsize>(bytes.size() - count));
+    count += static_cast<std::size_t>(stream.gcount());
+  }
+  if (stream.bad() || (!has_no_size && count < size)) {
     throw file_error(path, "cannot be read to its end");
   }
+  bytes.resize(count);
   return bytes;
 }
 

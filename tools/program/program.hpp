@@ -2,17 +2,19 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <exception>
 #include <iostream>
 
 #include "tools/program/exit_status.hpp"
+#include "tools/program/file.hpp"
 #include "tools/program/unknown_word.hpp"
 
 namespace iog::tools {
 
-// Runs what the command line asks of the program; returns the status for main(). What went wrong is
-// on stderr behind the program's name.
-[[nodiscard]] inline int run_program(CLI::App& program, int argc, char** argv) {
+// Runs what the command line asks of the program. What went wrong is on stderr behind the program's
+// name.
+[[nodiscard]] inline int status_of(CLI::App& program, int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -33,6 +35,19 @@ namespace iog::tools {
     return kWrongUse;
   }
   return kDone;
+}
+
+// Returns the status for main(). A program is not done as long as standard output has not taken all
+// that it has to say, as on a full disk.
+[[nodiscard]] inline int run_program(CLI::App& program, int argc, char** argv) {
+  const int status = status_of(program, argc, argv);
+  errno = 0;
+  if (std::cout.flush() || status != kDone) {
+    return status;
+  }
+  std::cerr << program.get_name() << ": "
+            << file_error("standard output", "cannot be written").what() << '\n';
+  return kWrongUse;
 }
 
 }  // namespace iog::tools

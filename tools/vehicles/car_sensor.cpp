@@ -1,13 +1,16 @@
 #include "tools/vehicles/car_sensor.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "tools/car/defaults.hpp"
 #include "tools/car/scanners.hpp"
 #include "tools/vehicles/car_words.hpp"
+#include "vehicle/vehicle.hpp"
 
 namespace iog::tools {
 namespace {
@@ -40,21 +43,31 @@ std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
   return lasers;
 }
 
-// Evenly from the lowest to the highest. How many a unit may have is checked with the others.
-void read_layers(TomlTable table, std::vector<lidar::Laser>& lasers) {
-  constexpr std::uint32_t kMost = 255;
+// Evenly from the lowest to the highest. One laser stands for layers that are wrong, so that only
+// the wrong key is told.
+std::vector<lidar::Laser> read_layers(TomlTable table) {
   double from_deg = 0;
   double to_deg = 0;
-  std::uint32_t count = 0;
+  std::uint32_t count = 1;
   table.read("from_deg", from_deg);
   table.read("to_deg", to_deg);
   table.read("count", count);
   table.demand({"from_deg", "to_deg", "count"});
   table.refuse_others();
-  for (std::uint32_t i = 0; i < std::min(count, kMost); ++i) {
+  if (count == 0 || count > vehicle::kMaxLayers) {
+    table.refuse("count", "a whole number from 1 to " + std::to_string(vehicle::kMaxLayers));
+    count = 1;
+  }
+  if (count > 1 && !(from_deg < to_deg)) {
+    table.refuse("to_deg", "an elevation above from_deg");
+    count = 1;
+  }
+  std::vector<lidar::Laser> lasers;
+  for (std::uint32_t i = 0; i < count; ++i) {
     const double share = count == 1 ? 0 : static_cast<double>(i) / (count - 1);
     lasers.push_back({.elevation_deg = from_deg + (to_deg - from_deg) * share});
   }
+  return lasers;
 }
 
 description::GroundConfig read_ground(TomlTable table, double top_m) {
@@ -118,7 +131,7 @@ void read_sensor(TomlTable& table, Car& car) {
   table.read("beam_tilt_deg", sensor.beam_tilt_deg);
   auto& lasers = car.lasers.emplace_back(read_lasers(table.tables("lasers")));
   if (table.has("layers")) {
-    read_layers(table.table("layers"), lasers);
+    std::ranges::copy(read_layers(table.table("layers")), std::back_inserter(lasers));
   }
   sensor.lasers = lasers;
   table.read("is_synchronised", sensor.is_synchronised);

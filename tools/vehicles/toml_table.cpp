@@ -183,6 +183,12 @@ void TomlTable::demand(const std::vector<std::string_view>& keys) {
   }
 }
 
+void TomlTable::refuse(std::string_view key, std::string_view allowed) {
+  if (const toml::node* const node = find(key)) {
+    note(*node, key, allowed);
+  }
+}
+
 void TomlTable::refuse_others() {
   for (const auto& [key, node] : *table_) {
     if (std::ranges::find(known_, key.str()) == known_.end()) {

@@ -126,7 +126,13 @@ PlainFile::PlainFile(const std::string& path) : path_(path) {
   if (packed.packer().empty()) {
     return;
   }
-  copy_ = UnfinishedFile(files::temp_directory_path() / "iog_bag_XXXXXX");
+  std::error_code error;
+  const files::path folder = files::temp_directory_path(error);
+  if (error) {
+    throw UsageError(path +
+                     ": it is unpacked into the folder for temporary files, and TMPDIR names none");
+  }
+  copy_ = UnfinishedFile(folder / "iog_bag_XXXXXX");
   const int made = mkstemp(copy_.letters());
   path_ = copy_.path();
   if (made < 0) {

@@ -193,7 +193,7 @@ class CloudFolder : public ::testing::Test {
 
 TEST_F(CloudFolder, ItsFilesComeInTheOrderOfTheirNumbers) {
   constexpr std::array kPoint{1.F, 2.F, 3.F, 0.F};
-  for (const char* name : {"10.bin", "9.bin", "notes.txt"}) {
+  for (const char* name : {"10.bin", "9.bin", "notes.txt", "._9.bin"}) {  // the last one of macOS
     write(name, kPoint);
   }
   EXPECT_EQ(cloud_files_in(folder_ / ""),
@@ -233,6 +233,21 @@ TEST_F(CloudFolder, AFileWithoutATimeHasThatOfItsFirstPoint) {
   EXPECT_EQ(time_of("U", "1700000000250000000", "1700000000250000000", true), kUs);
   EXPECT_EQ(time_of("F", "0", ".1", true), kDriveStartUs);
   EXPECT_EQ(time_of("F", "1700000000.25", "1700000000.35", false), kDriveStartUs);
+}
+
+// Times since 1970 in float32 have steps of 128 s: all clouds of a drive would be of one time.
+TEST_F(CloudFolder, TimesSince1970InFloat32AreNone) {
+  constexpr std::array kPoints{5.F, 0.F, 0.F, 1.7e9F, 0.F, 5.F, 0.F, 1.7e9F};
+  OutputFile file(folder_ / "7.pcd");
+  file.write(std::string("FIELDS x y z timestamp\nSIZE 4 4 4 4\nTYPE F F F F\n") +
+             "POINTS 2\nDATA binary\n");
+  file.write(std::as_bytes(std::span(kPoints)));
+  file.finish();
+  TimeUnit unit = TimeUnit::kSeconds;
+  const SeenCloud cloud = read_cloud_of(
+      {.path = folder_ / "7.pcd", .time_us = kDriveStartUs, .is_assumed = true}, unit);
+  EXPECT_EQ(cloud.time_us, kDriveStartUs);
+  EXPECT_TRUE(cloud.is_assumed && !cloud.has_times && cloud.points.size() == 2);
 }
 
 // x, y, z, intensity and ring of each point.
