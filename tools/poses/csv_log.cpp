@@ -184,7 +184,7 @@ PoseLog read_csv_log(const std::string& path) {
   const auto place_of = [&path](std::size_t i) { return path + ':' + std::to_string(i + 1); };
   const std::size_t first = header_of(lines);
   if (first == lines.size()) {
-    throw UsageError(path + ": empty");
+    throw empty_file(path);
   }
   PoseLog log;
   const std::string_view names = lines[first].substr(lines[first].starts_with('#') ? 1 : 0);

@@ -44,9 +44,7 @@ std::string format_of(const std::string& path) {
   }
   std::vector<std::byte> bytes = read_file(path);
   if (bytes.empty()) {
-    throw UsageError(path + (std::filesystem::is_fifo(path)
-                                 ? ": a pipe can be read only once: give a file"
-                                 : ": empty"));
+    throw empty_file(path);
   }
   const bool is_ubx = !ubx_message_at(bytes).empty();
   bytes.resize(std::min<std::size_t>(bytes.size(), 4096));

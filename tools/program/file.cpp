@@ -44,6 +44,12 @@ UsageError file_error(const std::string& path, std::string_view what) {
   return UsageError(text);
 }
 
+UsageError empty_file(const std::string& path) {
+  return UsageError(path + (std::filesystem::is_fifo(path)
+                                ? ": a pipe can be read only once: give a file"
+                                : ": empty"));
+}
+
 std::vector<std::byte> read_file(const std::string& path) {
   std::ifstream stream = opened(path);
   // A pipe has no size.
