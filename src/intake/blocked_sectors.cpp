@@ -277,4 +277,14 @@ AzimuthParts BlockedSectors::silent_azimuths(const Packet& packet) const {
   return silent;
 }
 
+void EvidentPacket::visit_points(void* its,
+                                 void (*visit)(void* its, const lidar::ScanPoint& point)) const {
+  packet_->for_each_point([&](lidar::ScanPoint point) {
+    if (point.range_mm == 0 && silent_->contain(point.azimuth_ticks)) {
+      point.echo = 1;  // only the first echo of a beam carves the beam
+    }
+    visit(its, point);
+  });
+}
+
 }  // namespace iog::intake

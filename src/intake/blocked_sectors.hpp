@@ -36,6 +36,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "intake/packet.hpp"
 #include "lidar/scan_point.hpp"
@@ -112,7 +113,7 @@ class BlockedSectors {
   static constexpr std::size_t kMaxSampled = 32;
   static constexpr std::int16_t kFull = 96;  // maximum level; a sector at level 0 is blocked
 
-  // A frame has fewer points than a word can count. What is kept for the next frame is limited.
+  // The counts of a frame fit into a word. What is kept for the next frame is limited to kMost.
   struct Sums {
     static constexpr std::uint32_t kMost = 65'535;
     std::uint32_t beams = 0;
@@ -146,8 +147,8 @@ class BlockedSectors {
   const SectorView* view_ = nullptr;
   bool turns_ = false;
   std::array<Kind, kSectors> kinds_{};
-  // Bit i of `reached_` is set if the sensor reaches sector i. Bit i of `judged_` is also set
-  // unless sector i is a sky sector, which depends on the others.
+  // Bit i of `reached_` is set if the sensor reaches sector i. `judged_` has those of these bits
+  // whose sectors are no sky sectors.
   std::uint64_t reached_ = 0;
   std::uint64_t judged_ = 0;
   std::array<std::array<std::uint32_t, vehicle::kMaxLayers / 32>, kSectors> low_layers_{};
@@ -175,11 +176,8 @@ class EvidentPacket {
 
   template <typename Visit>
   void for_each_point(Visit&& visit) const {
-    packet_->for_each_point([&](lidar::ScanPoint point) {
-      if (point.range_mm == 0 && silent_->contain(point.azimuth_ticks)) {
-        point.echo = 1;  // only the first echo of a beam carves the beam
-      }
-      visit(point);
+    visit_points(&visit, [](void* its, const lidar::ScanPoint& point) {
+      (*static_cast<std::remove_reference_t<Visit>*>(its))(point);
     });
   }
   template <typename Visit>
@@ -188,6 +186,10 @@ class EvidentPacket {
   }
 
  private:
+  // Calls visit(its, point) for each point. Few cars need this class, so that the decoding of each
+  // format is compiled once, and not for each kind of visit.
+  void visit_points(void* its, void (*visit)(void* its, const lidar::ScanPoint& point)) const;
+
   const Packet* packet_;
   const AzimuthParts* silent_;
 };
