@@ -124,7 +124,7 @@ def divided(drive: str, variant: str, cores: int, rounds: list[Round], ddr_line:
 
 
 def ddr_line(place: a9_runs.Place, variant: str) -> int:
-    """Cycles of the memory channel for a line. Constants that follow the variant's name do not change it."""
+    """Cycles of the memory channel for a line. ",constant=value" behind the variant is ignored."""
     constants = csv.DictReader(a9_runs.output_of(place.model / "a9_constants", "--csv").splitlines())
     return next(int(row[variant.split(",")[0]]) for row in constants if row["constant"] == "ddr_line")
 

@@ -60,7 +60,7 @@ def images() -> list[str]:
 
 
 def headlines(scenes: dict[str, str], drives: dict[str, str], turns: dict[str, str]) -> list[Headline]:
-    """Of one core. scenes, drives and turns: captures by their names; the drives with poses."""
+    """The headlines of one core. scenes, drives and turns: captures by their names; the drives with poses."""
     found = [_frames(f"scene={scene} coding={coding}", "reference_car", capture, coding, a9_runs.ALL_SENSORS, FRAMES,
                      "kept", a9_runs.WARM_UP)
              for scene, capture in scenes.items() for coding in ("raw", "shortest")]
@@ -83,7 +83,7 @@ def of_headline(place: a9_runs.Place, headline: Headline, variant: str, options:
 
 
 def of_four_cores(place: a9_runs.Place, drive: str, capture: str, variant: str, options: str) -> list[a9_runs.Row]:
-    """Without what docs/results/four_cores.md adds for the rounds themselves."""
+    """Cycles without the cost of the rounds themselves (docs/results/four_cores.md)."""
     rows = a9_cores.of_drive(place, drive, options, capture, frames=FRAMES, before=WARM_UP)
     cycles = sum(row.bounded_cycles for row in rows if row.cores == max(a9_cores.CORES))
     return [a9_runs.Row(f"sensitivity drive={drive} cores=4", "frame", variant, "cycles", str(cycles))]

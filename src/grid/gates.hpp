@@ -19,9 +19,9 @@
 namespace iog::grid {
 
 struct BandJudge {
-  // Returns the function `height_at` of vehicle::classify() for a return at this distance along the
-  // line of an azimuth step. The function also sets `is_tall`, which is valid only for an obstacle.
-  // The judge and the references must outlive the function.
+  // Returns the argument `height_at` of vehicle::classify() for a return at this distance along the
+  // line of an azimuth step. It also sets `is_tall`, which is valid only for an obstacle.
+  // Referenced objects must outlive it.
   [[nodiscard]] static auto height_at(const TurnLayers& layers, std::uint32_t /*step*/,
                                       std::size_t layer, std::uint32_t along_mm, bool& is_tall) {
     // The lambda is inlined because a function call costs about 40 instructions per point.

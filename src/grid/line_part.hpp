@@ -54,8 +54,8 @@ struct LinePart {
   Between end;
 
   [[nodiscard]] bool is_empty() const { return first.crossed() >= end.crossed(); }
-  // Returns the part up to `limit`. Values are compared, not references, so that the compiler keeps
-  // them in registers.
+  // Returns the part up to `limit`. Unlike std::min(), this compares values, so that the compiler
+  // keeps them in registers.
   [[nodiscard]] LinePart up_to(Between limit) const { return {first, limit < end ? limit : end}; }
   // Returns the intersection of two parts.
   [[nodiscard]] LinePart within(const LinePart& other) const {

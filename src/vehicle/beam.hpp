@@ -147,8 +147,9 @@ struct Classification {
 [[nodiscard]] Ranges tall_ranges(const Sensor& sensor, std::int32_t end_z);
 [[nodiscard]] BeamRanges ranges_of(const Sensor& sensor, const Beam& beam);
 
-// The height of a return: kUsed at the height of an obstacle, otherwise the point's outcome.
-// `is_whole` is true if the beam is at obstacle height from its start to the return.
+// What the height of a return decides. `fate` is kUsed at the height of an obstacle, and otherwise
+// the point's outcome. `is_whole` is true if the beam is at obstacle height from its start to the
+// return.
 struct Height {
   Fate fate = Fate::kUsed;
   bool is_whole = false;

@@ -43,7 +43,7 @@ std::vector<std::string> poses_beside(const files::path& capture) {
       const auto is_same = [&](const std::string& other) {
         return files::equivalent(log, other, error);
       };
-      // A link to a log that is not there is one, too: reading it fails.
+      // A broken link counts as a log, too: reading it fails.
       if (files::exists(files::symlink_status(log, error)) &&
           std::ranges::none_of(found, is_same)) {
         found.push_back(log);

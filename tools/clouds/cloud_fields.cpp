@@ -131,7 +131,7 @@ class PointTimes {
   std::vector<double> sorted_;  // the finite ones
 };
 
-// From here on, neighbours among float32 numbers differ by more than 8.
+// From here on, float32 numbers are 8 or more apart.
 constexpr double kCoarsestFloat32 = 1e8;
 
 // 0: it is no time of 2001 to 2096.
@@ -153,7 +153,7 @@ void add_times(const CloudRecords& records, const CloudField& field,
     return;
   }
   const double span = times.inner_span().value_or(times.span());
-  // As float32, times of 2001 and later have steps of 64 s and more. A text may hold more.
+  // Float32 has times of 2001 and later in steps of 64 s or more. A text can be finer.
   const bool is_float32 = field.kind == CloudField::Kind::kFloat && field.bytes < 8 &&
                           double{static_cast<float>(times.first())} == times.first();
   if (is_float32 && std::abs(times.first()) >= kCoarsestFloat32) {

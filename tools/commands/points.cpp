@@ -227,7 +227,7 @@ std::vector<std::string> for_each_input(const PointsOptions& options, TimeUnit& 
   if (is_assumed) {
     std::ranges::copy(inputs.clouds.remarks_if_assumed, std::back_inserter(remarks));
   }
-  remark(left_out, "cloud|clouds without a point and a time was|were left out", remarks);
+  remark(left_out, "cloud|clouds with neither a point nor a time was|were left out", remarks);
   if (viewpoints > 0) {
     constexpr std::string_view kSet =
         "file|files sets|set: its|their points must be in the lidar's frame (";

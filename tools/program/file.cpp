@@ -46,7 +46,7 @@ UsageError file_error(const std::string& path, std::string_view what) {
 
 UsageError empty_file(const std::string& path) {
   return UsageError(path + (std::filesystem::is_fifo(path)
-                                ? ": a pipe can be read only once: give a file"
+                                ? ": this pipe is empty, or was read before; give a file"
                                 : ": empty"));
 }
 

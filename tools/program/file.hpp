@@ -19,7 +19,7 @@ namespace iog::tools {
 // "path: what: why", why in the system's words for what it has just refused (errno).
 [[nodiscard]] UsageError file_error(const std::string& path, std::string_view what);
 
-// Of a file without content, which may be a pipe that somebody has read before.
+// Says that the file is empty. A pipe may have been read before.
 [[nodiscard]] UsageError empty_file(const std::string& path);
 
 // UsageError if the file cannot be read.

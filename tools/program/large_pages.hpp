@@ -33,7 +33,7 @@ template <typename T, typename... Args>
   if (place == nullptr) {
     throw std::bad_alloc();
   }
-  madvise(place.get(), kBytes, MADV_HUGEPAGE);  // without large pages, small ones serve
+  madvise(place.get(), kBytes, MADV_HUGEPAGE);  // if refused, small pages are used
   Large<T> made(new (place.get()) T(std::forward<Args>(args)...));
   static_cast<void>(place.release());
   return made;

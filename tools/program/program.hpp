@@ -37,8 +37,8 @@ namespace iog::tools {
   return kDone;
 }
 
-// Returns the status for main(). A program is not done as long as standard output has not taken all
-// that it has to say, as on a full disk.
+// Returns the status for main(). If standard output cannot be written, as on a full disk, the
+// program fails.
 [[nodiscard]] inline int run_program(CLI::App& program, int argc, char** argv) {
   const int status = status_of(program, argc, argv);
   errno = 0;

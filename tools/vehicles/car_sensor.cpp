@@ -43,8 +43,8 @@ std::vector<lidar::Laser> read_lasers(std::vector<TomlTable> tables) {
   return lasers;
 }
 
-// Evenly from the lowest to the highest. One laser stands for layers that are wrong, so that only
-// the wrong key is told.
+// Evenly from the lowest to the highest. Wrong layers become one laser, so that only the wrong key
+// is reported.
 std::vector<lidar::Laser> read_layers(TomlTable table) {
   double from_deg = 0;
   double to_deg = 0;

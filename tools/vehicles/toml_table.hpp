@@ -76,7 +76,7 @@ class TomlTable {
 
   // Notes each of the keys that is missing; none if the whole table is.
   void demand(const std::vector<std::string_view>& keys);
-  // Notes that the key holds something else than what is allowed, if it is there.
+  // Notes, if the key is there, that its value is not one of those allowed.
   void refuse(std::string_view key, std::string_view allowed);
   // Notes each key that nobody has asked for. Once, at the end.
   void refuse_others();

@@ -235,7 +235,7 @@ TEST_F(CloudFolder, AFileWithoutATimeHasThatOfItsFirstPoint) {
   EXPECT_EQ(time_of("F", "1700000000.25", "1700000000.35", false), kDriveStartUs);
 }
 
-// Times since 1970 in float32 have steps of 128 s: all clouds of a drive would be of one time.
+// Times since 1970 in float32 have steps of 128 s: many clouds would have the same time.
 TEST_F(CloudFolder, TimesSince1970InFloat32AreNone) {
   constexpr std::array kPoints{5.F, 0.F, 0.F, 1.7e9F, 0.F, 5.F, 0.F, 1.7e9F};
   OutputFile file(folder_ / "7.pcd");
