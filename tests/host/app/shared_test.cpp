@@ -283,11 +283,17 @@ std::vector<Mishap> mishaps() {
 class SharedDespite : public ::testing::TestWithParam<Mishap> {};
 
 TEST_P(SharedDespite, TheLossOfACoreGivesWhatOneGives) {
+  constexpr int kAttempts = 10;
   const auto& [one, accident, round] = GetParam();
-  SharingPlatform platform(3, kShortlyUs);
-  platform.let_happen(accident, round);
-  EXPECT_TRUE(one.play(platform) == alone(one));
-  EXPECT_NE(platform.fate_of_victim(), work::Loss::kNone);
+  // On a busy PC, the victim may get no item of a short round, so that nothing happens to it.
+  work::Loss fate = work::Loss::kNone;
+  for (int attempt = 0; attempt < kAttempts && fate == work::Loss::kNone; ++attempt) {
+    SharingPlatform platform(3, kShortlyUs);
+    platform.let_happen(accident, round);
+    EXPECT_TRUE(one.play(platform) == alone(one));
+    fate = platform.fate_of_victim();
+  }
+  EXPECT_NE(fate, work::Loss::kNone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mishaps, SharedDespite, ::testing::ValuesIn(mishaps()));
