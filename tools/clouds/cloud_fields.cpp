@@ -155,7 +155,7 @@ void add_times(const CloudRecords& records, const CloudField& field,
   const double span = times.inner_span().value_or(times.span());
   // Float32 has times of 2001 and later in steps of 64 s or more. A text can be finer.
   const bool is_float32 = field.kind == CloudField::Kind::kFloat && field.bytes < 8 &&
-                          double{static_cast<float>(times.first())} == times.first();
+                          static_cast<double>(static_cast<float>(times.first())) == times.first();
   if (is_float32 && std::abs(times.first()) >= kCoarsestFloat32) {
     return;
   }

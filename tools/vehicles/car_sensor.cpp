@@ -9,6 +9,7 @@
 
 #include "tools/car/defaults.hpp"
 #include "tools/car/scanners.hpp"
+#include "tools/car/tables.hpp"
 #include "tools/vehicles/car_words.hpp"
 #include "vehicle/vehicle.hpp"
 
