@@ -174,8 +174,9 @@ class FrameFusion {
     if (sensor.layers_share_lines) {
       const ground::PacketJudge judge(ground, lows, turns_.tilt_of(sensor, ground, packet));
       // The lambda is inlined; only PacketJudge::judge() is a call.
-      packet.for_each_point([ count, turn = turns_.turn_to(sensor, ground, judge) ](
-          const lidar::ScanPoint& point) __attribute__((always_inline)) { count(turn.add(point)); });
+      packet.for_each_point(
+          [ count, turn = turns_.turn_to(sensor, ground, judge) ](const lidar::ScanPoint& point)
+              __attribute__((always_inline)) { count(turn.add(point)); });
     } else {
       const ground::PacketJudge judge(ground, lows,
                                       grid::AzimuthCarver::tilt_of(sensor, ground, packet));
