@@ -76,15 +76,14 @@ BlockedSectors::Kind BlockedSectors::kind_of(std::size_t sector) {
   return kind;
 }
 
+// An interval whose start is in no sector has that of the interval before.
 void BlockedSectors::find_likely_sectors() {
-  const std::uint32_t turn = sensor_->azimuths.ticks_per_turn();
-  likely_shift_ = static_cast<std::uint8_t>(std::bit_width((turn - 1) / kLikely));
-  for (std::uint32_t i = 0; i <= (turn - 1) >> likely_shift_; ++i) {
-    for (std::size_t sector = 0; sector < kSectors; ++sector) {
-      if (contains((*view_)[sector], i << likely_shift_, turn)) {
-        likely_[i] = static_cast<std::uint8_t>(sector);
-      }
-    }
+  const std::uint32_t last_tick = sensor_->azimuths.ticks_per_turn() - 1;
+  likely_shift_ = static_cast<std::uint8_t>(std::bit_width(last_tick / kLikely));
+  for (std::uint32_t i = 0; i <= last_tick >> likely_shift_; ++i) {
+    likely_[i] = i == 0 ? std::uint8_t{0} : likely_[i - 1];
+    const std::size_t sector = sector_of(i << likely_shift_);
+    likely_[i] = sector == kSectors ? likely_[i] : static_cast<std::uint8_t>(sector);
   }
 }
 

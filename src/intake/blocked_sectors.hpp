@@ -152,7 +152,7 @@ class BlockedSectors {
   std::uint64_t reached_ = 0;
   std::uint64_t judged_ = 0;
   std::array<std::array<std::uint32_t, vehicle::kMaxLayers / 32>, kSectors> low_layers_{};
-  // The sector at the start of each interval of 2^likely_shift_ ticks.
+  // The sector in which the search for an azimuth begins, by intervals of 2^likely_shift_ ticks.
   static constexpr std::size_t kLikely = 256;
   std::array<std::uint8_t, kLikely> likely_{};
   std::uint8_t likely_shift_ = 0;
