@@ -25,8 +25,9 @@ files::path unpacked(const files::path& path) {
 }
 
 bool is_capture(const files::path& path) {
+  const bool is_of_macos = path.filename().string().starts_with("._");  // what it knows of a file
   const std::string ending = ending_of(unpacked(path));
-  return ending == ".pcap" || ending == ".pcapng";
+  return !is_of_macos && (ending == ".pcap" || ending == ".pcapng");
 }
 
 // "drive.poses.csv" or "drive.POSES.CSV" for "drive.pcap.gz"; a folder is "drive.poses".
@@ -68,13 +69,18 @@ ListedCapture recording_of(const std::string& name, const files::path& path) {
                                " pose logs found; keep only one: " + joined(logs, ", ")};
 }
 
+// A link to nothing, or to itself.
+bool is_broken_link(const files::directory_entry& entry) {
+  std::error_code error;
+  return entry.is_symlink(error) && !entry.exists(error);
+}
+
 std::vector<ListedCapture> in_folder(const files::path& folder) {
   std::vector<ListedCapture> found;
   std::error_code error;
   for (files::recursive_directory_iterator next(folder, error), end; !error && next != end;
        next.increment(error)) {
-    const bool is_broken_link = next->is_symlink() && !next->exists();
-    if (is_capture(next->path()) && (is_broken_link || next->is_regular_file(error))) {
+    if (is_capture(next->path()) && (is_broken_link(*next) || next->is_regular_file(error))) {
       found.push_back(recording_of(next->path().lexically_relative(folder).string(), next->path()));
     }
   }

@@ -52,11 +52,11 @@ std::string words_of_wrong_frame(const std::string& frame, const FrameNames& of_
     return {};
   }
   const std::string words = "in frame " + printable(frame);
-  if (is_of_odometry && !is_of_vehicle && !is_of_world(frame)) {  // of some, it is the lidar's
+  if (is_of_odometry && !is_of_vehicle && !is_of_world(frame)) {
+    // Lidar odometry is in the lidar's own frame.
     return words +
            ", as the odometry is: if it is the vehicle's frame, use the topic of the lidar's "
-           "driver; if "
-           "it is the sensor's, give --poses-mount";
+           "driver; if it is the sensor's, give --poses-mount";
   }
   return words + (is_of_vehicle ? ", which is the vehicle's" : "") +
          ", but points must be in the sensor's frame: use the topic of the lidar's driver";
