@@ -3,6 +3,13 @@
 #include <bit>
 
 namespace iog::grid {
+namespace {
+
+bool may_leave(vehicle::Evidence evidence) {
+  return evidence.carves() && !evidence.is_whole_in_band();
+}
+
+}  // namespace
 
 using vehicle::Sensor;
 
@@ -45,12 +52,28 @@ KeptLine& AzimuthCarver::further_line(const vehicle::Layer& layer) {
 }
 
 void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its) {
-  take(beam, its, [&] { return height_of(beam).low_part(*vehicle_, *sensor_, beam.line()); });
+  const bool leaves_band = may_leave(its.evidence);
+  if (leaves_band && !beam.has_band()) {
+    find_band(beam);
+  }
+  take(beam, its, leaves_band ? &beam.in_band() : nullptr,
+       [&] { return height_of(beam).low_part(*vehicle_, *sensor_, beam.line()); });
 }
 
-void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its,
-                         const ground::Ground::Stretch& low) {
-  take(beam, its, [&] { return beam.line().part_between(*sensor_, low.from_mm, low.to_mm); });
+void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground& ground,
+                         std::uint32_t sector, std::uint8_t layer) {
+  const KeptLine& line = beam.line();
+  FreePart limits;
+  const bool leaves_band = may_leave(its.evidence);
+  if (leaves_band) {
+    const std::uint32_t exit_mm = ground.exits().to_mm(sector, layer);
+    limits = {{line.in_grid().first, line.end_at(*sensor_, exit_mm)},
+              exit_mm + BandLimits::behind_mm(*sensor_)};
+  }
+  take(beam, its, leaves_band ? &limits : nullptr, [&] {
+    const ground::Ground::Stretch low = ground.low_stretch(sector, layer);
+    return line.part_between(*sensor_, low.from_mm, low.to_mm);
+  });
 }
 
 void AzimuthCarver::find_band(KeptBeam& beam) {
@@ -62,16 +85,10 @@ bool AzimuthCarver::is_tall(const KeptBeam& beam, std::uint32_t range_mm) {
 }
 
 template <typename LowOf>
-inline void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of) {
-  const bool leaves_band = its.evidence.carves() && !its.evidence.is_whole_in_band();
-  if (leaves_band && !beam.has_band()) {
-    find_band(beam);
-  }
+inline void AzimuthCarver::take(KeptBeam& beam, const WaitingBeam& its, const FreePart* limits,
+                                LowOf&& low_of) {
   beams_.add(
-      *sensor_,
-      {.line = beam.line(),
-       .limits = leaves_band ? &beam.in_band() : nullptr,
-       .clears_mm = sensor_->no_return_clears_mm},
+      *sensor_, {.line = beam.line(), .limits = limits, .clears_mm = sensor_->no_return_clears_mm},
       its, [&](Between end) -> LineSteps& { return steps_of(beam.line(), end); }, low_of);
 }
 

@@ -35,9 +35,7 @@ class AzimuthCarver {
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const lidar::ScanPoint& point);
 
-  // Same as above, for a rotating sensor with a ground estimate (docs/ground.md). Beams are still
-  // carved within the height band, but which part of a beam is low depends on its height above the
-  // estimated ground.
+  // Same as above, for a rotating sensor with a ground estimate (docs/ground.md).
   [[gnu::always_inline]] vehicle::Fate add(const vehicle::Sensor& sensor,
                                            const ground::Ground& ground,
                                            const ground::PacketJudge& judge,
@@ -103,9 +101,11 @@ class AzimuthCarver {
   [[gnu::noinline]] bool is_tall(const KeptBeam& beam, std::uint32_t range_mm);
   KeptBeam& find_further_beam(const vehicle::Layer& layer, KeptLine& line);
   void take(KeptBeam& beam, const WaitingBeam& its);
-  void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground::Stretch& low);
+  void take(KeptBeam& beam, const WaitingBeam& its, const ground::Ground& ground,
+            std::uint32_t sector, std::uint8_t layer);
+  // `limits` is null if the beam can free the whole line within the grid.
   template <typename LowOf>
-  void take(KeptBeam& beam, const WaitingBeam& its, LowOf&& low_of);
+  void take(KeptBeam& beam, const WaitingBeam& its, const FreePart* limits, LowOf&& low_of);
   LineSteps& steps_of(KeptLine& line, Between end);
   LineSteps& steps_on(KeptLine& line);
   [[gnu::noinline]] OpenLine& open(KeptLine& line);
@@ -153,7 +153,6 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
                                         const ground::PacketJudge& judge,
                                         const lidar::ScanPoint& point) {
   KeptBeam& beam = beam_of(sensor, point);
-  const vehicle::Ranges& in_band = beam.ranges().in_band;
   const ground::Beams& beams = ground.beams();
   const std::uint32_t sector = beams.sector_of(azimuth_step_);
   bool is_tall = false;
@@ -165,12 +164,11 @@ inline vehicle::Fate AzimuthCarver::add(const vehicle::Sensor& sensor, const gro
         const auto judged = judge.judge(sector, out_mm, z_mm);
         is_tall = judged.is_tall;
         return vehicle::Height{.fate = judged.fate,
-                               .is_whole = in_band.first == 0 && in_band.contain(reach_mm)};
+                               .is_whole = reach_mm <= ground.exits().to_mm(sector, point.layer)};
       });
   if (classified.evidence.is_any()) {
-    const ground::Ground::Stretch low = ground.low_stretch(sector, point.layer);
     take(beam, {.range_mm = point.range_mm, .evidence = classified.evidence, .is_tall = is_tall},
-         low);
+         ground, sector, point.layer);
   }
   return classified.fate;
 }

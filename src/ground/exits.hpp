@@ -15,8 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ground/beams.hpp"
 #include "ground/bins.hpp"
+#include "ground/fan.hpp"
 #include "ground/judge.hpp"
 #include "ground/surface.hpp"
 #include "vehicle/vehicle.hpp"
@@ -25,8 +25,8 @@ namespace iog::ground {
 
 class Exits {
  public:
-  // The sensor must be level, and its lines must be at most 131,070 mm long.
-  void find(const Beams& beams, Limits limits, const Surface& surface);
+  // Finds the exit ranges of a sector's beams. The fan must be turned to this sector.
+  void find(std::uint32_t sector, const Fan& fan, Limits limits, const Surface& surface);
 
   // Returns the exit range of a beam, as a distance along the beam's line. The distance is rounded
   // down to a multiple of 2 mm and is at most the line's length.
@@ -34,7 +34,7 @@ class Exits {
     return std::uint32_t{2} * rows_[sector][layer].to_2_mm;
   }
   // Returns the layer that has the given rank in a sector. Layers are ranked by descending exit
-  // range.
+  // range. Ranks are valid only for level sensors.
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }

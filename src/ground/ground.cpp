@@ -1,5 +1,6 @@
 #include "ground/ground.hpp"
 
+#include "ground/fan.hpp"
 #include "require/require.hpp"
 
 namespace iog::ground {
@@ -26,11 +27,13 @@ void Ground::forget() {
 }
 
 void Ground::find_exits() {
-  if (sensor_->layers_share_lines) {
-    exits_.find(beams_, limits_, surface_);
-  }
-  if (!is_always_low_) {
-    low_beams_.find(beams_, *sensor_, low_mm_, surface_);
+  Fan fan(beams_, *sensor_);
+  for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+    fan.turn_to(sector);
+    exits_.find(sector, fan, limits_, surface_);
+    if (!is_always_low_) {
+      low_beams_.find(sector, fan, low_mm_, surface_);
+    }
   }
 }
 

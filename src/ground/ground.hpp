@@ -46,16 +46,13 @@ class Ground {
   [[nodiscard]] const Beams& beams() const { return beams_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] Limits limits() const { return limits_; }
-  // Returns the exit ranges of all beams. These ranges are valid only for sensors whose layers
-  // share lines.
+  // Returns the exit ranges of all beams.
   [[nodiscard]] const Exits& exits() const { return exits_; }
   using Stretch = LowBeams::Stretch;
   // Returns the part of a beam that is low enough to open cells, as two distances along the beam's
-  // line. If all beams are low, this part is the entire line. If the sensor's layers share lines,
-  // this part extends at most to the beam's exit range.
+  // line. This part extends at most to the beam's exit range.
   [[nodiscard]] Stretch low_stretch(std::uint32_t sector, std::size_t layer) const {
-    const std::uint32_t exit_mm =
-        sensor_->layers_share_lines ? exits_.to_mm(sector, layer) : beams_.range_mm();
+    const std::uint32_t exit_mm = exits_.to_mm(sector, layer);
     if (is_always_low_) {
       return {0, exit_mm};
     }

@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "ground/beams.hpp"
 #include "ground/bins.hpp"
+#include "ground/fan.hpp"
 #include "ground/surface.hpp"
 #include "vehicle/vehicle.hpp"
 
@@ -33,10 +33,8 @@ class LowBeams {
     std::uint32_t to_mm = 0;
   };
 
-  // The sensor's lines must be at most 131,070 mm long. For a tilted sensor, the beams in the
-  // middle of each sector represent all of the sector's beams.
-  void find(const Beams& beams, const vehicle::Sensor& sensor, std::int32_t low_mm,
-            const Surface& surface);
+  // Finds the low parts of a sector's beams. The fan must be turned to this sector.
+  void find(std::uint32_t sector, const Fan& fan, std::int32_t low_mm, const Surface& surface);
 
   // Returns the low part of a beam. If the sensor is mounted more than low_mm above the car's
   // plane, this part starts where the beam descends to low_mm. Otherwise, the low part extends from

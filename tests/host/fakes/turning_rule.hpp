@@ -59,9 +59,13 @@ struct TurningRay {
 
 class TurningRule {
  public:
+  // lines_are_beams: of a tilted lidar, whose lines are as long as its beams seen from above.
   TurningRule(const description::SensorConfig& config, const description::Description& description,
-              std::span<const double> elevations_deg)
-      : config_(config), description_(description), elevations_deg_(elevations_deg) {}
+              std::span<const double> elevations_deg, bool lines_are_beams = false)
+      : config_(config),
+        description_(description),
+        elevations_deg_(elevations_deg),
+        lines_are_beams_(lines_are_beams) {}
 
   [[nodiscard]] std::optional<TurningRay> ray(const lidar::ScanPoint& point) const {
     const std::int64_t steps = steps_for(config_.range_max_mm, description_.grid.cell_m);
@@ -95,6 +99,9 @@ class TurningRule {
   }
 
   [[nodiscard]] std::int64_t along(const lidar::ScanPoint& point, std::int64_t range_mm) const {
+    if (lines_are_beams_) {
+      return range_mm;
+    }
     const long double cosine = std::cos(radians(elevations_deg_[point.layer]));
     return range_mm * std::llround(cosine * (1 << 30)) / (1 << 30);
   }
@@ -229,6 +236,7 @@ class TurningRule {
   const description::SensorConfig& config_;
   const description::Description& description_;
   std::span<const double> elevations_deg_;
+  bool lines_are_beams_;
 };
 
 // The cells that the line might touch: of each row those that it runs through in this row, the one

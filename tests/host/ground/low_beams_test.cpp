@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "fakes/effort.hpp"
+#include "fakes/middle_beam.hpp"
 #include "fakes/random.hpp"
 #include "fakes/test_vehicles.hpp"
-#include "vehicle/beam.hpp"
 
 namespace iog::ground {
 namespace {
@@ -53,12 +53,22 @@ std::int64_t stays_to(const Beams& beams, IsOnItsSide is_on_its_side) {
   return std::max<std::int64_t>(to, 0);
 }
 
+std::unique_ptr<LowBeams> low_beams_of(const Beams& beams, const vehicle::Sensor& sensor,
+                                       std::int32_t low_mm, const Surface& surface) {
+  auto its = std::make_unique<LowBeams>();
+  Fan fan(beams, sensor);
+  for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+    fan.turn_to(sector);
+    its->find(sector, fan, low_mm, surface);
+  }
+  return its;
+}
+
 void expect_exact(const vehicle::Sensor& sensor, std::int32_t low_mm, std::uint64_t seed) {
   Random random(seed);
   const Beams beams(sensor);
   const Surface surface = rough_surface(random);
-  const auto low_beams = std::make_unique<LowBeams>();
-  low_beams->find(beams, sensor, low_mm, surface);
+  const auto low_beams = low_beams_of(beams, sensor, low_mm, surface);
   const bool comes_down = beams.origin_mm() > low_mm;
   for (std::uint32_t sector = 0; sector < kSectors;
        sector += static_cast<std::uint32_t>(tests::effort(17, 51))) {
@@ -101,31 +111,20 @@ TEST(LowBeams, OfATiltedSensorFollowTheirSector) {
   const Beams beams(sensor);
   Random random(35);
   const Surface surface = rough_surface(random);
-  const auto low_beams = std::make_unique<LowBeams>();
-  low_beams->find(beams, sensor, 600, surface);
-  const std::uint32_t steps = sensor.azimuths.steps_per_turn() / kSectors;
+  const auto low_beams = low_beams_of(beams, sensor, 600, surface);
   int come_down = 0;
   for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
-    const auto direction = vehicle::direction_of(sensor, sector * steps + steps / 2);
     const Surface::Row lowest = surface.lowest_near(sector);
     for (const std::uint8_t layer : beams.from_below()) {
-      const Slope rise = beams.slope_to(vehicle::end_height_of(sensor.layers[layer], direction));
+      const tests::MiddleBeam beam(beams, sensor, sector, layer);
       const auto over_low = [&](std::uint32_t along_mm) {
-        const std::uint32_t out_mm = beams.out_mm(layer, along_mm);
-        const std::int64_t length = beams.bins().length_mm();
-        const std::int64_t bin = std::min<std::int64_t>(out_mm / length, 63);
-        const double start = lowest[static_cast<std::size_t>(bin)];
-        const double to_end = lowest[static_cast<std::size_t>(bin) + 1] - start;
-        const double part = static_cast<double>(out_mm) / static_cast<double>(length);
-        return beams.height_mm(rise, along_mm) - start -
-               to_end * (part - static_cast<double>(bin)) - 600;
+        return beam.height_over_mm(lowest, along_mm) - 600;
       };
       const std::uint32_t border_mm = low_beams->at(sector, layer).from_mm;
       for (std::uint32_t along_mm = 0; along_mm + 4 < border_mm; along_mm += 128) {
         ASSERT_GE(over_low(along_mm), -2) << sector << ", " << int{layer} << ", " << along_mm;
       }
-      if (border_mm + 4 < beams.range_mm() &&
-          beams.out_mm(layer, border_mm) < kBins * beams.bins().length_mm()) {
+      if (border_mm + 4 < beams.range_mm() && beam.has_ground_at(border_mm)) {
         ASSERT_LE(over_low(border_mm + 6), 20) << sector << ", " << int{layer};
         ++come_down;
       }
