@@ -333,7 +333,7 @@ void add_batch(CLI::App& program) {
     command
         ->add_option_function<std::vector<std::string>>(
             name,
-            [options, name](const std::vector<std::string>& values) {
+            [options, name = name](const std::vector<std::string>& values) {
               options->of_fuse.emplace_back(name);
               options->of_fuse.insert(options->of_fuse.end(), values.begin(), values.end());
               if (name == std::string_view("--map")) {  // from another folder it is another file
