@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
@@ -75,19 +77,44 @@ bool is_broken_link(const files::directory_entry& entry) {
   return entry.is_symlink(error) && !entry.exists(error);
 }
 
-std::vector<ListedCapture> in_folder(const files::path& folder) {
-  std::vector<ListedCapture> found;
+// The captures in a folder and in those below it, by where these folders really are. Links to
+// folders are followed, but not back to a folder around them; of several names the first is taken.
+void add_captures(const files::path& folder, const files::path& top, std::set<files::path>& around,
+                  std::map<files::path, ListedCapture>& found) {
   std::error_code error;
-  for (files::recursive_directory_iterator next(folder, error), end; !error && next != end;
+  const files::path real = files::canonical(folder, error);
+  if (error || !around.insert(real).second) {
+    return;
+  }
+  std::set<files::path> inside;
+  for (files::directory_iterator next(folder, error), end; !error && next != end;
        next.increment(error)) {
-    if (is_capture(next->path()) && (is_broken_link(*next) || next->is_regular_file(error))) {
-      found.push_back(recording_of(next->path().lexically_relative(folder).string(), next->path()));
-    }
+    inside.insert(next->path());
   }
   if (error) {
     throw UsageError(folder.string() + ": cannot be listed: " + error.message());
   }
-  return found;
+  for (const files::path& path : inside) {
+    const files::directory_entry entry(path, error);
+    if (entry.is_directory(error)) {
+      add_captures(path, top, around, found);
+    } else if (is_capture(path) && (is_broken_link(entry) || entry.is_regular_file(error))) {
+      found.try_emplace(real / path.filename(),
+                        recording_of(path.lexically_relative(top).string(), path));
+    }
+  }
+  around.erase(real);
+}
+
+std::vector<ListedCapture> in_folder(const files::path& folder) {
+  std::set<files::path> around;
+  std::map<files::path, ListedCapture> found;
+  add_captures(folder, folder, around, found);
+  std::vector<ListedCapture> captures;
+  for (auto& [place, its] : found) {
+    captures.push_back(std::move(its));
+  }
+  return captures;
 }
 
 std::vector<ListedCapture> in_list(const std::string& list) {
