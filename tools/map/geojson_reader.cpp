@@ -52,6 +52,9 @@ std::vector<GeoPoint> ring_of(const Json& positions) {
   for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
     ring.push_back(point_of(positions[i]));
   }
+  if (crosses_itself(ring)) {
+    throw Fault(kCrossesItself);
+  }
   return ring;
 }
 

@@ -137,10 +137,11 @@ MapOrigin origin_of(const GeoMap& map, const MapOptions& options) {
 constexpr const char* kNothingInCommon =
     "the data and the extent that is asked for have nothing in common";
 
-void demand_fit(const PlaneBox& box) {
+void demand_fit(const PlaneBox& box, bool is_all) {
   constexpr double kLimit = map::kMaxCoordinateCm;
   if (box.low.x + 1 > box.high.x || box.low.y + 1 > box.high.y) {
-    throw UsageError(kNothingInCommon);
+    throw UsageError(is_all ? "the data lie on one line, which has no area: give --extent METRES"
+                            : kNothingInCommon);
   }
   const double buckets = ((box.high.x - box.low.x) / map::kBucketCm + 1) *
                          ((box.high.y - box.low.y) / map::kBucketCm + 1);
@@ -169,7 +170,7 @@ map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlan
     wanted = {{-radius, -radius}, {radius, radius}};
   }
   const PlaneBox box = both(wanted, data);
-  demand_fit(box);
+  demand_fit(box, is_all);
   if (box.low.x > wanted.low.x || box.low.y > wanted.low.y || box.high.x < wanted.high.x ||
       box.high.y < wanted.high.y) {
     remark += "the data do not reach as far as was asked for\n";

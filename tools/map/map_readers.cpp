@@ -1,6 +1,8 @@
 #include "tools/map/map_readers.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "tools/program/exit_status.hpp"
 
@@ -21,6 +23,36 @@ GeoMap read_map(const std::string& path, std::optional<map::Kind> kind) {
         "--kind is for GeoJSON and Shapefiles; OpenStreetMap says itself what is what");
   }
   return read_osm(path, ".osm, .osm.pbf, .osm.gz, .osm.bz2, .geojson and .shp");
+}
+
+bool crosses_itself(std::span<const GeoPoint> ring) {
+  struct Side {
+    GeoPoint from;
+    GeoPoint to;
+    [[nodiscard]] double west() const { return std::min(from.longitude, to.longitude); }
+    [[nodiscard]] double east() const { return std::max(from.longitude, to.longitude); }
+    // On which side of this side's line a point lies: above 0, below 0, or 0 on it.
+    [[nodiscard]] double side_of(const GeoPoint& point) const {
+      return (to.longitude - from.longitude) * (point.latitude - from.latitude) -
+             (to.latitude - from.latitude) * (point.longitude - from.longitude);
+    }
+    [[nodiscard]] bool parts(const Side& other) const {
+      return side_of(other.from) * side_of(other.to) < 0;
+    }
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    sides.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+  std::ranges::sort(sides, {}, &Side::west);
+  for (auto its = sides.begin(); its != sides.end(); ++its) {
+    for (auto other = its + 1; other != sides.end() && other->west() < its->east(); ++other) {
+      if (its->parts(*other) && other->parts(*its)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 std::optional<map::Kind> kind_of_word(const std::string& word) {

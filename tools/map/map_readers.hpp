@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "tools/map/geo_map.hpp"
@@ -24,6 +25,12 @@ namespace iog::tools {
 
 // By the end of its name.
 [[nodiscard]] GeoMap read_map(const std::string& path, std::optional<map::Kind> kind);
+
+// Whether two sides of an outline cross, so that nobody knows what it surrounds. Outlines that
+// touch themselves do not.
+[[nodiscard]] bool crosses_itself(std::span<const GeoPoint> ring);
+// As the census calls such an area.
+inline constexpr const char* kCrossesItself = "area whose outline crosses itself";
 
 // What the census calls areas of a kind.
 [[nodiscard]] const char* census_name(map::Kind kind);

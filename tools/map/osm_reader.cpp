@@ -45,7 +45,7 @@ class Faults : public osmium::area::ProblemReporter {
  public:
   void report_intersection(Id, osmium::Location, osmium::Location, Id, osmium::Location,
                            osmium::Location, osmium::Location) override {
-    set("area whose outline crosses itself");
+    set(kCrossesItself);
   }
   void report_ring_not_closed(const osmium::NodeRef&, const osmium::Way*) override {
     set("area whose outline is open");

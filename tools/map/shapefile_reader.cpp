@@ -80,6 +80,10 @@ void take(const SHPObject& shape, GeoArea area, GeoMap& map) {
     for (int i = part.first; i + 1 < part.end; ++i) {
       ring.push_back({shape.padfY[i], shape.padfX[i]});
     }
+    if (crosses_itself(ring)) {
+      map.census.refuse(kCrossesItself, area.id);
+      return;
+    }
     area.rings.push_back(std::move(ring));
   }
   map.areas.push_back(std::move(area));

@@ -76,6 +76,18 @@ TEST(GeoJson, CountsWhatItDoesNotTake) {
   EXPECT_EQ(census.sum(Column::kRefused), 10U);
 }
 
+// A keyhole and an outline that touches itself are sound: no two sides cross.
+TEST(GeoJson, NobodyKnowsTheInsideOfAnOutlineThatCrossesItself) {
+  const GeoMap map = read_text(collection(
+      {feature("Polygon", "[[[0,0],[1,1],[1,0],[0,1],[0,0]]]"),
+       feature("Polygon",
+               "[[[0,0],[9,0],[9,9],[0,9],[0,2],[1,2],[1,5],[5,5],[5,2],[1,2],[0,2],[0,0]]]"),
+       feature("Polygon", "[[[0,0],[2,0],[1,1],[2,2],[0,2],[1,1],[0,0]]]"),
+       feature("Polygon", "[[[0,0],[0,0],[9,0],[9,9],[0,0]]]")}));
+  EXPECT_EQ(map.areas.size(), 3U);
+  EXPECT_EQ(map.census.of(Column::kRefused, kCrossesItself), 1U) << map.census.table();
+}
+
 TEST(GeoJson, IsRefusedIfItIsNone) {
   for (const std::string text :
        {"", "{", "[]", "7", R"({"type":"Topology"})",
@@ -137,9 +149,11 @@ TEST(Shapefile, HasPolygonsWithHoles) {
                {{{{0, 0}, {0, 0.0002}, {0.0002, 0.0002}, {0.0002, 0}, {0, 0}},
                  {{0.00005, 0.00005}, {0.00015, 0.00005}, {0.00015, 0.00015}, {0.00005, 0.00005}}},
                 {{{0, 0}, {0, 1}, {1, 1}, {1, 0.5}}},
+                {{{0, 0}, {1, 1}, {1, 0}, {0, 1}, {0, 0}}},
                 {{{0, 0}, {0, 200}, {1, 1}, {0, 0}}}});
   GeoMap geo = read_map(path, map::Kind::kRoad);
   EXPECT_EQ(geo.census.of(Column::kRefused, "area whose outline is open"), 1U);
+  EXPECT_EQ(geo.census.of(Column::kRefused, kCrossesItself), 1U);
   EXPECT_EQ(geo.census.of(Column::kRefused, "place that is not on earth"), 1U);
   geo.attribution = "a survey";
   const Covered map(std::move(geo));
