@@ -265,7 +265,7 @@ std::vector<std::string> cloud_files_in(const std::string& folder) {
        std::filesystem::directory_iterator(folder)) {
     const std::string path = entry.path();
     const bool is_hidden = entry.path().filename().string().starts_with('.');  // "._1.pcd" of macOS
-    if (is_cloud_file(path) && !is_hidden && !entry.is_directory()) {
+    if (is_cloud_file(path) && !is_hidden && !entry.is_directory() && !entry.is_other()) {
       endings.insert(ending_of(path));
       paths.push_back(path);
     }

@@ -377,9 +377,8 @@ void add_fuse(CLI::App& program) {
       "destination port. After a packet from a sensor's source_ipv4, it skips the port's packets "
       "from other addresses. Time is that of the capture. A pause counts as at most 1 s.\n"
       "--out-raw: columns x rows int8, row by row from the lowest y. --hashes: number, complete "
-      "and "
-      "partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of these "
-      "CRCs.\n"
+      "and partial sensors (hex), points used, tiles, grid CRC; the run hash is the CRC-32 of "
+      "these CRCs.\n"
       "--classes-hashes: number, time on the poses' clock, slices and packets with a pose, packets "
       "without one, causes (hex, docs/spec.md 3.9), the window's corner in tiles, tiles, CRC of "
       "the classes, and the frames without evidence in which the window's time advanced, since the "
@@ -389,9 +388,10 @@ void add_fuse(CLI::App& program) {
   command->add_flag("--quiet", *is_quiet, "Do not suggest commands for this drive on a terminal");
   command->callback([command, options, is_quiet] {
     const bool has_folder = !options->pictures.folder.empty();
+    const bool draws = has_folder || !options->classes_png.empty();
     demand_use(*command, has_folder, {"--every"}, "--out FOLDER");
-    demand_use(*command, has_folder || !options->classes_png.empty(), {"--scale", "--radius"},
-               "--out FOLDER or --classes-png FILE");
+    demand_use(*command, draws, {"--scale", "--radius"}, "--out FOLDER or --classes-png FILE");
+    demand_use(*command, draws || !options->out_raw.empty(), {"--frame"}, "--out or --out-raw");
     fuse(*options);
     std::cout << (*is_quiet ? "" : rows_of_next_steps(*command));
   });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -51,11 +50,6 @@ void compare(const OdometryOptions& options, const ConvertedLog& log,
 void estimate(const OdometryOptions& options) {
   if (options.out.empty() && options.drive.poses.empty()) {
     throw UsageError("give --out FILE, or --poses FILE to compare with");
-  }
-  const std::string suffix = std::filesystem::path(options.out).extension();
-  if (suffix != ".csv" && suffix.size() > 1 &&
-      std::ranges::count(kPoseFormats, std::string_view(suffix).substr(1)) > 0) {
-    throw UsageError(options.out + ": the log is CSV: give a name that ends in .csv");
   }
   const CatalogueEntry& car = find_vehicle(options.vehicle);
   demand_fit(options.drive.captures, car);

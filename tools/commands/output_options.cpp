@@ -12,6 +12,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
+#include "tools/program/letter_case.hpp"
 #include "tools/program/unknown_word.hpp"
 
 namespace iog::tools {
@@ -78,6 +79,26 @@ void demand_place(const std::string& path, const std::set<files::path>& made) {
   }
 }
 
+// The ending that the option's description names, "(.pcap)"; empty if it names none.
+std::string ending_of(const CLI::Option& option) {
+  const std::string& text = option.get_description();
+  const std::size_t begin = text.find("(.");
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin + 1, text.find(')', begin) - begin - 1);
+}
+
+// By an ending of another format other programs, and iog itself, would misread the file.
+void demand_ending(const std::string& path, const std::string& its) {
+  constexpr std::array<std::string_view, 14> kOthers{
+      ".pcap", ".pcapng", ".csv",  ".mcap",   ".db3", ".gz",   ".zst",
+      ".png",  ".json",   ".toml", ".iogmap", ".tum", ".nmea", ".ubx"};
+  const std::string ending = in_lower_case(files::path(path).extension().string());
+  if (!its.empty() && ending != its && std::ranges::find(kOthers, ending) != kOthers.end()) {
+    throw UsageError(path + ": what is written has the format " + its +
+                     ": give a name that ends so");
+  }
+}
+
 bool is_file(const std::string& path, const std::string& output) {
   std::error_code error;
   return files::equivalent(path, output, error) && files::is_regular_file(output, error);
@@ -117,6 +138,7 @@ void check_outputs(const CLI::App& command) {
       }
       outputs.insert(path);
       if (path != "-" && !is_folder(command, *option, path)) {
+        demand_ending(path, ending_of(*option));
         demand_place(path, made);
       }
       if (path != "-" && !places.insert(place_of(path)).second) {

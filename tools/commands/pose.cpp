@@ -168,6 +168,7 @@ void convert(const PoseLogOptions& options) {
     sample.time_us +=
         static_cast<std::uint64_t>(std::llround(options.clock_offset_s.value_or(0) * 1e6));
     datagrams.push_back(encoder.datagram_of(sample));
+    datagrams.back().destination.port = options.port;
   }
   if (!options.target.empty()) {
     catch_interrupts();

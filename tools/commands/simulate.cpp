@@ -20,6 +20,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
 #include "tools/program/number_checks.hpp"
+#include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
 #include "tools/simulate/drives/drive.hpp"
@@ -366,7 +367,13 @@ void add_simulate(CLI::App& program) {
       "scene 'street'. The same options give the same bytes on every machine. Spinning scanners "
       "turn ten times per second, with one return per beam. A car with only such scanners has ten "
       "frames per second.");
-  command->callback([options] { simulate(*options); });
+  command->callback([command, options] {
+    demand_use(
+        *command,
+        !options->truth.empty() || !options->truth_cells.empty() || !options->truth_points.empty(),
+        {"--truth-every"}, "--truth, --truth-cells or --truth-points");
+    simulate(*options);
+  });
 }
 
 }  // namespace iog::tools

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tools/formats/capture/file_hint.hpp"
 #include "tools/formats/mcap/format.hpp"
 #include "tools/formats/ros/bag_files.hpp"
 #include "tools/poses/pose_log.hpp"
@@ -75,8 +76,10 @@ PoseLog read_pose_log(const std::string& input, const std::string& format) {
     return read_ros_log(path, colon == std::string::npos ? "" : input.substr(colon + 1));
   }
   if (its.empty()) {
+    const std::string hint = files::is_directory(path) ? "" : hint_of(read_file(path));
     throw UsageError(
-        path + ": no log of poses that is read: csv, oxts, nmea, ubx, tum, kitti, mcap or rosbag2");
+        path + ": no log of poses that is read" +
+        (hint.empty() ? ": csv, oxts, nmea, ubx, tum, kitti, mcap or rosbag2" : "; it is " + hint));
   }
   const std::vector<std::byte> bytes = read_file(path);
   static_cast<void>(its == "nmea" ? text_in(path, bytes) : "");

@@ -93,11 +93,14 @@ void note_gaps(const std::vector<LoggedPose>& poses, std::vector<std::string>& n
 std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
   count_from_near(log);
   Tally without_heading;
+  Tally no_number;
   Tally unsayable;
   std::vector<LoggedPose> whole;
   for (const LoggedPose& pose : log.poses) {
     if (!pose.heading_rad) {
       without_heading.add(pose.place);
+    } else if (!std::isfinite(pose.x_m + pose.y_m + *pose.heading_rad)) {
+      no_number.add(pose.place);
     } else if (!can_be_said(sample_of(pose, conversion))) {
       unsayable.add(pose.place);
     } else {
@@ -122,6 +125,7 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
     }
   }
   remark(without_heading, "pose|poses without a heading", log.unit, log.remarks);
+  remark(no_number, "pose|poses whose position or heading is no number", log.unit, log.remarks);
   remark(unsayable, "pose|poses beyond 1000 km, 100 m/s or 10 rad/s", log.unit, log.remarks);
   remark(not_newer, "pose|poses that is|are not newer than the one before", log.unit, log.remarks);
   remark(too_close, "pose|poses less than 8 ms after the one before", log.unit, log.remarks);

@@ -47,6 +47,7 @@ std::uint64_t write_with_standing_poses(const std::string& capture, std::uint16_
     throw UsageError(capture + ": no datagram in it");
   }
   writer.finish();
+  warn_of(capture, reader);
   return poses;
 }
 

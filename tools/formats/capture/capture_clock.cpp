@@ -44,7 +44,11 @@ std::uint64_t SteadyTime::of(std::uint64_t recorded_us) {
 std::string SteadyTime::words() const {
   std::string text;
   if (back_.count > 0) {
-    text = "its clock steps back " + back_.words() + "; its times go on from there";
+    constexpr std::uint64_t kDisorder = 20;
+    text = "its clock steps back " + back_.words() + "; its times go on from there" +
+           (back_.count < kDisorder ? ""
+                                    : ": if its packets are out of order, sort them first "
+                                      "(reordercap)");
   }
   if (ahead_.count > 0) {
     text += (text.empty() ? "" : "; ") +

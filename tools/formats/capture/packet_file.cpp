@@ -95,6 +95,13 @@ std::optional<CapturedPacket> PacketFile::next_of_pcap() {
     return std::nullopt;
   }
   const std::uint32_t kept = word(header, 8);
+  const std::uint32_t magic = word(header, 0);
+  if (magic == kMicroseconds || magic == kNanoseconds) {  // as the time of a packet, of 2055
+    trouble_ =
+        "cannot be read further: another capture begins behind its last packet: give each "
+        "as a file of its own";
+    return std::nullopt;
+  }
   if (kept > kMostPacketBytes) {
     trouble_ = "cannot be read further: a packet of " + std::to_string(kept) + " bytes";
     return std::nullopt;

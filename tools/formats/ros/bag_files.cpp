@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <unistd.h>
 
@@ -13,6 +16,7 @@
 #include "tools/program/file.hpp"
 #include "tools/program/natural_order.hpp"
 #include "tools/program/printable.hpp"
+#include "tools/program/table.hpp"
 
 namespace iog::tools::ros {
 namespace {
@@ -37,7 +41,7 @@ bool begins_as_mcap(const std::string& path) {
 std::vector<std::string> all_in(const std::string& folder) {
   std::vector<std::string> found;
   for (const files::directory_entry& entry : files::directory_iterator(folder)) {
-    if (is_file_of_bag(entry.path())) {
+    if (is_file_of_bag(entry.path()) && !entry.is_other()) {  // no device or pipe
       found.push_back(entry.path());
     }
   }
@@ -49,6 +53,34 @@ std::string value_in(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" -\"'");
   const std::size_t end = line.find_last_not_of(" \"'\r");
   return begin == std::string_view::npos ? "" : std::string(line.substr(begin, end + 1 - begin));
+}
+
+// The number before the ending, as rosbag2 numbers the files of a bag; nothing if there is none.
+std::optional<std::uint64_t> number_of(const std::string& path) {
+  const std::string name = files::path(path).filename();
+  const std::string_view stem = std::string_view(name).substr(0, name.find('.'));
+  const std::string_view digits = stem.substr(stem.find_last_not_of("0123456789") + 1);
+  constexpr std::size_t kMostDigits = 9;  // more are a time
+  std::uint64_t number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return digits.empty() || digits.size() > kMostDigits ? std::nullopt : std::optional(number);
+}
+
+// Of a folder without metadata.yaml; empty if no number is left out.
+std::string words_of_missing(const std::vector<std::string>& names) {
+  std::uint64_t missing = 0;
+  std::string first;
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const auto before = number_of(names[i - 1]);
+    const auto number = number_of(names[i]);
+    if (before && number && *number > *before + 1) {
+      missing += *number - *before - 1;
+      first = first.empty() ? names[i - 1] : first;
+    }
+  }
+  return missing == 0 ? ""
+                      : counted(missing, "file|files is|are missing") +
+                            " by the numbers in their names, the first after " + printable(first);
 }
 
 // Only what rosbag2 itself writes is understood, not all of YAML.
@@ -111,11 +143,17 @@ std::vector<std::string> words_of_unlisted(const std::string& path) {
   if (files::is_directory(path)) {
     const std::vector<std::string> read = files_of_recording(path);
     for (const std::string& name : all_in(path)) {
-      const bool is_read = std::ranges::any_of(
-          read, [&](const std::string& its) { return files::equivalent(its, name); });
+      const bool is_read = std::ranges::any_of(read, [&](const std::string& its) {
+        std::error_code error;
+        return files::equivalent(its, name, error);
+      });
       if (!is_read) {
         words.push_back(printable(name) + ": metadata.yaml does not list this file; not read");
       }
+    }
+    if (const std::string missing = words_of_missing(read);
+        !files::exists(path + "/metadata.yaml") && !missing.empty()) {
+      words.push_back(printable(path) + ": " + missing);
     }
   }
   return words;

@@ -19,7 +19,7 @@ namespace iog::tools::ros {
 [[nodiscard]] std::vector<std::string> files_of_recording(const std::string& path);
 
 // Of the folder of a bag: files of messages that its metadata.yaml does not list, which are not
-// read, each with these words.
+// read, each with these words. Without metadata.yaml: how many are missing by their numbers.
 [[nodiscard]] std::vector<std::string> words_of_unlisted(const std::string& path);
 
 // A file as it was before zstd or gzip has packed it: itself, or a copy in the folder for temporary
