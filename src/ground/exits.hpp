@@ -4,11 +4,11 @@
 //
 // A beam that starts between the limits can leave at either one: at the lower limit, it comes too
 // close to the ground, and at the upper limit, it rises too high above the ground. Of two beams
-// that cross the lower limit, the one with the higher elevation crosses it farther from the sensor.
-// Of two beams that cross the upper limit, the one with the higher elevation crosses it nearer to
+// that cross the lower limit, the one with the higher slope crosses it farther from the sensor.
+// Of two beams that cross the upper limit, the one with the higher slope crosses it nearer to
 // the sensor. One outward sweep per limit is therefore enough to find the exit ranges of all layers
-// of a sector. Each sweep produces a sorted list. The two lists are merged to sort the layers by
-// exit range.
+// of a sector. Each sweep produces a sorted list. For level sensors, the two lists are merged to
+// sort the layers by exit range.
 #pragma once
 
 #include <array>
@@ -25,7 +25,8 @@ namespace iog::ground {
 
 class Exits {
  public:
-  // Finds the exit ranges of a sector's beams. The fan must be turned to this sector.
+  // Finds the exit ranges of a sector's beams. The fan must be turned to this sector. If the sensor
+  // is outside of the limits, all exit ranges are 0.
   void find(std::uint32_t sector, const Fan& fan, Limits limits, const Surface& surface);
 
   // Returns the exit range of a beam, as a distance along the beam's line. The distance is rounded
@@ -38,6 +39,7 @@ class Exits {
   [[nodiscard]] std::size_t by_rank(std::uint32_t sector, std::size_t rank) const {
     return rows_[sector][rank].of_rank;
   }
+  // Returns a layer's rank. Rank 0 has the farthest exit.
   [[nodiscard]] std::uint32_t rank_of(std::uint32_t sector, std::size_t layer) const {
     return rows_[sector][layer].rank;
   }

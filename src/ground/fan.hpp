@@ -19,7 +19,8 @@ namespace iog::ground {
 // in the middle of the sector represent all of the sector's beams.
 class Fan {
  public:
-  // Both arguments must outlive the fan. The sensor's lines must be at most 131,070 mm long.
+  // The beams must be those of the sensor, a spinning lidar, and both must outlive the fan. The
+  // sensor's lines must be at most 131,070 mm long.
   Fan(const Beams& beams, const vehicle::Sensor& sensor)
       : beams_(&beams),
         sensor_(&sensor),
@@ -31,6 +32,8 @@ class Fan {
     }
   }
 
+  // Finds the slopes and their order in a sector below kSectors. For a tilted sensor, call it
+  // before layers() and slope(). It does nothing for a level sensor.
   void turn_to(std::uint32_t sector) {
     if (is_level()) {
       return;
@@ -51,10 +54,10 @@ class Fan {
   [[nodiscard]] std::span<const std::uint8_t> layers() const {
     return std::span(layers_).first(count_);
   }
-  // Returns the slope of a layer's beam in the plane of rotation.
+  // Returns how much a layer's beam rises per distance in the plane of rotation.
   [[nodiscard]] Slope slope(std::size_t layer) const { return slopes_[layer]; }
-  // Converts a distance in the plane of rotation to the distance along the beam's line, at most the
-  // line's length. Both are in units of 2 mm.
+  // Converts a distance in the plane of rotation to the distance along the beam's line, rounded
+  // down, at most the line's length. Both are in units of 2 mm.
   [[nodiscard]] std::uint16_t along_2_mm(std::size_t layer, std::uint32_t out_2_mm) const {
     const std::uint32_t along_mm =
         is_level() ? 2 * out_2_mm : beams_->along_mm(layer, 2 * out_2_mm);

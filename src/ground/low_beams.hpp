@@ -3,9 +3,9 @@
 //
 // The height of the ground below a beam is known only at the resolution of the bins. Where a bank
 // rises from one bin to the next, a beam would count as low both above the foot of the bank and
-// above its top. A hit between the foot and the top would then appear to be motion. Beam heights
-// are therefore measured from the lowest ground nearby, and the heights of tall returns from the
-// highest ground nearby.
+// above its top. A hit between the foot and the top would then appear to be motion. Heights over
+// low_mm are therefore measured from the lowest ground nearby, and the heights of tall returns from
+// the highest ground nearby.
 //
 // A beam stops opening cells where it first comes within MovedLimits::kUnderCarsMm of the ground.
 // From there on, it may pass under a parked car, and the next beam may hit the body of this car.
@@ -37,8 +37,9 @@ class LowBeams {
   void find(std::uint32_t sector, const Fan& fan, std::int32_t low_mm, const Surface& surface);
 
   // Returns the low part of a beam. If the sensor is mounted more than low_mm above the car's
-  // plane, this part starts where the beam descends to low_mm. Otherwise, the low part extends from
-  // the start of the beam to the point where the beam rises above low_mm.
+  // plane, this part starts where the beam descends to low_mm. Otherwise, it starts at the sensor
+  // and ends where the beam rises above low_mm. In both cases, it ends at the latest where a sensor
+  // above kUnderCarsMm has a beam that comes within kUnderCarsMm of the ground.
   [[nodiscard]] Stretch at(std::uint32_t sector, std::size_t layer) const {
     const Ends& ends = ends_[sector][layer];
     return {std::uint32_t{2} * ends.from_2_mm, std::uint32_t{2} * ends.to_2_mm};

@@ -77,8 +77,9 @@ bool is_broken_link(const files::directory_entry& entry) {
   return entry.is_symlink(error) && !entry.exists(error);
 }
 
-// The captures in a folder and in those below it, by where these folders really are. Links to
-// folders are followed, but not back to a folder around them; of several names the first is taken.
+// Adds the captures in a folder and below it, by their canonical folder and name. Links to folders
+// are followed, except to a folder that contains them. Of a folder's paths the first by name is
+// used.
 void add_captures(const files::path& folder, const files::path& top, std::set<files::path>& around,
                   std::map<files::path, ListedCapture>& found) {
   std::error_code error;

@@ -372,8 +372,8 @@ CloudFiles timed(const std::vector<std::string>& paths, double clouds_per_second
   }
   if (!have_times) {
     std::ostringstream words;
-    words << "neither file names nor points have times since 1970: " << clouds_per_second
-          << " per second assumed (--rate), from 2024-05-01 12:00:00 UTC";
+    words << "neither file names nor points have Unix times: " << clouds_per_second
+          << " clouds per second assumed (--rate), from 2024-05-01 12:00:00 UTC";
     all.remarks_if_assumed.push_back(words.str());
     if (const std::string missing = words_of_missing(all.files); !missing.empty()) {
       all.remarks_if_assumed.push_back(missing);

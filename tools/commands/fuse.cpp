@@ -391,7 +391,7 @@ void add_fuse(CLI::App& program) {
     const bool draws = has_folder || !options->classes_png.empty();
     demand_use(*command, has_folder, {"--every"}, "--out FOLDER");
     demand_use(*command, draws, {"--scale", "--radius"}, "--out FOLDER or --classes-png FILE");
-    demand_use(*command, draws || !options->out_raw.empty(), {"--frame"}, "--out or --out-raw");
+    demand_use(*command, draws || !options->out_raw.empty(), {"--frame"}, "--out-raw or a picture");
     fuse(*options);
     std::cout << (*is_quiet ? "" : rows_of_next_steps(*command));
   });

@@ -87,15 +87,14 @@ std::string ending_of(const CLI::Option& option) {
                                     : text.substr(begin + 1, text.find(')', begin) - begin - 1);
 }
 
-// By an ending of another format other programs, and iog itself, would misread the file.
+// Rejects names that end as another format does: other programs, and iog, would misread the file.
 void demand_ending(const std::string& path, const std::string& its) {
   constexpr std::array<std::string_view, 14> kOthers{
       ".pcap", ".pcapng", ".csv",  ".mcap",   ".db3", ".gz",   ".zst",
       ".png",  ".json",   ".toml", ".iogmap", ".tum", ".nmea", ".ubx"};
   const std::string ending = in_lower_case(files::path(path).extension().string());
   if (!its.empty() && ending != its && std::ranges::find(kOthers, ending) != kOthers.end()) {
-    throw UsageError(path + ": what is written has the format " + its +
-                     ": give a name that ends so");
+    throw UsageError(path + ": the output is a " + its + " file: use a name that ends in " + its);
   }
 }
 

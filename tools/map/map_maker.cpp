@@ -137,11 +137,10 @@ MapOrigin origin_of(const GeoMap& map, const MapOptions& options) {
 constexpr const char* kNothingInCommon =
     "the data and the extent that is asked for have nothing in common";
 
-void demand_fit(const PlaneBox& box, bool is_all) {
+void demand_fit(const PlaneBox& box) {
   constexpr double kLimit = map::kMaxCoordinateCm;
   if (box.low.x + 1 > box.high.x || box.low.y + 1 > box.high.y) {
-    throw UsageError(is_all ? "the data lie on one line, which has no area: give --extent METRES"
-                            : kNothingInCommon);
+    throw UsageError(kNothingInCommon);
   }
   const double buckets = ((box.high.x - box.low.x) / map::kBucketCm + 1) *
                          ((box.high.y - box.low.y) / map::kBucketCm + 1);
@@ -162,6 +161,9 @@ map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlan
     throw UsageError(kNothingInCommon);
   }
   const PlaneBox data = inside_of(near, plane);
+  if (data.low.x + 1 > data.high.x || data.low.y + 1 > data.high.y) {
+    throw UsageError("the data lie on one line, and a map needs an area");
+  }
   PlaneBox wanted = data;
   if (options.box) {
     wanted = inside_of(*options.box, plane);
@@ -170,7 +172,7 @@ map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlan
     wanted = {{-radius, -radius}, {radius, radius}};
   }
   const PlaneBox box = both(wanted, data);
-  demand_fit(box, is_all);
+  demand_fit(box);
   if (box.low.x > wanted.low.x || box.low.y > wanted.low.y || box.high.x < wanted.high.x ||
       box.high.y < wanted.high.y) {
     remark += "the data do not reach as far as was asked for\n";

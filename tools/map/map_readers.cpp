@@ -31,7 +31,7 @@ bool crosses_itself(std::span<const GeoPoint> ring) {
     GeoPoint to;
     [[nodiscard]] double west() const { return std::min(from.longitude, to.longitude); }
     [[nodiscard]] double east() const { return std::max(from.longitude, to.longitude); }
-    // On which side of this side's line a point lies: above 0, below 0, or 0 on it.
+    // Positive if the point is left of this side's line, negative if right, 0 on it.
     [[nodiscard]] double side_of(const GeoPoint& point) const {
       return (to.longitude - from.longitude) * (point.latitude - from.latitude) -
              (to.latitude - from.latitude) * (point.longitude - from.longitude);

@@ -26,8 +26,8 @@ namespace iog::tools {
 // By the end of its name.
 [[nodiscard]] GeoMap read_map(const std::string& path, std::optional<map::Kind> kind);
 
-// Whether two sides of an outline cross, so that nobody knows what it surrounds. Outlines that
-// touch themselves do not.
+// Returns true if two sides of an outline cross, so its inside is undefined. Touching does not
+// count. The last point must not repeat the first.
 [[nodiscard]] bool crosses_itself(std::span<const GeoPoint> ring);
 // As the census calls such an area.
 inline constexpr const char* kCrossesItself = "area whose outline crosses itself";

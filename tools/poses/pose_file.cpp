@@ -78,8 +78,9 @@ PoseLog read_pose_log(const std::string& input, const std::string& format) {
   if (its.empty()) {
     const std::string hint = files::is_directory(path) ? "" : hint_of(read_file(path));
     throw UsageError(
-        path + ": no log of poses that is read" +
-        (hint.empty() ? ": csv, oxts, nmea, ubx, tum, kitti, mcap or rosbag2" : "; it is " + hint));
+        path + (hint.empty() ? ": no log of poses that is read: csv, oxts, nmea, ubx, tum, kitti, "
+                               "mcap or rosbag2"
+                             : ": not a pose log that iog reads; it is " + hint));
   }
   const std::vector<std::byte> bytes = read_file(path);
   static_cast<void>(its == "nmea" ? text_in(path, bytes) : "");

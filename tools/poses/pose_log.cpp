@@ -125,7 +125,7 @@ std::vector<LoggedPose> usable(PoseLog& log, const PoseConversion& conversion) {
     }
   }
   remark(without_heading, "pose|poses without a heading", log.unit, log.remarks);
-  remark(no_number, "pose|poses whose position or heading is no number", log.unit, log.remarks);
+  remark(no_number, "pose|poses whose position or heading is not finite", log.unit, log.remarks);
   remark(unsayable, "pose|poses beyond 1000 km, 100 m/s or 10 rad/s", log.unit, log.remarks);
   remark(not_newer, "pose|poses that is|are not newer than the one before", log.unit, log.remarks);
   remark(too_close, "pose|poses less than 8 ms after the one before", log.unit, log.remarks);

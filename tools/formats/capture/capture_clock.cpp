@@ -47,8 +47,8 @@ std::string SteadyTime::words() const {
     constexpr std::uint64_t kDisorder = 20;
     text = "its clock steps back " + back_.words() + "; its times go on from there" +
            (back_.count < kDisorder ? ""
-                                    : ": if its packets are out of order, sort them first "
-                                      "(reordercap)");
+                                    : ": if packets are out of order, sort the capture with "
+                                      "reordercap");
   }
   if (ahead_.count > 0) {
     text += (text.empty() ? "" : "; ") +

@@ -96,10 +96,10 @@ std::optional<CapturedPacket> PacketFile::next_of_pcap() {
   }
   const std::uint32_t kept = word(header, 8);
   const std::uint32_t magic = word(header, 0);
-  if (magic == kMicroseconds || magic == kNanoseconds) {  // as the time of a packet, of 2055
+  if (magic == kMicroseconds || magic == kNanoseconds) {  // as a time: of 2055
     trouble_ =
-        "cannot be read further: another capture begins behind its last packet: give each "
-        "as a file of its own";
+        "cannot be read further: a second capture follows in the same file: split them into two "
+        "files";
     return std::nullopt;
   }
   if (kept > kMostPacketBytes) {

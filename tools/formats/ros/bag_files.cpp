@@ -55,12 +55,14 @@ std::string value_in(std::string_view line) {
   return begin == std::string_view::npos ? "" : std::string(line.substr(begin, end + 1 - begin));
 }
 
-// The number before the ending, as rosbag2 numbers the files of a bag; nothing if there is none.
+// The number of a file of a bag, as in NAME_3.db3.zst; nothing if there is none.
 std::optional<std::uint64_t> number_of(const std::string& path) {
   const std::string name = files::path(path).filename();
-  const std::string_view stem = std::string_view(name).substr(0, name.find('.'));
+  const auto ending = std::ranges::find_if(kEndings, [&](auto its) { return name.ends_with(its); });
+  const std::string_view stem = std::string_view(name).substr(
+      0, name.size() - (ending == kEndings.end() ? 0 : ending->size()));
   const std::string_view digits = stem.substr(stem.find_last_not_of("0123456789") + 1);
-  constexpr std::size_t kMostDigits = 9;  // more are a time
+  constexpr std::size_t kMostDigits = 9;  // longer ones are times
   std::uint64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return digits.empty() || digits.size() > kMostDigits ? std::nullopt : std::optional(number);

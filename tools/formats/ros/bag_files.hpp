@@ -18,8 +18,8 @@ namespace iog::tools::ros {
 // read.
 [[nodiscard]] std::vector<std::string> files_of_recording(const std::string& path);
 
-// Of the folder of a bag: files of messages that its metadata.yaml does not list, which are not
-// read, each with these words. Without metadata.yaml: how many are missing by their numbers.
+// Remarks on the folder of a bag. With metadata.yaml: one for each file of messages that it does
+// not list, and that is not read. Without: at most one, on gaps in the files' numbers.
 [[nodiscard]] std::vector<std::string> words_of_unlisted(const std::string& path);
 
 // A file as it was before zstd or gzip has packed it: itself, or a copy in the folder for temporary

@@ -28,7 +28,7 @@ TEST(CloudFiles, AShellsOrderIsNotThatOfTheDrive) {
             std::vector<std::string>{"files were put in the order of the numbers in their names"});
   EXPECT_EQ(all.remarks_if_assumed,
             (std::vector<std::string>{
-                "neither file names nor points have times since 1970: 20 per second "
+                "neither file names nor points have Unix times: 20 clouds per second "
                 "assumed (--rate), from 2024-05-01 12:00:00 UTC",
                 "7 files are missing by the numbers in their names, the "
                 "first after 2.bin: clouds after it are timed too early"}));
