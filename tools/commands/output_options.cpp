@@ -137,7 +137,6 @@ void check_outputs(const CLI::App& command) {
       }
       outputs.insert(path);
       if (path != "-" && !is_folder(command, *option, path)) {
-        demand_ending(path, ending_of(*option));
         demand_place(path, made);
       }
       if (path != "-" && !places.insert(place_of(path)).second) {
@@ -148,6 +147,13 @@ void check_outputs(const CLI::App& command) {
   for (const std::string& output : outputs) {
     if (std::ranges::any_of(inputs, [&](const auto& input) { return is_read(input, output); })) {
       throw UsageError(output + ": this file is read: give another output");
+    }
+  }
+  for (const CLI::Option* const option : options_of(command)) {
+    for (const std::string& path : option->results()) {
+      if (is_output(command, *option) && !is_folder(command, *option, path)) {
+        demand_ending(path, ending_of(*option));
+      }
     }
   }
 }

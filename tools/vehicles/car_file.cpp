@@ -187,10 +187,9 @@ std::string text_of(const std::string& path) {
 }
 
 toml::table parse(std::string_view text, const std::string& path) {
-  if (const auto line = line_of_deep_nesting(text)) {
-    const std::string most = std::to_string(kMostNesting);
-    throw UsageError(path + ':' + std::to_string(*line) + ": nested too deep: " + most +
-                     " parts of a key and " + most + " open brackets are the most");
+  if (const auto refusal = refused_before_reading(text)) {
+    throw UsageError(path + ':' + std::to_string(refusal->line) + ": " +
+                     std::string(refusal->words));
   }
   try {
     return toml::parse(text);

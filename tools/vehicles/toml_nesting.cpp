@@ -7,6 +7,10 @@ namespace {
 
 using namespace std::string_view_literals;
 
+static_assert(kMostNesting == 8);
+constexpr std::string_view kNestedTooDeep =
+    "nested too deep: 8 parts of a key and 8 open brackets are the most";
+
 // The length of the string at the beginning of the text (TOML 1.0.0, "String"). A string that does
 // not end takes its line, or the rest of the text if it may span lines.
 std::size_t length_of_string(std::string_view text) {
@@ -32,10 +36,13 @@ std::size_t length_of_string(std::string_view text) {
 }  // namespace
 
 // A number has one point at most, so more of them in a row are a key's.
-std::optional<std::uint32_t> line_of_deep_nesting(std::string_view text) {
+std::optional<TomlRefusal> refused_before_reading(std::string_view text) {
   std::uint32_t line = 1;
   int brackets = 0;
   int parts = 1;
+  if (text.starts_with("\xEF\xBB\xBF"sv)) {  // the byte order mark
+    text.remove_prefix(3);
+  }
   while (!text.empty()) {
     const char next = text.front();
     std::size_t length = 1;
@@ -51,7 +58,10 @@ std::optional<std::uint32_t> line_of_deep_nesting(std::string_view text) {
       ++parts;
     }
     if (std::max(brackets, parts) > kMostNesting) {
-      return line;
+      return TomlRefusal{line, kNestedTooDeep};
+    }
+    if (static_cast<unsigned char>(next) >= 0x80) {
+      return TomlRefusal{line, "this is not TOML: outside of strings and comments, all is ASCII"};
     }
     line += static_cast<std::uint32_t>(std::ranges::count(text.substr(0, length), '\n'));
     text.remove_prefix(length);

@@ -1,5 +1,6 @@
-// Measures how deep a TOML text nests tables and arrays, without recursion: a library that makes a
-// table for each part of a key `a.b.c ...` needs stack for each.
+// Refuses TOML texts that the library must not read. It makes a table for each part of a key
+// `a.b.c ...`, and needs stack for each. Of most characters beyond ASCII outside of strings and
+// comments, which TOML 1.0.0 has nowhere, its code says that they cannot come.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,15 @@ namespace iog::tools {
 // The most parts of a key, and the most open brackets. A car's file needs 3.
 inline constexpr int kMostNesting = 8;
 
-// The line, from 1, of the first key or bracket that is deeper; nothing if none is. The text need
-// not be valid TOML; it is judged as TOML up to its first mistake.
-[[nodiscard]] std::optional<std::uint32_t> line_of_deep_nesting(std::string_view text);
+// `line` counts from 1.
+struct TomlRefusal {
+  std::uint32_t line = 0;
+  std::string_view words;
+};
+
+// The first key or bracket that is nested deeper, or character beyond ASCII outside of strings and
+// comments; nothing if there is none. The text need not be valid TOML; it is judged as TOML up to
+// its first mistake.
+[[nodiscard]] std::optional<TomlRefusal> refused_before_reading(std::string_view text);
 
 }  // namespace iog::tools

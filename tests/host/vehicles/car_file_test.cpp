@@ -161,6 +161,29 @@ TEST(CarFile, NestingIsBounded) {
   }
 }
 
+// The byte order mark, and letters in strings and comments, are TOML.
+TEST(CarFile, OutsideOfStringsAllIsAscii) {
+  const auto words_of = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(parse_car(text, "letters.toml"));
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string said = ": this is not TOML: outside of strings and comments, all is ASCII";
+  for (const std::string line :
+       {"a = 6\xD1\xA0"
+        "5",
+        "\xC3\xA9 = 1", "a = 1\xC2\xA0", "a = \xE2\x80\x9Cx\xE2\x80\x9D"}) {
+    EXPECT_EQ(words_of("\xEF\xBB\xBFname = \"\xC3\xA9\" # \xC3\xA9\n" + line),
+              "letters.toml:2" + said)
+        << line;
+  }
+  EXPECT_EQ(words_of("\xEF\xBB\xBFname = \"\xC3\xA9\" # \xC3\xA9\n").find("not TOML"),
+            std::string::npos);
+}
+
 // Points and brackets in comments and strings, many numbers, brackets one behind another.
 TEST(CarFile, WhatOnlyLooksDeepIsRead) {
   const std::string comment = " # \"" + repeated("a.[{", 100) + '\n';
