@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -126,7 +127,7 @@ bool is_read(const std::string& input, const std::string& output) {
 
 void check_outputs(const CLI::App& command) {
   std::set<files::path> places;
-  std::set<std::string> outputs;
+  std::map<std::string, std::string> outputs;  // with the ending that each should have
   std::set<std::string> inputs;
   const std::set<files::path> made = made_folders(command);
   for (const CLI::Option* const option : options_of(command)) {
@@ -135,8 +136,9 @@ void check_outputs(const CLI::App& command) {
         inputs.insert(path);
         continue;
       }
-      outputs.insert(path);
-      if (path != "-" && !is_folder(command, *option, path)) {
+      const bool makes_folder = is_folder(command, *option, path);
+      outputs.emplace(path, makes_folder ? "" : ending_of(*option));
+      if (path != "-" && !makes_folder) {
         demand_place(path, made);
       }
       if (path != "-" && !places.insert(place_of(path)).second) {
@@ -144,17 +146,12 @@ void check_outputs(const CLI::App& command) {
       }
     }
   }
-  for (const std::string& output : outputs) {
-    if (std::ranges::any_of(inputs, [&](const auto& input) { return is_read(input, output); })) {
+  for (const auto& [output, ending] : outputs) {
+    const auto reads = [&, &its = output](const std::string& input) { return is_read(input, its); };
+    if (std::ranges::any_of(inputs, reads)) {
       throw UsageError(output + ": this file is read: give another output");
     }
-  }
-  for (const CLI::Option* const option : options_of(command)) {
-    for (const std::string& path : option->results()) {
-      if (is_output(command, *option) && !is_folder(command, *option, path)) {
-        demand_ending(path, ending_of(*option));
-      }
-    }
+    demand_ending(output, ending);
   }
 }
 

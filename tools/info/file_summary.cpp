@@ -255,7 +255,7 @@ std::string summary_of_bag(const std::string& path) {
     }
   }
   text += has_clouds ? describe_clouds(path) : "";
-  for (const std::string& words : ros::words_of_unlisted(path)) {
+  for (const std::string& words : ros::remarks_on_files(path)) {
     text += words + '\n';
   }
   return text;

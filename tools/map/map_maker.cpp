@@ -137,9 +137,14 @@ MapOrigin origin_of(const GeoMap& map, const MapOptions& options) {
 constexpr const char* kNothingInCommon =
     "the data and the extent that is asked for have nothing in common";
 
+// Narrower than a centimetre, or turned inside out.
+bool is_empty(const PlaneBox& box) {
+  return box.low.x + 1 > box.high.x || box.low.y + 1 > box.high.y;
+}
+
 void demand_fit(const PlaneBox& box) {
   constexpr double kLimit = map::kMaxCoordinateCm;
-  if (box.low.x + 1 > box.high.x || box.low.y + 1 > box.high.y) {
+  if (is_empty(box)) {
     throw UsageError(kNothingInCommon);
   }
   const double buckets = ((box.high.x - box.low.x) / map::kBucketCm + 1) *
@@ -161,7 +166,7 @@ map::BoxCm extent_of(const GeoMap& map, const MapOptions& options, const MapPlan
     throw UsageError(kNothingInCommon);
   }
   const PlaneBox data = inside_of(near, plane);
-  if (data.low.x + 1 > data.high.x || data.low.y + 1 > data.high.y) {
+  if (is_empty(data)) {
     throw UsageError("the data lie on one line, and a map needs an area");
   }
   PlaneBox wanted = data;

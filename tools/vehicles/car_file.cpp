@@ -14,7 +14,7 @@
 #include "tools/program/exit_status.hpp"
 #include "tools/vehicles/car_sensor.hpp"
 #include "tools/vehicles/car_words.hpp"
-#include "tools/vehicles/toml_nesting.hpp"
+#include "tools/vehicles/toml_refusal.hpp"
 
 namespace iog::tools {
 namespace {

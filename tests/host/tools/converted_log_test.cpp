@@ -150,6 +150,17 @@ TEST(ConvertedLog, WhatTheTargetWouldDropIsLeftOutAndCounted) {
                                       "1 pose less than 8 ms after the one before"}));
 }
 
+TEST(ConvertedLog, APoseThatIsNotFiniteIsLeftOutAndCounted) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  PoseLog log;
+  log.poses = {logged(100'000, kNaN, 0, 0), logged(200'000, 0, kNaN, 0),
+               logged(300'000, 0, 0, kNaN), logged(400'000, 0, 0, 0), logged(500'000, 0, 0, 0)};
+  const ConvertedLog result = converted(log, {});
+  EXPECT_EQ(result.samples.size(), 2U);
+  EXPECT_EQ(result.remarks,
+            std::vector<std::string>{"3 poses whose position or heading is not finite"});
+}
+
 // UTM zone 32 in Karlsruhe; a northing is beyond 1000 km.
 TEST(ConvertedLog, PositionsOfACountrysGridAreCountedFromTheFirst) {
   PoseLog log;

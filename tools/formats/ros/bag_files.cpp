@@ -140,7 +140,7 @@ std::vector<std::string> files_of_recording(const std::string& path) {
   return found;
 }
 
-std::vector<std::string> words_of_unlisted(const std::string& path) {
+std::vector<std::string> remarks_on_files(const std::string& path) {
   std::vector<std::string> words;
   if (files::is_directory(path)) {
     const std::vector<std::string> read = files_of_recording(path);

@@ -20,7 +20,7 @@ namespace iog::tools::ros {
 
 // Remarks on the folder of a bag. With metadata.yaml: one for each file of messages that it does
 // not list, and that is not read. Without: at most one, on gaps in the files' numbers.
-[[nodiscard]] std::vector<std::string> words_of_unlisted(const std::string& path);
+[[nodiscard]] std::vector<std::string> remarks_on_files(const std::string& path);
 
 // A file as it was before zstd or gzip has packed it: itself, or a copy in the folder for temporary
 // files, which goes with the object. UsageError if it cannot be unpacked to its end.

@@ -163,7 +163,7 @@ std::vector<std::string> for_each_message(const std::string& path,
                                           std::string_view topic,
                                           const std::function<void(const RecordedMessage&)>& take) {
   Messages messages(types, topic, take);
-  std::vector<std::string> remarks = words_of_unlisted(path);
+  std::vector<std::string> remarks = remarks_on_files(path);
   for (const std::string& name : files_of_recording(path)) {
     const PlainFile& plain = plain_file(name);
     std::ifstream file(plain.path(), std::ios::binary);

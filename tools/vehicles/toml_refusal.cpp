@@ -1,4 +1,4 @@
-#include "tools/vehicles/toml_nesting.hpp"
+#include "tools/vehicles/toml_refusal.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-static_assert(kMostNesting == 8);
+// The most parts of a key, and the most open brackets. A car's file needs 3.
+constexpr int kMostNesting = 8;
 constexpr std::string_view kNestedTooDeep =
     "nested too deep: 8 parts of a key and 8 open brackets are the most";
 
