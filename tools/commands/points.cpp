@@ -26,6 +26,7 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
+#include "tools/program/fixed.hpp"
 #include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
@@ -78,6 +79,12 @@ class Destination {
     }
     remark(refused_, "datagram|datagrams was|were refused by the system", remarks);
     return "to " + options_->target;
+  }
+  // CheckFailed if the system has refused all that was to be sent.
+  void demand_sent() const {
+    if (target_) {
+      target_->demand_sent();
+    }
   }
 
  private:
@@ -132,6 +139,12 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
                     " clouds see other directions than the cloud before them. They seem to be "
                     "parts of turns: let the lidar's driver publish whole turns, and record "
                     "again.");
+  }
+  constexpr double kShortestPeriodUs = 10'000;  // docs/sensors.md
+  if (sent.period_us() > 0 && sent.period_us() < kShortestPeriodUs) {
+    words.push_back("a cloud comes every " + fixed(sent.period_us() / 1000, 1) +
+                    " ms, and the target uses one each 10 ms: let the lidar's driver publish whole "
+                    "turns or scans");
   }
   const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
   if (!of_unit.empty()) {
@@ -324,6 +337,7 @@ void send_clouds(PointsOptions options) {
   if (!has_points) {
     throw CheckFailed("no cloud has a point to send");
   }
+  destination.demand_sent();
 }
 
 }  // namespace

@@ -120,6 +120,7 @@ void send(const std::vector<CapturedDatagram>& datagrams, const PoseLogOptions& 
   }
   std::cout << counted(sent, "pose|poses sent, ") << refused
             << " refused by the system; worst delay " << pace.worst_delay_us() << " us\n";
+  sender.demand_sent();
 }
 
 std::optional<double> thousandth_of(const std::optional<double>& value) {
@@ -164,9 +165,13 @@ void convert(const PoseLogOptions& options) {
   demand_poses(log, options.from);
   PoseEncoder encoder;
   std::vector<CapturedDatagram> datagrams;
+  const std::int64_t offset_us = std::llround(options.clock_offset_s.value_or(0) * 1e6);
   for (PoseSample sample : log.samples) {
-    sample.time_us +=
-        static_cast<std::uint64_t>(std::llround(options.clock_offset_s.value_or(0) * 1e6));
+    if (offset_us < 0 && sample.time_us < static_cast<std::uint64_t>(-offset_us)) {
+      throw UsageError("--clock-offset: the first poses of " + options.from +
+                       " would be before time 0");
+    }
+    sample.time_us += static_cast<std::uint64_t>(offset_us);
     datagrams.push_back(encoder.datagram_of(sample));
     datagrams.back().destination.port = options.port;
   }

@@ -27,7 +27,6 @@
 #include "tools/program/number_checks.hpp"
 #include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
-#include "tools/program/time_of_day.hpp"
 #include "tools/receive/frame_notes.hpp"
 #include "tools/receive/link_counts.hpp"
 #include "tools/receive/run_statistics.hpp"
@@ -89,24 +88,31 @@ class Reception {
     UdpReceiver receiver(options_->bind, options_->port);
     notes_.say_listening();
     begin_ = last_evidence_ = last_message_ = Clock::now();
-    while (!is_done() && !was_interrupted() && !is_idle()) {
+    bool is_interrupted = false;  // what has arrived by then still counts
+    bool has_arrived = true;
+    while (!is_done() && !is_idle() && (!is_interrupted || has_arrived)) {
+      is_interrupted = was_interrupted();
+      if (is_interrupted) {
+        receiver.stop();
+      }
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
-      if (!messages.empty()) {
+      has_arrived = !messages.empty();
+      if (has_arrived) {
         notes_.say_heard();
       }
-      for (const std::vector<std::byte>& message : messages) {
+      for (const UdpReceiver::Message& message : messages) {
         if (!is_done()) {  // what has begun of the frame behind the last is no loss
           if (stream_) {
-            stream_->write(datagram_of_stream(time_of_day_us(), message));
+            stream_->write(datagram_of_stream(message.time_us, message.bytes));
           }
-          assembler_.take(message);
+          assembler_.take(message.bytes);
           if (stream_ && has_messages()) {
             stream_->keep_beginning();
           }
         }
       }
       datagrams_ += messages.size();
-      note_arrival(!messages.empty());
+      note_arrival(has_arrived);
     }
     assembler_.finish();
     if (stream_ && has_messages()) {

@@ -86,6 +86,9 @@ void demand_uses(const CLI::App& command, const RecordOptions& options) {
   };
   demand_use(command, std::ranges::any_of(options.out, is(".mcap")),
              {"--topics", "--points", "--uncompressed", "--stamp"}, "--out FILE.mcap");
+  if (std::ranges::count(options.topics, kPointsTopic) > 0 && options.drive.captures.empty()) {
+    throw UsageError(std::string("--topics ") + std::string(kPointsTopic) + " requires --pcap");
+  }
   demand_use(command, std::ranges::any_of(options.out, is_folder),
              {"--every", "--maps", "--scale", "--radius"}, "--out FOLDER");
 }

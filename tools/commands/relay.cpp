@@ -115,6 +115,7 @@ void relay(const RelayOptions& options) {
   for (std::size_t unit = 0; unit < relay.size(); ++unit) {
     std::cout << relay.words_of(unit) << '\n';
   }
+  sender.demand_sent();
 }
 
 }  // namespace

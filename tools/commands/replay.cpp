@@ -83,6 +83,9 @@ class Replay {
         sender_(target_of(options, *car_), target_ports(options, ports_)),
         pace_(options.speed.value_or(options.step ? 0.0 : 1.0)),
         progress_("packets") {
+    if (options.loop && std::ranges::count(options.drive.captures, "-") > 0) {
+      throw UsageError("--loop reads a capture again and again: give a file, not -");
+    }
     demand_fit(options.drive.captures, *car_);
   }
 
@@ -95,9 +98,10 @@ class Replay {
     send_map();
     do {
       CarCapture capture(options_->drive, *car_);
-      const std::uint64_t sent_before = sent_;
+      const std::uint64_t tried_before = sent_ + refused_;
       options_->step ? play_stepwise(capture) : play(capture);
-      if (sent_ == sent_before && !was_interrupted() && !has_stopped_) {
+      sender_.demand_sent();
+      if (sent_ + refused_ == tried_before && !was_interrupted() && !has_stopped_) {
         throw UsageError(options_->drive.name() + ": no packet for a sensor of " +
                          options_->vehicle);
       }

@@ -45,8 +45,8 @@ class Answer {
       : receiver_(address, port), assembler_([this](GridFrame&& frame) { take(frame); }) {}
 
   void listen(std::chrono::milliseconds wait) {
-    for (const std::vector<std::byte>& message : receiver_.take(wait)) {
-      assembler_.take(message);
+    for (const UdpReceiver::Message& message : receiver_.take(wait)) {
+      assembler_.take(message.bytes);
     }
   }
 
@@ -100,6 +100,7 @@ class SendMap {
       ++rounds_;
     }
     print();
+    sender_.demand_sent();
     if (answer_ && !has_arrived) {
       throw CheckFailed(words_of_failure());
     }

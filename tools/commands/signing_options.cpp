@@ -50,8 +50,8 @@ Freshness heard_freshness(const authentication::Key& key, const std::string& add
   });
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (!has_heard && !was_interrupted() && std::chrono::steady_clock::now() < end) {
-    for (const std::vector<std::byte>& message : receiver.take(std::chrono::milliseconds(50))) {
-      assembler.take(message);
+    for (const UdpReceiver::Message& message : receiver.take(std::chrono::milliseconds(50))) {
+      assembler.take(message.bytes);
     }
   }
   if (!has_heard) {

@@ -45,6 +45,8 @@ void ClassStatistics::add(const GridFrame& frame) {
     return;
   }
   const ClassGrid& classes = *frame.classes;
+  was_restarted_ = was_restarted_ || (run_number_ && run_number_ != frame.header.run_number);
+  run_number_ = frame.header.run_number;
   cell_mm_ = classes.cell_mm;
   extent_ = classes.extent;
   ++frames_;
@@ -124,6 +126,7 @@ std::string ClassStatistics::table() const {
   const std::uint64_t imprecise = slices[static_cast<std::size_t>(pose::Cause::kImprecise)];
   const bool had_poses =
       std::ranges::any_of(last_.pose_fates, [](auto poses) { return poses > 0; });
+  const std::string since = was_restarted_ ? ", since the target's restart" : "";
   return row("class frames", std::to_string(frames_)) +
          row_if(incomplete_ + damaged_ > 0, "class frames not whole",
                 std::to_string(incomplete_) + " incomplete, " + std::to_string(damaged_) +
@@ -134,7 +137,8 @@ std::string ClassStatistics::table() const {
          row_if(tiles_not_sent_ > 0, "class tiles not sent", std::to_string(tiles_not_sent_)) +
          row("packets placed", std::to_string(packets_placed_) + ", and " +
                                    std::to_string(packets_not_placed_) + " without a place") +
-         row("slices", list_of(slices, kPoseCauseNames)) + row_of_lost(jumped, all, kLostByJumps) +
+         row("slices", list_of(slices, kPoseCauseNames) + since) +
+         row_of_lost(jumped, all, kLostByJumps) +
          row_of_lost(imprecise, all,
                      "lost because the poses state standard deviations above 150 mm or 3 mrad in a "
                      "second; for a log that is better than it states, --poses-sigma MM MRAD says "
@@ -143,7 +147,7 @@ std::string ClassStatistics::table() const {
                 std::to_string(slices_over_budget_) + " slices, " + std::to_string(groups_left_) +
                     " groups of cells") +
          row_if(had_spells, "times without a place", list_of(spells, kPoseCauseNames)) +
-         row("poses", had_poses ? list_of(last_.pose_fates, kPoseFateNames)
+         row("poses", had_poses ? list_of(last_.pose_fates, kPoseFateNames) + since
                                 : "none: classes need them, the index grid does not") +
          (had_end_ ? map_table(last_.map) : std::string()) + row("class run hash", hex(run_hash()));
 }

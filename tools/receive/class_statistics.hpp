@@ -46,6 +46,8 @@ class ClassStatistics {
   std::uint32_t frames_of_time_ = 0;  // ClassRecord::frames_of_time
   bool had_end_ = false;
   stream::ClassEnd last_;  // what counts since the target's start
+  std::optional<std::uint32_t> run_number_;
+  bool was_restarted_ = false;
   std::vector<ClassRecord> records_;
   RunHash hash_;
 };

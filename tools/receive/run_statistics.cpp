@@ -1,6 +1,7 @@
 #include "tools/receive/run_statistics.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -40,7 +41,7 @@ void RunStatistics::add(const GridFrame& frame) {
       fates_[i] += frame.end.fates[i];
     }
     too_slow_ += points_not_taken(frame.end) > 0 ? 1U : 0U;
-    packet_drops_ = frame.end.packet_drops;
+    add_drops(frame);
     stack_used_bytes_ = std::max(stack_used_bytes_, frame.end.stack_used_bytes);
     core_shares_ = stream::counts_of<work::TeamCounts>(frame.end);
     run_before_ = stream::counts_of<hal::RunBefore>(frame.end);
@@ -70,6 +71,14 @@ void RunStatistics::add(const GridFrame& frame) {
   timed_out_ += record.is_timed_out ? 1U : 0U;
   records_.push_back(record);
   hash_.add(record.grid_crc);
+}
+
+// A target counts since its start.
+void RunStatistics::add_drops(const GridFrame& frame) {
+  if (last_ && last_->run_number != frame.header.run_number) {
+    drops_before_ = packet_drops_;
+  }
+  std::ranges::transform(drops_before_, frame.end.packet_drops, packet_drops_.begin(), std::plus());
 }
 
 // States count in frames with evidence; before the first of these, in reports of silence.

@@ -61,6 +61,7 @@ class RunStatistics {
 
  private:
   void add_times(const GridFrame& frame);
+  void add_drops(const GridFrame& frame);
   void add_states(const GridFrame& frame);
   void add_points(const stream::FrameEnd& end);
   void add_target_facts(Facts& facts) const;
@@ -80,7 +81,8 @@ class RunStatistics {
   std::uint64_t tiles_ = 0;
   std::uint64_t tiles_not_sent_ = 0;  // the target's network took no message
   std::array<std::uint64_t, vehicle::kFateCount> fates_{};
-  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops_{};  // since the target's start
+  std::array<std::uint32_t, intake::kPacketDropCount> packet_drops_{};
+  std::array<std::uint32_t, intake::kPacketDropCount> drops_before_{};  // the target's last start
   TimeStatistics fuse_us_;
   TimeStatistics mark_us_;
   TimeStatistics perceive_us_;

@@ -12,6 +12,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/fixed.hpp"
+#include "tools/program/time_of_day.hpp"
 
 namespace iog::tools {
 namespace {
@@ -47,9 +48,15 @@ UdpReceiver::UdpReceiver(const std::string& address, std::uint16_t port) {
 }
 
 UdpReceiver::~UdpReceiver() {
-  is_closing_ = true;
-  thread_.join();
+  stop();
   close(socket_);
+}
+
+void UdpReceiver::stop() {
+  is_closing_ = true;
+  if (thread_.joinable()) {
+    thread_.join();
+  }
 }
 
 UdpReceiver::Messages UdpReceiver::take(std::chrono::milliseconds longest) {
@@ -72,6 +79,7 @@ void UdpReceiver::receive() {
     if (count <= 0) {
       continue;
     }
+    const std::uint64_t now_us = time_of_day_us();
     const std::lock_guard lock(mutex_);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       if (queue_.size() >= kMaxQueued) {
@@ -79,7 +87,7 @@ void UdpReceiver::receive() {
         continue;
       }
       const auto bytes = std::span(rooms[i]).first(headers[i].msg_len);
-      queue_.emplace_back(bytes.begin(), bytes.end());
+      queue_.push_back({.time_us = now_us, .bytes = {bytes.begin(), bytes.end()}});
     }
     arrived_.notify_one();
   }

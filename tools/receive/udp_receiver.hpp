@@ -16,7 +16,11 @@ namespace iog::tools {
 
 class UdpReceiver {
  public:
-  using Messages = std::vector<std::vector<std::byte>>;
+  struct Message {
+    std::uint64_t time_us;  // when it arrived, by this PC's time of day
+    std::vector<std::byte> bytes;
+  };
+  using Messages = std::vector<Message>;
 
   // UsageError if that address and port cannot be bound.
   UdpReceiver(const std::string& address, std::uint16_t port);
@@ -26,6 +30,9 @@ class UdpReceiver {
 
   // What has come since the last call, in its order; waits for it, but no longer than that.
   [[nodiscard]] Messages take(std::chrono::milliseconds longest);
+
+  // Nothing more is received. What has arrived before can still be taken.
+  void stop();
 
   // Messages that were dropped here because nobody took them.
   [[nodiscard]] std::uint64_t overflow() const { return overflow_; }

@@ -45,23 +45,28 @@ class LiveRecording {
 
   void run() {
     notes_.say_listening();
-    while (!is_done() && !was_interrupted() && !is_idle()) {
+    bool is_interrupted = false;  // what has arrived by then is still recorded
+    bool has_arrived = true;
+    while (!is_done() && !is_idle() && (!is_interrupted || has_arrived)) {
+      is_interrupted = was_interrupted();
+      if (is_interrupted) {
+        receiver_.stop();
+      }
       UdpReceiver::Messages messages = receiver_.take(kLongestWait);
-      const std::uint64_t time_us = time_of_day_us();
-      const bool has_arrived = !messages.empty();
-      for (std::vector<std::byte>& message : messages) {
+      has_arrived = !messages.empty();
+      for (UdpReceiver::Message& message : messages) {
         if (!is_done()) {
-          recorder_->take({.time_us = time_us,
+          recorder_->take({.time_us = message.time_us,
                            .source = kStreamSource,
                            .destination = destination_,
-                           .payload = std::move(message)});
+                           .payload = std::move(message.bytes)});
           if (recorder_->has_messages()) {
             recorder_->keep_beginning();
           }
           note_frames();
         }
       }
-      note_arrival(has_arrived, time_us);
+      note_arrival(has_arrived);
     }
     if (recorder_->datagrams() > 0 && !recorder_->has_messages()) {
       throw CheckFailed(std::to_string(recorder_->datagrams()) +
@@ -93,12 +98,12 @@ class LiveRecording {
     progress_.show(frames_);
   }
 
-  void note_arrival(bool has_arrived, std::uint64_t time_us) {
+  void note_arrival(bool has_arrived) {
     const auto now = Clock::now();
     if (has_arrived) {
       last_arrival_ = now;
     } else if (now - last_arrival_ > FrameAssembler::kLongestSilence) {
-      recorder_->note_silence(time_us);
+      recorder_->note_silence(time_of_day_us());
       note_frames();
       last_arrival_ = now;
     }

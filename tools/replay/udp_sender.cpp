@@ -1,6 +1,8 @@
 #include "tools/replay/udp_sender.hpp"
 
 #include <arpa/inet.h>
+#include <cerrno>
+#include <cstring>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
@@ -11,7 +13,7 @@
 namespace iog::tools {
 
 UdpSender::UdpSender(const std::string& host, std::vector<std::uint16_t> ports)
-    : socket_(-1), address_(0), ports_(std::move(ports)) {
+    : host_(host), socket_(-1), address_(0), ports_(std::move(ports)) {
   in_addr address{};
   if (inet_pton(AF_INET, host.c_str(), &address) != 1) {
     throw UsageError("--target " + host + ": give an IPv4 address such as 127.0.0.1");
@@ -32,7 +34,17 @@ bool UdpSender::send(std::size_t index, std::span<const std::byte> payload) {
   to.sin_port = htons(ports_.at(index));
   const auto sent = sendto(socket_, payload.data(), payload.size(), 0,
                            reinterpret_cast<const sockaddr*>(&to), sizeof to);
-  return sent == static_cast<ssize_t>(payload.size());
+  const bool is_sent = sent == static_cast<ssize_t>(payload.size());
+  has_sent_ = has_sent_ || is_sent;
+  refusal_ = is_sent ? refusal_ : errno;
+  return is_sent;
+}
+
+void UdpSender::demand_sent() const {
+  if (refusal_ != 0 && !has_sent_) {
+    throw CheckFailed("nothing could be sent to " + host_ + ": " + std::strerror(refusal_) +
+                      ". Is the network of this PC up, and is this the target's address?");
+  }
 }
 
 std::optional<bool> UdpSender::has_been_taken(std::size_t index) const {

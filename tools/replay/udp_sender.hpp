@@ -21,14 +21,20 @@ class UdpSender {
   // To the port of that number, below ports.size(). False if the system did not take it.
   bool send(std::size_t index, std::span<const std::byte> payload);
 
+  // CheckFailed if the system has refused all datagrams, such as without a network.
+  void demand_sent() const;
+
   // Whether a program on this PC has read all that was sent to the port of that number. Empty of
   // another host, or where the system does not say.
   [[nodiscard]] std::optional<bool> has_been_taken(std::size_t index) const;
 
  private:
+  std::string host_;
   int socket_;
   std::uint32_t address_;  // in the byte order of the wire
   std::vector<std::uint16_t> ports_;
+  bool has_sent_ = false;
+  int refusal_ = 0;  // errno of the last one
 };
 
 }  // namespace iog::tools

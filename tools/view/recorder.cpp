@@ -8,7 +8,6 @@
 #include "net/udp.hpp"
 #include "tools/program/exit_status.hpp"
 #include "tools/program/file.hpp"
-#include "tools/program/time_of_day.hpp"
 
 namespace iog::tools::view {
 namespace {
@@ -48,12 +47,12 @@ void Recorder::stop() {
   }
 }
 
-void Recorder::take(std::span<const std::byte> message) {
+void Recorder::take(std::span<const std::byte> message, std::uint64_t time_us) {
   if (!is_open() || message.size() > net::kMaxUdpPayloadBytes) {
     return;
   }
   try {
-    file_->write({.time_us = time_of_day_us(),
+    file_->write({.time_us = time_us,
                   .source = {.ipv4 = kLoopback, .port = port_},
                   .destination = {.ipv4 = kLoopback, .port = port_},
                   .payload = {message.begin(), message.end()}});

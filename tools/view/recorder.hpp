@@ -22,9 +22,9 @@ class Recorder {
   // Ends the recording in any case. UsageError if it has not been written completely.
   void stop();
 
-  // Writes the message with the time of day, if a file is open. A message that is too long to be
-  // ours is left out. UsageError if it cannot be written; the recording is over then.
-  void take(std::span<const std::byte> message);
+  // Writes the message with its time of arrival, if a file is open. A message that is too long to
+  // be ours is left out. UsageError if it cannot be written; the recording is over then.
+  void take(std::span<const std::byte> message, std::uint64_t time_us);
 
   [[nodiscard]] bool is_open() const { return file_.has_value(); }
   [[nodiscard]] const std::string& path() const { return path_; }  // of the last file

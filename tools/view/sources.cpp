@@ -36,8 +36,8 @@ class StreamSource : public Source {
 
   bool take(Viewer& viewer) {
     const UdpReceiver::Messages messages = receiver_.take(kTendEvery);
-    for (const std::vector<std::byte>& message : messages) {
-      viewer.take(message);
+    for (const UdpReceiver::Message& message : messages) {
+      viewer.take(message.bytes, message.time_us);
     }
     return !messages.empty();
   }

@@ -46,14 +46,14 @@ std::int64_t Viewer::now_ms() const {
   return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start_).count();
 }
 
-void Viewer::take(std::span<const std::byte> datagram) {
+void Viewer::take(std::span<const std::byte> datagram, std::uint64_t time_us) {
   try {
-    recorder_.take(datagram);
+    recorder_.take(datagram, time_us);
   } catch (const UsageError& error) {
     problem_ = error.what();  // what comes is shown all the same
   }
   for (Recording* const other : others_) {
-    other->take_datagram({.time_us = time_of_day_us(),
+    other->take_datagram({.time_us = time_us,
                           .source = {},
                           .destination = {},
                           .payload = {datagram.begin(), datagram.end()}});

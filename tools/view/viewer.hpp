@@ -13,6 +13,7 @@
 #include "tools/frames/frame_assembler.hpp"
 #include "tools/frames/live_classes.hpp"
 #include "tools/frames/live_grid.hpp"
+#include "tools/program/time_of_day.hpp"
 #include "tools/record/recording.hpp"
 #include "tools/view/recorder.hpp"
 #include "tools/view/scene.hpp"
@@ -42,7 +43,7 @@ class Viewer {
 
   // One datagram of the stream, of whatever bytes. Its frame is shown as soon as it is complete,
   // unless frames are being held back.
-  void take(std::span<const std::byte> datagram);
+  void take(std::span<const std::byte> datagram, std::uint64_t time_us = time_of_day_us());
 
   // From now on frames wait until they are shown with what surrounds them.
   void hold_frames() { is_holding_ = true; }

@@ -14,6 +14,7 @@
 
 #include "drive_sample.hpp"
 #include "tools/frames/frame_assembler.hpp"
+#include "tools/receive/run_statistics.hpp"
 #include "wire/byte_order.hpp"
 
 namespace iog::tools {
@@ -272,6 +273,25 @@ TEST(RunChange, AFrameThatComesOnceMoreIsNotTheNewest) {
   EXPECT_EQ(shown.counts.restarts, 0U);
   EXPECT_EQ(shown.counts.too_late, again.size());
   EXPECT_EQ(shown.whole, kFrames);
+}
+
+// A target counts since its start, and a table is of all that was received.
+TEST(RunChange, WhatEachRunHasDroppedAddsUp) {
+  RunStatistics statistics;
+  const auto add = [&](std::uint32_t run, std::uint32_t dropped) {
+    GridFrame frame;
+    frame.header.run_number = run;
+    frame.has_end = true;
+    frame.end.packet_drops.fill(dropped);
+    statistics.add(frame);
+  };
+  add(kFirst, 3);
+  add(kFirst, 7);
+  add(kSecond, 0);
+  EXPECT_EQ(statistics.packets_late(), 7U);
+  add(kSecond, 2);
+  add(kThird, 1);
+  EXPECT_EQ(statistics.packets_late(), 10U);
 }
 
 }  // namespace

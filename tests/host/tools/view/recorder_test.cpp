@@ -13,6 +13,8 @@
 namespace iog::tools::view {
 namespace {
 
+constexpr std::uint64_t kTimeUs = 1'700'000'000'123'456;
+
 class RecorderTest : public testing::Test {
  protected:
   tests::TemporaryFolder parent_;
@@ -21,14 +23,14 @@ class RecorderTest : public testing::Test {
 
 TEST_F(RecorderTest, KeepsEveryMessageAsItWas) {
   Recorder recorder(folder_, 15000);
-  recorder.take(std::vector<std::byte>(10));  // not recorded: nobody has asked
+  recorder.take(std::vector<std::byte>(10), kTimeUs);  // not recorded: nobody has asked
   recorder.start();
   std::vector<std::vector<std::byte>> messages;
   for (std::size_t size : {1U, 100U, 1392U}) {
     messages.emplace_back(size, static_cast<std::byte>(size));
-    recorder.take(messages.back());
+    recorder.take(messages.back(), kTimeUs);
   }
-  recorder.take(std::vector<std::byte>(2000));  // longer than any message of ours
+  recorder.take(std::vector<std::byte>(2000), kTimeUs);  // longer than any message of ours
   EXPECT_EQ(recorder.messages(), 3U);
   EXPECT_EQ(recorder.bytes(), 1493U);
   recorder.stop();
@@ -37,6 +39,7 @@ TEST_F(RecorderTest, KeepsEveryMessageAsItWas) {
     const auto datagram = capture.next();
     ASSERT_TRUE(datagram);
     EXPECT_EQ(datagram->payload, message);
+    EXPECT_EQ(datagram->time_us, kTimeUs);
     EXPECT_EQ(datagram->destination.port, 15000);
   }
   EXPECT_FALSE(capture.next());
@@ -87,7 +90,7 @@ TEST_F(RecorderTest, AFullDiskIsToldAtOnceAndEndsTheRecording) {
   const SmallDisk disk(50'000);
   const auto record_an_hour = [&] {
     for (int i = 0; i < 1000; ++i) {
-      recorder.take(std::vector<std::byte>(1000));
+      recorder.take(std::vector<std::byte>(1000), kTimeUs);
     }
   };
   EXPECT_THROW(record_an_hour(), UsageError);
@@ -99,7 +102,7 @@ TEST_F(RecorderTest, AFullDiskIsToldAtOnceAndEndsTheRecording) {
 TEST_F(RecorderTest, ARecordingThatCannotBeEndedWellIsOverAllTheSame) {
   Recorder recorder(folder_, 15000);
   recorder.start();
-  recorder.take(std::vector<std::byte>(1000));
+  recorder.take(std::vector<std::byte>(1000), kTimeUs);
   {
     const SmallDisk disk(500);
     EXPECT_THROW(recorder.stop(), UsageError);

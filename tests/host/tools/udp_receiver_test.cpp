@@ -1,0 +1,74 @@
+// What a thread of its own receives while nobody takes it.
+#include "tools/receive/udp_receiver.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+#include "gtest/gtest.h"
+
+#include "tools/program/exit_status.hpp"
+#include "tools/program/time_of_day.hpp"
+#include "tools/replay/udp_sender.hpp"
+
+namespace iog::tools {
+namespace {
+
+constexpr std::uint16_t kPort = 15'191;
+constexpr std::chrono::milliseconds kBetween{60};
+
+std::vector<std::byte> bytes(int number) {
+  return std::vector<std::byte>(100, static_cast<std::byte>(number));
+}
+
+TEST(UdpReceiver, MessagesHaveTheTimeOfTheirArrivalAndNotOfTheirTaking) {
+  UdpReceiver receiver("127.0.0.1", kPort);
+  UdpSender sender("127.0.0.1", {kPort});
+  const std::uint64_t begin_us = time_of_day_us();
+  for (int number = 0; number < 3; ++number) {
+    ASSERT_TRUE(sender.send(0, bytes(number)));
+    std::this_thread::sleep_for(kBetween);
+  }
+  const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(0));
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_GE(messages[0].time_us, begin_us);
+  for (std::size_t i = 1; i < 3; ++i) {
+    EXPECT_GE(messages[i].time_us, messages[i - 1].time_us + 40'000);
+  }
+}
+
+TEST(UdpReceiver, WhatHasArrivedIsThereAfterTheStop) {
+  UdpReceiver receiver("127.0.0.1", kPort);
+  UdpSender sender("127.0.0.1", {kPort});
+  for (int number = 0; number < 200; ++number) {
+    ASSERT_TRUE(sender.send(0, bytes(number)));
+  }
+  std::this_thread::sleep_for(kBetween);
+  receiver.stop();
+  ASSERT_TRUE(sender.send(0, bytes(200)));
+  const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(0));
+  ASSERT_EQ(messages.size(), 200U);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_EQ(messages[i].bytes, bytes(static_cast<int>(i)));
+  }
+  EXPECT_TRUE(receiver.take(std::chrono::milliseconds(0)).empty());
+}
+
+TEST(UdpSender, SaysWhyNothingCouldBeSent) {
+  UdpSender sender("255.255.255.255", {kPort});  // broadcast, which a socket has to ask for
+  EXPECT_NO_THROW(sender.demand_sent()) << "nothing was to be sent";
+  EXPECT_FALSE(sender.send(0, bytes(0)));
+  EXPECT_THROW(sender.demand_sent(), CheckFailed);
+}
+
+TEST(UdpSender, OneDatagramIsEnough) {
+  UdpSender sender("127.0.0.1", {kPort});
+  EXPECT_FALSE(sender.send(0, std::vector<std::byte>(70'000))) << "longer than UDP allows";
+  EXPECT_THROW(sender.demand_sent(), CheckFailed);
+  EXPECT_TRUE(sender.send(0, bytes(0)));
+  EXPECT_NO_THROW(sender.demand_sent());
+}
+
+}  // namespace
+}  // namespace iog::tools
