@@ -186,9 +186,13 @@ void add_times(const CloudRecords& records, const CloudField& field,
   const auto stamp_us = static_cast<double>(records.stamp_us);
   const double first_us = first * us;
   const double begin_us = first_us < 1e12 ? stamp_us + first_us : first_us;
-  const double apart_us = std::abs(begin_us - stamp_us);
   cloud.has_times = true;
   cloud.since_1970_us = since_1970_us(first_us);
+  if (records.stamp_us == 0 && cloud.since_1970_us > 0) {
+    cloud.time_us = cloud.since_1970_us;  // the driver has not set the stamp
+    return;
+  }
+  const double apart_us = std::abs(begin_us - stamp_us);
   cloud.apart_us = apart_us > 1e6 ? apart_us : 0;
   cloud.time_us =
       apart_us <= 1e6 && begin_us >= 0 ? static_cast<std::uint64_t>(begin_us) : records.stamp_us;

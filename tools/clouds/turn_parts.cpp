@@ -24,15 +24,20 @@ bool is_arc(const TurnParts::Directions& seen) {
 void TurnParts::take(const std::vector<WirePoint>& points) {
   constexpr std::size_t kFewest = 8;  // directions of a cloud
   constexpr std::size_t kOfMany = 4;
+  constexpr std::size_t kFewestPoints = 16;  // of a cloud with fewer directions
   Directions seen;
   for (const WirePoint& point : points) {
     seen.set(static_cast<std::size_t>(point.first) * kDirections /
              lidar::PointsPacket::kPartsPerTurn);
   }
   const std::size_t fewer = std::min(seen.count(), before_.count());
-  const bool are_arcs = fewer >= kFewest && is_arc(seen) && is_arc(before_);
-  parts_ += are_arcs && kOfMany * (seen & before_).count() <= fewer ? 1U : 0U;
+  const bool are_sure =
+      fewer >= kFewest || std::min(points.size(), points_before_) >= kFewestPoints;
+  const std::size_t in_common = (seen & before_).count();
+  const bool are_apart = kOfMany * in_common <= fewer || (in_common == 1 && fewer > 1);
+  parts_ += are_sure && is_arc(seen) && is_arc(before_) && are_apart ? 1U : 0U;
   before_ = seen;
+  points_before_ = points.size();
 }
 
 }  // namespace iog::tools

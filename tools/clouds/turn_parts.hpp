@@ -24,6 +24,7 @@ class TurnParts {
 
  private:
   Directions before_{};
+  std::size_t points_before_ = 0;
   std::uint64_t parts_ = 0;
 };
 

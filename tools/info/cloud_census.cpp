@@ -27,7 +27,8 @@ constexpr std::uint64_t kLookedInto = 10;  // messages of a topic; of the others
 constexpr double kPartsPerDegree = lidar::PointsPacket::kPartsPerTurn / 360.0;
 constexpr double kTicksPerDegree = 32;  // of scan_width_ticks
 constexpr std::size_t kMostRings = 128;
-constexpr std::size_t kMostListed = 8;  // that are listed
+constexpr int kShortestPeriodUs = 10'000;  // of frames (docs/vehicles.md)
+constexpr std::size_t kMostListed = 8;     // that are listed
 
 struct LaserAngles {
   double first_deg = 0;
@@ -191,7 +192,8 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   std::string of_car;
   if (!is_turning && topic.period_us() > 0) {
     of_car += "    frame_period_us = " +
-              std::to_string(std::llround(topic.period_us() * 1.5 / 1000) * 1000) +
+              std::to_string(std::max<long long>(
+                  std::llround(topic.period_us() * 1.5 / 1000) * 1000, kShortestPeriodUs)) +
               "  # 1.5 times the time from scan to scan\n";
   }
   if (topic.is_scan) {
@@ -238,7 +240,10 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Cen
   text << row("clouds on", printable(name)) << words_of_frames(topic.frames, census.of_odometry);
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
                             (topic.has_times ? "with times" : "without times"))
-       << row_if(topic.apart_us > 0, "TIMES?", words_of_other_clock(topic.apart_us));
+       << row_if(topic.apart_us > 0, "TIMES?", words_of_other_clock(topic.apart_us))
+       << row_if(topic.period_us() > 0 && topic.period_us() < kShortestPeriodUs, "PERIOD?",
+                 "a target uses a cloud each 10 ms, and these come more often: let the lidar's "
+                 "driver publish whole turns or scans");
   if (topic.elevations.empty()) {
     return text.str() + "no point in its first messages\n";
   }
@@ -252,7 +257,9 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Cen
     view << topic.angles->first_deg / 180 * std::numbers::pi << " to "
          << topic.angles->last_deg / 180 * std::numbers::pi << " rad, range_max "
          << std::setprecision(1) << topic.angles->most_m << " m";
-    if (std::abs(topic.angles->first_deg + topic.angles->last_deg) > 1) {
+    const double width_deg = topic.angles->last_deg - topic.angles->first_deg;
+    if (width_deg < kWholeTurnDeg &&
+        std::abs(topic.angles->first_deg + topic.angles->last_deg) > 1) {
       view << "; iogrid expects as much to the left of x as to the right";
     }
     text << row("angles", view.str());

@@ -103,7 +103,7 @@ std::string summary_of_folder(const std::string& path) {
   if (pictures + classes + maps == 0) {
     throw UsageError(path +
                      ": a folder without frame_NNNNNN.png, classes_NNNNNN.png and map.yaml, so not "
-                     "of `iog record --out FOLDER`");
+                     "of `iog record --out FOLDER`. `iog points` reads folders of clouds");
   }
   std::string what;
   for (const auto& [count, words] : {std::pair(pictures, " pictures"), std::pair(maps, " maps"),

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
+#include <vector>
 
 #include "tools/formats/ros/cdr_reader.hpp"
 #include "tools/formats/ros/recorded_messages.hpp"
@@ -52,13 +54,34 @@ std::optional<double> sigma_of(double variance) {
                                                  : std::nullopt;
 }
 
-// A stamped pose does not say of which frame it is.
-LoggedPose pose_of(const ros::RecordedMessage& message, std::string& frame) {
+// what: such as "poses are". in: such as " in ".
+[[nodiscard]] UsageError several_frames(const std::string& where, std::string_view what,
+                                        std::string_view in, const std::string& one,
+                                        const std::string& other) {
+  std::string words = where + ": the ";
+  words.append(what).append(in).append(printable(one)).append(" and").append(in);
+  return UsageError(words + printable(other) + ": choose another topic by FILE:/topic");
+}
+
+// Of all poses of a topic. A stamped pose does not say of which frame it is.
+struct PoseFrames {
+  std::string in;  // such as odom
+  std::string of;  // such as base_link
+};
+
+LoggedPose pose_of(const ros::RecordedMessage& message, std::optional<PoseFrames>& frames) {
   CdrReader in(message.data, message.where);
   LoggedPose pose{.time_us = in.stamp_us()};
-  static_cast<void>(in.text());  // in which it is
+  PoseFrames its{.in = in.text(), .of = {}};
   const bool is_odometry = message.type == kOdometry;
-  frame = is_odometry ? in.text() : "";
+  its.of = is_odometry ? in.text() : "";
+  if (frames && frames->in != its.in) {
+    throw several_frames(message.where, "poses are", " in ", frames->in, its.in);
+  }
+  if (frames && frames->of != its.of) {
+    throw several_frames(message.where, "poses are", " of ", frames->of, its.of);
+  }
+  frames = its;
   read_place(in, pose);
   if (!is_odometry) {
     in.must_be_whole();
@@ -81,54 +104,98 @@ LoggedPose pose_of(const ros::RecordedMessage& message, std::string& frame) {
 struct Transforms {
   std::string robot{};  // whose poses are in the log: that without a name, or the first
   std::string parent{};
+  std::string other{};  // parent, in a later message; it may turn out to be in the vehicle
+  std::string where_other{};
   bool is_one = true;
   FewNames vehicles{};
-  FewNames others{};  // child frames
+  FewNames others{};                             // child frames
+  std::map<std::string, std::string> parents{};  // by child
 
   void add(const ros::RecordedMessage& message, PoseLog& log);
+  // UsageError if the vehicle's frame has moved in two frames.
+  void demand_one_parent() const {
+    if (!other.empty() && !is_in_vehicle(other)) {
+      throw several_frames(where_other, "vehicle is", " in ", parent, other);
+    }
+  }
   // Why there are no poses.
   [[nodiscard]] std::string words() const {
     return is_one ? "no /tf of " + std::string(kVehicleFrame) + " or " + std::string(kFootprint) +
                         (others.is_empty() ? "" : ", only of " + others.words())
                   : "in /tf several vehicles, " + vehicles.words();
   }
+
+ private:
+  struct Transform {
+    LoggedPose pose;
+    std::string from;
+    std::string to;
+  };
+  void add(const Transform& transform, const std::string& where, PoseLog& log);
+  // Whether this frame or one above it is the vehicle's.
+  [[nodiscard]] bool is_in_vehicle(std::string frame) const;
 };
 
 void Transforms::add(const ros::RecordedMessage& message, PoseLog& log) {
+  constexpr std::size_t kMostFrames = 10'000;
   CdrReader in(message.data, message.where);
+  std::vector<Transform> transforms;
   for (std::uint32_t left = in.u32(); left > 0; --left) {
-    LoggedPose pose{.time_us = in.stamp_us()};
-    const std::string from = in.text();
-    const std::string to = in.text();
-    read_place(in, pose);
+    Transform its{{.time_us = in.stamp_us()}, in.text(), in.text()};
+    read_place(in, its.pose);
     in.must_be_whole();
-    const std::optional<std::string> its = robot_of(to);
-    if (!its) {
-      others.add(to);
+    if (parents.size() < kMostFrames) {
+      parents.insert_or_assign(its.to, its.from);
     }
-    if (!its || robot_of(from)) {
-      continue;
-    }
-    vehicles.add(to);
-    if (log.poses.empty() || (its->empty() && !robot.empty())) {
-      log.poses.clear();
-      robot = *its;
-      parent = from;
-      is_one = true;
-    }
-    if (*its != robot) {
-      is_one = robot.empty();
-      continue;
-    }
-    if (from != parent) {
-      throw UsageError(std::string(message.where)
-                           .append(": the vehicle is in ")
-                           .append(printable(parent))
-                           .append(" and in ")
-                           .append(printable(from)));
-    }
-    tools::add(pose, message.where, log);
+    transforms.push_back(std::move(its));
   }
+  for (const Transform& its : transforms) {
+    add(its, message.where, log);
+  }
+}
+
+void Transforms::add(const Transform& transform, const std::string& where, PoseLog& log) {
+  const auto& [pose, from, to] = transform;
+  const std::optional<std::string> its = robot_of(to);
+  if (!its) {
+    others.add(to);
+  }
+  if (!its || is_in_vehicle(from)) {
+    return;
+  }
+  vehicles.add(to);
+  // What is above the vehicle's frame may be known only later.
+  if (log.poses.empty() || (its->empty() && !robot.empty()) || is_in_vehicle(parent)) {
+    log.poses.clear();
+    robot = *its;
+    parent = from;
+    other.clear();
+    is_one = true;
+  }
+  if (*its != robot) {
+    is_one = robot.empty();
+    return;
+  }
+  if (from != parent) {
+    if (other.empty() || is_in_vehicle(other)) {
+      other = from;
+      where_other = where;
+    }
+    return;
+  }
+  tools::add(pose, where, log);
+}
+
+bool Transforms::is_in_vehicle(std::string frame) const {
+  constexpr int kDeepest = 32;
+  for (int i = 0; i < kDeepest && !robot_of(frame); ++i) {
+    const auto above = parents.find(frame);
+    if (above == parents.end()) {
+      return false;
+    }
+    frame = above->second;
+  }
+  return robot_of(frame).has_value();
 }
 
 }  // namespace
@@ -143,7 +210,7 @@ std::optional<std::string> robot_of(const std::string& frame) {
 PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   PoseLog log{.unit = "pose"};
   std::string its = topic;
-  std::string frame;
+  std::optional<PoseFrames> frames;
   const auto read = [&](std::span<const std::string_view> types) {
     log.notes = ros::for_each_message(path, types, topic, [&](const auto& message) {
       its = its.empty() ? std::string(message.topic) : its;
@@ -152,7 +219,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
                          printable(std::string(message.topic)) + " have poses: choose one by " +
                          path + ':' + printable(its));
       }
-      add(pose_of(message, frame), message.where, log);
+      add(pose_of(message, frames), message.where, log);
     });
   };
   read(std::span(&kOdometry, 1));
@@ -161,6 +228,7 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
   if (log.poses.empty()) {
     log.notes = ros::for_each_message(path, std::span(&kTransforms, 1), topic,
                                       [&](const auto& message) { transforms.add(message, log); });
+    transforms.demand_one_parent();
   }
   if (log.poses.empty()) {
     read(kPoses);
@@ -177,8 +245,8 @@ PoseLog read_ros_log(const std::string& path, const std::string& topic) {
         "its stamped poses do not say of which frame they are: base_link is assumed, and "
         "--poses-mount says where in the car another one is");
   }
-  if (!frame.empty() && !robot_of(frame)) {
-    log.notes.push_back("the poses are of " + printable(frame) + ", not of " +
+  if (frames && !frames->of.empty() && !robot_of(frames->of)) {
+    log.notes.push_back("the poses are of " + printable(frames->of) + ", not of " +
                         std::string(kVehicleFrame) +
                         ": --poses-mount says where in the car that is");
   }

@@ -77,9 +77,10 @@ void put_place(ros::CdrWriter& out, std::string_view frame, std::string_view chi
   }
 }
 
-Message odometry(double speed, const Turn& turn = kTurn, std::string_view of = "base_link") {
+Message odometry(double speed, const Turn& turn = kTurn, std::string_view of = "base_link",
+                 std::string_view in = "odom") {
   ros::CdrWriter out;
-  put_place(out, "odom", of, turn);
+  put_place(out, in, of, turn);
   const auto put_variances = [&out](double along, double about_z) {
     for (int i = 0; i < 36; ++i) {
       out.put(i == 0 ? along : i == 35 ? about_z : 0.0);
@@ -105,6 +106,13 @@ Message stamped(bool has_covariance) {
   for (int i = 0; has_covariance && i < 36; ++i) {
     out.put(0.5);
   }
+  return out.take();
+}
+
+Message transform(std::string_view parent, std::string_view child) {
+  ros::CdrWriter out;
+  out.put(std::uint32_t{1});
+  put_place(out, parent, child, kTurn);
   return out.take();
 }
 
@@ -204,6 +212,11 @@ TEST_F(Trajectories, OfOdometryHaveTheErrorsOfTheirTwist) {
   EXPECT_EQ(read_pose_log(bag(kOdometry, {odometry(10, kTurn, "gps")})).notes,
             std::vector<std::string>{"the poses are of gps, not of base_link: --poses-mount says "
                                      "where in the car that is"});
+  // Two sources on one topic.
+  expect_error(bag(kOdometry, {odometry(10), odometry(10, kTurn, "base_link", "map")}),
+               "the poses are in odom and in map: choose another topic");
+  expect_error(bag(kOdometry, {odometry(10), odometry(10, kTurn, "trailer")}),
+               "the poses are of base_link and of trailer: choose another topic");
   Message cut = odometry(10);
   cut.resize(300);
   expect_error(bag(kOdometry, {cut}), "cut off");
@@ -221,6 +234,21 @@ TEST_F(Trajectories, OfTransformsAreThoseOfTheCar) {
   EXPECT_EQ(read_pose_log(bag(kTransforms, {transforms("odom"), below})).poses.size(), 1U);
   expect_error(bag(kTransforms, {transforms("odom"), transforms("map")}),
                "the vehicle is in odom and in map");
+}
+
+// Frames may stand between the two of the vehicle, and messages come in any order.
+TEST_F(Trajectories, OfTransformsBelowAFootprintOneMoves) {
+  std::vector<Message> chain{transform("odom", "base_footprint"),
+                             transform("base_footprint", "base_stabilized"),
+                             transform("base_stabilized", "base_link")};
+  std::ranges::sort(chain);
+  do {
+    std::vector<Message> all = chain;
+    all.insert(all.end(), chain.begin(), chain.end());
+    const PoseLog log = read_pose_log(bag(kTransforms, all));
+    EXPECT_LE(log.poses.size(), 2U);
+    expect_pose(log);
+  } while (std::ranges::next_permutation(chain).found);
 }
 
 // As robots with a namespace name their frames.

@@ -110,6 +110,10 @@ void read_mcap(std::ifstream& file, const std::string& name, Messages& messages,
       without_schema += channel.schema_id == 0 ? 0U : 1U;  // 0: it has none, and is not of ROS 2
       continue;
     }
+    if (channel.message_encoding == "ros1") {
+      throw UsageError(
+          name + ": messages of ROS 1: convert the bag first, for example by rosbags-convert");
+    }
     const BagTopic topic{channel.topic, schema->second.name, channel.message_encoding, 0};
     if (messages.wants(topic)) {
       messages.take(name, topic, message->data);

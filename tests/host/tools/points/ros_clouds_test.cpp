@@ -37,7 +37,7 @@ struct SentCloud {
   [[nodiscard]] Bytes message() const {
     ros::CdrWriter out;
     out.put(stamp_s);
-    out.put(std::uint32_t{500'000'000});
+    out.put(std::uint32_t{stamp_s == 0 ? 0U : 500'000'000U});
     out.put(std::string_view("lidar"));
     out.put(rows);
     out.put(count / rows);
@@ -129,6 +129,18 @@ TEST(RosClouds, FindTheUnitOfTimes) {
   expect_later(with(
                    "timestamp", 8, [](Bytes& b, int i) { add(b, 5'000.0 + 0.05 * i); }, 8),
                0);
+}
+
+// A driver may leave the stamp at 0.
+TEST(RosClouds, TimesSince1970StandForAStampOfZero) {
+  SentCloud sent{.stride = 20,
+                 .points = two_points([](Bytes& b, int i) { add(b, 1'700'000'000.6 + 0.05 * i); })};
+  sent.fields.push_back({"timestamp", 12, 8});
+  sent.stamp_s = 0;
+  const SeenCloud cloud = cloud_of(sent);
+  EXPECT_NEAR(static_cast<double>(cloud.time_us), 1'700'000'000'600'000.0, 1);
+  EXPECT_NEAR(cloud.points[1].after_us, 50'000, 1);
+  EXPECT_EQ(cloud.apart_us, 0);
 }
 
 // `count` points, evenly over `span`, in a field t of unsigned 32-bit integers.

@@ -1,6 +1,7 @@
 // A driver may publish several clouds for a turn of its unit.
 #include "tools/clouds/turn_parts.hpp"
 
+#include <cmath>
 #include <random>
 
 #include "gtest/gtest.h"
@@ -33,6 +34,23 @@ TEST(TurnParts, OfHalfATurnAndLessAreTold) {
   for (const int degrees : {180, 150, 120, 90, 36}) {
     EXPECT_EQ(parts_of(degrees, degrees), kTaken - 1U) << degrees;
     EXPECT_EQ(parts_of(degrees, degrees + 5), kTaken - 1U) << degrees;
+  }
+}
+
+// 32 points of a sector, as a driver publishes it that does not wait for the turn.
+TEST(TurnParts, NarrowSectorsAreTold) {
+  for (const int sectors : {16, 20, 32, 64}) {
+    TurnParts parts;
+    for (int cloud = 0; cloud < kTaken; ++cloud) {
+      std::vector<WirePoint> points;
+      for (int i = 0; i < 32; ++i) {
+        const double turns = (cloud + i / 32.0) / sectors;
+        points.push_back({.first = static_cast<std::int32_t>((turns - std::floor(turns)) *
+                                                             lidar::PointsPacket::kPartsPerTurn)});
+      }
+      parts.take(points);
+    }
+    EXPECT_EQ(parts.parts(), kTaken - 1U) << sectors;
   }
 }
 
