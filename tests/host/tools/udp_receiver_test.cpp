@@ -1,9 +1,12 @@
 // What a thread of its own receives while nobody takes it.
 #include "tools/receive/udp_receiver.hpp"
 
+#include <arpa/inet.h>
 #include <chrono>
 #include <cstddef>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -15,16 +18,29 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::uint16_t kPort = 15'191;
 constexpr std::chrono::milliseconds kBetween{60};
+
+// That nobody has now: other tests run beside this one.
+std::uint16_t free_port() {
+  const int probe = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in here{};
+  here.sin_family = AF_INET;
+  here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof here;
+  EXPECT_EQ(bind(probe, reinterpret_cast<const sockaddr*>(&here), size), 0);
+  EXPECT_EQ(getsockname(probe, reinterpret_cast<sockaddr*>(&here), &size), 0);
+  close(probe);
+  return ntohs(here.sin_port);
+}
 
 std::vector<std::byte> bytes(int number) {
   return std::vector<std::byte>(100, static_cast<std::byte>(number));
 }
 
 TEST(UdpReceiver, MessagesHaveTheTimeOfTheirArrivalAndNotOfTheirTaking) {
-  UdpReceiver receiver("127.0.0.1", kPort);
-  UdpSender sender("127.0.0.1", {kPort});
+  const std::uint16_t port = free_port();
+  UdpReceiver receiver("127.0.0.1", port);
+  UdpSender sender("127.0.0.1", {port});
   const std::uint64_t begin_us = time_of_day_us();
   for (int number = 0; number < 3; ++number) {
     ASSERT_TRUE(sender.send(0, bytes(number)));
@@ -39,8 +55,9 @@ TEST(UdpReceiver, MessagesHaveTheTimeOfTheirArrivalAndNotOfTheirTaking) {
 }
 
 TEST(UdpReceiver, WhatHasArrivedIsThereAfterTheStop) {
-  UdpReceiver receiver("127.0.0.1", kPort);
-  UdpSender sender("127.0.0.1", {kPort});
+  const std::uint16_t port = free_port();
+  UdpReceiver receiver("127.0.0.1", port);
+  UdpSender sender("127.0.0.1", {port});
   for (int number = 0; number < 200; ++number) {
     ASSERT_TRUE(sender.send(0, bytes(number)));
   }
@@ -56,14 +73,14 @@ TEST(UdpReceiver, WhatHasArrivedIsThereAfterTheStop) {
 }
 
 TEST(UdpSender, SaysWhyNothingCouldBeSent) {
-  UdpSender sender("255.255.255.255", {kPort});  // broadcast, which a socket has to ask for
+  UdpSender sender("255.255.255.255", {free_port()});  // broadcast, which a socket has to ask for
   EXPECT_NO_THROW(sender.demand_sent()) << "nothing was to be sent";
   EXPECT_FALSE(sender.send(0, bytes(0)));
   EXPECT_THROW(sender.demand_sent(), CheckFailed);
 }
 
 TEST(UdpSender, OneDatagramIsEnough) {
-  UdpSender sender("127.0.0.1", {kPort});
+  UdpSender sender("127.0.0.1", {free_port()});
   EXPECT_FALSE(sender.send(0, std::vector<std::byte>(70'000))) << "longer than UDP allows";
   EXPECT_THROW(sender.demand_sent(), CheckFailed);
   EXPECT_TRUE(sender.send(0, bytes(0)));
