@@ -139,6 +139,18 @@ void read_sensors(std::vector<TomlTable>& tables, Car& car) {
   description::share_turn_lines(car.sensors, description::grid_of(car.description.grid).cell_mm);
 }
 
+// In TOML, keys of the car that stand below a [[sensors]] are keys of this sensor.
+void tell_keys_of_car(const TomlTable& car, Mistakes& mistakes) {
+  for (Mistake& mistake : mistakes) {
+    const std::size_t dot = mistake.field.rfind('.');
+    const bool is_of_sensor =
+        mistake.field.starts_with("sensors[") && dot == mistake.field.find('.');
+    if (mistake.is_unknown && is_of_sensor && car.knows(mistake.field.substr(dot + 1))) {
+      mistake.words = "no such key; it is one of the car: write it above the first [[sensors]]";
+    }
+  }
+}
+
 Car read_fields(const toml::table& file, const std::string& path, Mistakes& mistakes) {
   TomlTable table(file, "", mistakes);
   Car car;
@@ -169,6 +181,7 @@ Car read_fields(const toml::table& file, const std::string& path, Mistakes& mist
   add_usual_moved(sensors, car);
   table.demand({"name", "footprint", "sensors"});
   table.refuse_others();
+  tell_keys_of_car(table, mistakes);
   return car;
 }
 

@@ -141,10 +141,12 @@ void read_sensor(TomlTable& table, Car& car) {
   if (table.is_false("ground")) {
     sensor.ground.reset();
   } else if (table.has("ground")) {
-    sensor.ground = read_ground(table.table("ground"), description::top_m_over(sensor.mount.z_m));
+    sensor.ground = read_ground(table.table("ground", "false, or a table such as { low_m = 0.22 }"),
+                                description::top_m_over(sensor.mount.z_m));
   }
   if (!table.is_false("moved") && table.has("moved")) {
-    sensor.moved = read_moved(table.table("moved"), sensor.ground);
+    sensor.moved = read_moved(table.table("moved", "false, or a table such as { low_m = 0.7 }"),
+                              sensor.ground);
   }
   table.demand({"name", "type", "mount"});
   table.refuse_others();

@@ -62,6 +62,10 @@ void TomlTable::read(std::string_view key, bool& value) {
   }
 }
 
+bool TomlTable::knows(std::string_view key) const {
+  return std::ranges::find(known_, key) != known_.end();
+}
+
 bool TomlTable::is_false(std::string_view key) {
   const toml::node* const node = find(key);
   return node != nullptr && node->is_boolean() && !node->as_boolean()->get();
@@ -145,13 +149,13 @@ std::optional<std::size_t> TomlTable::read_word(std::string_view key,
   return static_cast<std::size_t>(found - words.begin());
 }
 
-TomlTable TomlTable::table(std::string_view key) {
+TomlTable TomlTable::table(std::string_view key, std::string_view allowed) {
   const toml::node* const node = find(key);
   if (node == nullptr) {
     return {kEmpty, field(key), *mistakes_};
   }
   if (!node->is_table()) {
-    note(*node, key, "a table");
+    note(*node, key, allowed);
     return {kEmpty, field(key), *mistakes_};
   }
   return {*node->as_table(), field(key), *mistakes_};
@@ -191,7 +195,7 @@ void TomlTable::refuse(std::string_view key, std::string_view allowed) {
 
 void TomlTable::refuse_others() {
   for (const auto& [key, node] : *table_) {
-    if (std::ranges::find(known_, key.str()) == known_.end()) {
+    if (!knows(key.str())) {
       mistakes_->push_back({key.source().begin.line, field(key.str()),
                             "no such key; allowed are " + joined(known_, ", "), true});
     }

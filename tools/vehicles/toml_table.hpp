@@ -64,12 +64,15 @@ class TomlTable {
                                                      const std::vector<std::string_view>& words);
 
   // The table of that key; an empty one of which nothing is demanded if there is none.
-  [[nodiscard]] TomlTable table(std::string_view key);
+  [[nodiscard]] TomlTable table(std::string_view key, std::string_view allowed = "a table");
   // The tables of that key's array; none if there is no such array.
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key);
 
   // A key that is asked for is a known one.
   [[nodiscard]] bool has(std::string_view key) { return find(key) != nullptr; }
+
+  // Whether somebody has asked for that key.
+  [[nodiscard]] bool knows(std::string_view key) const;
 
   // Whether it is `false`, which says of a table that there is none.
   [[nodiscard]] bool is_false(std::string_view key);
