@@ -366,6 +366,14 @@ std::string words_of_wrong_unit(TimeUnit given, double span, double period_us) {
   return text.str();
 }
 
+std::string words_of_short_period(double period_us) {
+  return period_us <= 0 || period_us >= kShortestPeriodUs
+             ? ""
+             : "a cloud comes every " + fixed(period_us / 1000, 1) +
+                   " ms, and the target accepts one every 10 ms: let the lidar's driver publish "
+                   "whole turns or scans";
+}
+
 std::string words_of_other_clock(double apart_us) {
   return "points' times are " + fixed(apart_us / 1e6, 1) +
          " s from their clouds' stamps; each cloud's first point is put at its stamp";

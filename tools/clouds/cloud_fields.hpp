@@ -84,6 +84,11 @@ struct CloudRecords {
 // from scan to scan; 0: unknown, which returns nothing.
 [[nodiscard]] std::string words_of_wrong_unit(TimeUnit given, double span, double period_us);
 
+// The least time from scan to scan (docs/sensors.md), and of a car file's frame_period_us.
+inline constexpr double kShortestPeriodUs = 10'000;
+// Returns a sentence if clouds come more often than that, else nothing. 0: unknown.
+[[nodiscard]] std::string words_of_short_period(double period_us);
+
 // Farther than any unit can measure.
 inline constexpr std::int32_t kFarthestMm = 500'000;
 

@@ -26,7 +26,6 @@
 #include "tools/poses/pose_log.hpp"
 #include "tools/program/add_option.hpp"
 #include "tools/program/exit_status.hpp"
-#include "tools/program/fixed.hpp"
 #include "tools/program/option_use.hpp"
 #include "tools/program/progress.hpp"
 #include "tools/program/table.hpp"
@@ -140,11 +139,8 @@ void report(const SentClouds& sent, TimeUnit unit, std::vector<std::string> word
                     "parts of turns: let the lidar's driver publish whole turns, and record "
                     "again.");
   }
-  constexpr double kShortestPeriodUs = 10'000;  // docs/sensors.md
-  if (sent.period_us() > 0 && sent.period_us() < kShortestPeriodUs) {
-    words.push_back("a cloud comes every " + fixed(sent.period_us() / 1000, 1) +
-                    " ms, and the target uses one each 10 ms: let the lidar's driver publish whole "
-                    "turns or scans");
+  if (const std::string of_period = words_of_short_period(sent.period_us()); !of_period.empty()) {
+    words.push_back(of_period);
   }
   const std::string of_unit = words_of_wrong_unit(unit, sent.longest_span, sent.period_us());
   if (!of_unit.empty()) {

@@ -27,8 +27,7 @@ constexpr std::uint64_t kLookedInto = 10;  // messages of a topic; of the others
 constexpr double kPartsPerDegree = lidar::PointsPacket::kPartsPerTurn / 360.0;
 constexpr double kTicksPerDegree = 32;  // of scan_width_ticks
 constexpr std::size_t kMostRings = 128;
-constexpr int kShortestPeriodUs = 10'000;  // of frames (docs/vehicles.md)
-constexpr std::size_t kMostListed = 8;     // that are listed
+constexpr std::size_t kMostListed = 8;  // that are listed
 
 struct LaserAngles {
   double first_deg = 0;
@@ -192,8 +191,8 @@ std::string draft_of(const CloudTopic& topic, const std::vector<double>& rings, 
   std::string of_car;
   if (!is_turning && topic.period_us() > 0) {
     of_car += "    frame_period_us = " +
-              std::to_string(std::max<long long>(
-                  std::llround(topic.period_us() * 1.5 / 1000) * 1000, kShortestPeriodUs)) +
+              std::to_string(std::llround(
+                  std::max(std::round(topic.period_us() * 1.5 / 1000) * 1000, kShortestPeriodUs))) +
               "  # 1.5 times the time from scan to scan\n";
   }
   if (topic.is_scan) {
@@ -238,12 +237,11 @@ std::string words_of(const std::string& name, const CloudTopic& topic, const Cen
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
   text << row("clouds on", printable(name)) << words_of_frames(topic.frames, census.of_odometry);
+  const std::string of_period = words_of_short_period(topic.period_us());
   text << row("points", "at most " + std::to_string(topic.most_points) + " in a message, " +
                             (topic.has_times ? "with times" : "without times"))
        << row_if(topic.apart_us > 0, "TIMES?", words_of_other_clock(topic.apart_us))
-       << row_if(topic.period_us() > 0 && topic.period_us() < kShortestPeriodUs, "PERIOD?",
-                 "a target uses a cloud each 10 ms, and these come more often: let the lidar's "
-                 "driver publish whole turns or scans");
+       << row_if(!of_period.empty(), "PERIOD?", of_period);
   if (topic.elevations.empty()) {
     return text.str() + "no point in its first messages\n";
   }

@@ -63,7 +63,8 @@ std::optional<double> sigma_of(double variance) {
   return UsageError(words + printable(other) + ": choose another topic by FILE:/topic");
 }
 
-// Of all poses of a topic. A stamped pose does not say of which frame it is.
+// The frames of all poses of a topic. `of` is empty if the poses do not say of which frame they
+// are.
 struct PoseFrames {
   std::string in;  // such as odom
   std::string of;  // such as base_link
@@ -104,7 +105,7 @@ LoggedPose pose_of(const ros::RecordedMessage& message, std::optional<PoseFrames
 struct Transforms {
   std::string robot{};  // whose poses are in the log: that without a name, or the first
   std::string parent{};
-  std::string other{};  // parent, in a later message; it may turn out to be in the vehicle
+  std::string other{};  // a second parent, unless a later message shows that it is in the vehicle
   std::string where_other{};
   bool is_one = true;
   FewNames vehicles{};
