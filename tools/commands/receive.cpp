@@ -88,15 +88,9 @@ class Reception {
     UdpReceiver receiver(options_->bind, options_->port);
     notes_.say_listening();
     begin_ = last_evidence_ = last_message_ = Clock::now();
-    bool is_interrupted = false;  // what has arrived by then still counts
-    bool has_arrived = true;
-    while (!is_done() && !is_idle() && (!is_interrupted || has_arrived)) {
-      is_interrupted = was_interrupted();
-      if (is_interrupted) {
-        receiver.stop();
-      }
+    while (!is_done() && !is_idle() && !receiver.has_ended()) {
       const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(100));
-      has_arrived = !messages.empty();
+      const bool has_arrived = !messages.empty();
       if (has_arrived) {
         notes_.say_heard();
       }

@@ -12,6 +12,7 @@
 
 #include "tools/program/exit_status.hpp"
 #include "tools/program/fixed.hpp"
+#include "tools/program/interrupt.hpp"
 #include "tools/program/time_of_day.hpp"
 
 namespace iog::tools {
@@ -20,7 +21,8 @@ namespace {
 constexpr int kSocketBufferBytes = 64 << 20;  // beyond the system's limit it is cut, silently
 constexpr std::size_t kMaxQueued = 400'000;   // some 10 minutes of frames
 constexpr std::size_t kBatch = 64;            // datagrams of one system call
-constexpr std::size_t kRoomBytes = 2048;      // more than any message; a longer one is cut
+constexpr std::size_t kMostLastBatches = 4096;
+constexpr std::size_t kRoomBytes = 2048;  // more than any message; a longer one is cut
 constexpr timeval kWakeUp{.tv_sec = 0, .tv_usec = 100'000};  // to see that it is over
 
 }  // namespace
@@ -59,6 +61,14 @@ void UdpReceiver::stop() {
   }
 }
 
+bool UdpReceiver::has_ended() {
+  if (!was_interrupted()) {
+    return false;
+  }
+  stop();
+  return queue_.empty();
+}
+
 UdpReceiver::Messages UdpReceiver::take(std::chrono::milliseconds longest) {
   std::unique_lock lock(mutex_);
   arrived_.wait_for(lock, longest, [this] { return !queue_.empty(); });
@@ -74,8 +84,14 @@ void UdpReceiver::receive() {
     headers[i].msg_hdr.msg_iov = &vectors[i];
     headers[i].msg_hdr.msg_iovlen = 1;
   }
-  while (!is_closing_) {
-    const int count = recvmmsg(socket_, headers.data(), kBatch, MSG_WAITFORONE, nullptr);
+  // At the end, what the system has kept is read, too, however much goes on coming.
+  for (std::size_t last = 0; last < kMostLastBatches; last += is_closing_ ? 1U : 0U) {
+    const bool is_last = is_closing_;
+    const int count =
+        recvmmsg(socket_, headers.data(), kBatch, is_last ? MSG_DONTWAIT : MSG_WAITFORONE, nullptr);
+    if (count <= 0 && is_last) {
+      return;
+    }
     if (count <= 0) {
       continue;
     }

@@ -31,8 +31,12 @@ class UdpReceiver {
   // What has come since the last call, in its order; waits for it, but no longer than that.
   [[nodiscard]] Messages take(std::chrono::milliseconds longest);
 
-  // Nothing more is received. What has arrived before can still be taken.
+  // Ends the reception. What has arrived before can still be taken.
   void stop();
+
+  // Returns true if the program was interrupted and all messages that had arrived were taken. Stops
+  // the reception if the program was interrupted.
+  [[nodiscard]] bool has_ended();
 
   // Messages that were dropped here because nobody took them.
   [[nodiscard]] std::uint64_t overflow() const { return overflow_; }

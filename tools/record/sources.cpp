@@ -45,15 +45,9 @@ class LiveRecording {
 
   void run() {
     notes_.say_listening();
-    bool is_interrupted = false;  // what has arrived by then is still recorded
-    bool has_arrived = true;
-    while (!is_done() && !is_idle() && (!is_interrupted || has_arrived)) {
-      is_interrupted = was_interrupted();
-      if (is_interrupted) {
-        receiver_.stop();
-      }
+    while (!is_done() && !is_idle() && !receiver_.has_ended()) {
       UdpReceiver::Messages messages = receiver_.take(kLongestWait);
-      has_arrived = !messages.empty();
+      const bool has_arrived = !messages.empty();
       for (UdpReceiver::Message& message : messages) {
         if (!is_done()) {
           recorder_->take({.time_us = message.time_us,

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "tools/program/interrupt.hpp"
 #include "tools/receive/udp_receiver.hpp"
 
 namespace iog::tools::view {
@@ -18,7 +17,7 @@ class StreamSource : public Source {
 
   void run(Viewer& viewer) override {
     Clock::time_point last_arrival = Clock::now();
-    while (!was_interrupted()) {
+    while (!receiver_.has_ended()) {
       const bool has_arrived = take(viewer);
       const Clock::time_point now = Clock::now();
       if (has_arrived) {

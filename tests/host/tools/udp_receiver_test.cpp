@@ -1,4 +1,4 @@
-// What a thread of its own receives while nobody takes it.
+// Datagrams between a sender and the thread that receives them, on this PC.
 #include "tools/receive/udp_receiver.hpp"
 
 #include <arpa/inet.h>
@@ -18,9 +18,7 @@
 namespace iog::tools {
 namespace {
 
-constexpr std::chrono::milliseconds kBetween{60};
-
-// That nobody has now: other tests run beside this one.
+// Returns a port that nobody uses now. Other tests run beside this one.
 std::uint16_t free_port() {
   const int probe = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in here{};
@@ -42,16 +40,14 @@ TEST(UdpReceiver, MessagesHaveTheTimeOfTheirArrivalAndNotOfTheirTaking) {
   UdpReceiver receiver("127.0.0.1", port);
   UdpSender sender("127.0.0.1", {port});
   const std::uint64_t begin_us = time_of_day_us();
-  for (int number = 0; number < 3; ++number) {
+  for (int number = 0; number < 2; ++number) {
     ASSERT_TRUE(sender.send(0, bytes(number)));
-    std::this_thread::sleep_for(kBetween);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
   }
   const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(0));
-  ASSERT_EQ(messages.size(), 3U);
+  ASSERT_EQ(messages.size(), 2U);
   EXPECT_GE(messages[0].time_us, begin_us);
-  for (std::size_t i = 1; i < 3; ++i) {
-    EXPECT_GE(messages[i].time_us, messages[i - 1].time_us + 40'000);
-  }
+  EXPECT_GE(messages[1].time_us, messages[0].time_us + 150'000);  // the PC may be busy
 }
 
 TEST(UdpReceiver, WhatHasArrivedIsThereAfterTheStop) {
@@ -61,7 +57,6 @@ TEST(UdpReceiver, WhatHasArrivedIsThereAfterTheStop) {
   for (int number = 0; number < 200; ++number) {
     ASSERT_TRUE(sender.send(0, bytes(number)));
   }
-  std::this_thread::sleep_for(kBetween);
   receiver.stop();
   ASSERT_TRUE(sender.send(0, bytes(200)));
   const UdpReceiver::Messages messages = receiver.take(std::chrono::milliseconds(0));
